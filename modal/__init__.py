@@ -1,0 +1,20 @@
+"""The elastic modes of the disk: `eigenmodes(scene)` gives `Modes`. Importing the package costs nothing."""
+
+from importlib import import_module
+
+_HOME = {
+    "eigenmodes": "solve",
+    "Material": "modes",
+    "Support": "modes",
+    "Modes": "modes",
+    "Body": "modes",
+    "write_vtu": "export",
+    "as_json": "export",
+}
+__all__ = sorted(_HOME)
+
+
+def __getattr__(name):
+    if name not in _HOME:
+        raise AttributeError(f"module 'modal' has no attribute {name!r}")
+    return getattr(import_module(f"modal.{_HOME[name]}"), name)

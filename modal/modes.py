@@ -1,0 +1,137 @@
+"""The sections of a scene that the elastic modes read, and the record of the modes.
+
+The frame of everything here is fixed in the disk: origin at its centre, z along its axis, x through the middle of the
+patch at the circumferential angle 0. In the paper's basis (2.1), with the contact at the patch, x, y, z = -e3, -e1, e2;
+the bottom face, which meets the table, is z = -thickness/2.
+"""
+
+from dataclasses import dataclass, fields, replace
+from math import log, pi
+from typing import Annotated, Literal
+
+import numpy as np
+from annotated_types import Ge, Gt, Le, Lt
+
+
+@dataclass(frozen=True, kw_only=True)
+class Material:
+    """An isotropic elastic solid: Young's modulus [Pa], Poisson's ratio, loss factor (energy lost per radian over stored)."""
+
+    young: Annotated[float, Gt(0)]
+    poisson: Annotated[float, Gt(-1), Lt(0.5)]
+    loss_factor: Annotated[float, Ge(0)] = 0.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Support:
+    """How the disk is held: by an arc `patch` of its lateral surface, centred at angle 0, or `free`.
+
+    The patch reaches `half_angle_deg` to either side and over `height` [m], the whole thickness unless given, in the
+    middle of the thickness or from the bottom rim up; `held` names the components of the displacement that are zero on it.
+    """
+
+    kind: Literal["patch", "free"] = "patch"
+    half_angle_deg: Annotated[float, Gt(0), Le(180)] = 5.0
+    height: Annotated[float, Gt(0)] | None = None
+    position: Literal["middle", "bottom"] = "middle"
+    held: tuple[Literal["radial", "tangential", "axial"], ...] = ("radial", "tangential", "axial")
+
+    def __post_init__(self):
+        if not self.held or len(set(self.held)) < len(self.held):
+            raise ValueError("held names each held component once: radial, tangential, axial")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Body:
+    """The mode shapes on a mesh of the whole disk: `points` (p, 3) [m], `cells` (c, nodes) in VTK order of the meshio
+    type `cell_type`, `displacement` (m, p, 3) [kg^-1/2]."""
+
+    points: np.ndarray
+    cells: np.ndarray
+    cell_type: str
+    displacement: np.ndarray
+
+
+@dataclass(frozen=True, kw_only=True)
+class Modes:
+    """m elastic modes, ascending, rigid-body modes not among them, of modal mass 1: phi^T M phi = 1, phi in [kg^-1/2].
+
+    frequency, decay_rate (m,) -- [Hz] and [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency t).
+    order (m,)          -- number of waves around the circumference; of a held disk the strongest one.
+    family (m,)         -- "flexural" (axial motion), "extensional" (in the plane) or "torsional" (in the plane, order 0).
+    parity (m,)         -- "even": symmetric about the plane y = 0, u_r, u_z ~ cos n theta; "odd": the sine partner.
+    partner (m,)        -- index of the other mode of a degenerate pair of an axisymmetric disk; -1 if there is none.
+    participation (m, 6) -- phi^T M r for the translations along x, y, z [kg^1/2] and the rotations about x, y, z
+                           through the centre [kg^1/2 m]; a base that accelerates as r drives q'' with -participation.
+    rim_angle (k,), rim_shape (m, k, 3) -- radial, tangential, axial displacement of the bottom edge at k even angles.
+    face_radius (a,), face_weight (a,), face_angle (b,), face_shape (m, 2, a, b) -- axial displacement of the bottom (0)
+                           and top (1) face at Gauss points in the radius and even angles: the integral over a face is
+                           sum(face_weight[:, None] * w) * 2 pi / b, in m^2; face_weight includes the radius.
+    residual (m,)       -- |K phi - w^2 M phi| / |K phi| of the computed pair.
+    error (m,)          -- estimated relative error of the frequency.
+    mass                -- mass of the discrete model [kg].  method, unknowns -- how it was computed, and how large.
+    """
+
+    frequency: np.ndarray
+    decay_rate: np.ndarray
+    order: np.ndarray
+    family: tuple[str, ...]
+    parity: tuple[str, ...]
+    partner: np.ndarray
+    participation: np.ndarray
+    rim_angle: np.ndarray
+    rim_shape: np.ndarray
+    face_radius: np.ndarray
+    face_weight: np.ndarray
+    face_angle: np.ndarray
+    face_shape: np.ndarray
+    residual: np.ndarray
+    error: np.ndarray
+    mass: float
+    method: str
+    unknowns: int
+    body: Body
+
+    def __post_init__(self):
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if isinstance(value, np.ndarray):
+                if not np.isfinite(value).all():
+                    raise ArithmeticError(f"modes: {field.name} has values that are not finite")
+                value.flags.writeable = False
+
+    def __len__(self):
+        return len(self.frequency)
+
+    @property
+    def decay_time(self) -> np.ndarray:
+        """T60 (m,) [s]: time in which a mode falls by 60 dB; infinite without losses."""
+        with np.errstate(divide="ignore"):
+            return 3 * log(10) / self.decay_rate
+
+    @property
+    def quality(self) -> np.ndarray:
+        """Q = pi f / d (m,); infinite without losses."""
+        with np.errstate(divide="ignore"):
+            return pi * self.frequency / self.decay_rate
+
+    @property
+    def effective_mass(self) -> np.ndarray:
+        """participation^2 (m, 6) [kg, kg m^2]; over all modes of a held disk the columns add up to its mass and inertia."""
+        return self.participation**2
+
+    def at_rim(self, angle) -> np.ndarray:
+        """Radial, tangential, axial displacement (m, k, 3) of the bottom edge at angles (k,) [rad], by Fourier's series."""
+        k = len(self.rim_angle)
+        wave = np.fft.rfft(self.rim_shape, axis=1) / k
+        order = np.arange(wave.shape[1])
+        twice = np.where((order == 0) | (2 * order == k), 1.0, 2.0)
+        basis = twice * np.exp(1j * np.outer(np.atleast_1d(angle), order))
+        return np.einsum("kn,mnc->mkc", basis, wave).real
+
+    def with_decay(self, decay_rate) -> "Modes":
+        """The same modes with other decay rates (m,) or scalar [1/s], as measured on a real disk."""
+        decay_rate = np.broadcast_to(np.asarray(decay_rate, float), self.frequency.shape).copy()
+        if (decay_rate < 0).any():
+            raise ValueError("a decay rate is not negative")
+        return replace(self, decay_rate=decay_rate)
