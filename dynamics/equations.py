@@ -1,0 +1,125 @@
+"""Newton-Euler for the disk on the plane, solved for the accelerations, the contact force and the resisting moments.
+
+Dimensionless as in the paper: m = R = 1, time in units of chi. The formulas are written once, for scalars of any kind:
+floats, numpy arrays, numba floats or heyoka expressions, according to the sine and cosine that they are given.
+"""
+
+import functools
+import math
+from typing import NamedTuple
+
+
+class Law(NamedTuple):
+    """The dimensionless constants of a scene: h = H/R, K = k^2, friction coefficients, arms over R."""
+
+    h: float
+    K: float
+    mu_static: float
+    mu_dynamic: float
+    k1: float
+    k2: float
+    k3: float
+
+
+class Loads(NamedTuple):
+    """What else acts on the disk: a force on its centre along a_1, a_2 and a moment along e_1, e_2, e_3."""
+
+    G1: float = 0.0
+    G2: float = 0.0
+    M1: float = 0.0
+    M2: float = 0.0
+    M3: float = 0.0
+
+
+class Contact(NamedTuple):
+    """What the balance laws give at one instant: rates of omega and slip, forces along a_1..a_3, moments along -a_1..-a_3."""
+
+    domega1: float
+    domega2: float
+    domega3: float
+    du1: float
+    du2: float
+    F1: float
+    F2: float
+    Phi: float
+    m1: float
+    m2: float
+    m3: float
+
+
+UNLOADED = Loads()
+
+
+def balance(sin, cos):
+    """Return the solver of the balance laws (4.1), (4.2) for scalars that `sin` and `cos` understand."""
+
+    def solve(beta, w1, w2, w3, u1, u2, c, s, sliding, stuck1, stuck2, stuck3, s1, s2, s3, law, loads=UNLOADED):
+        """Solve for accelerations and contact loads at inclination beta, angular velocity w and slip velocity u.
+
+        (c, s) is the slip direction (2.7), used when `sliding`; otherwise the contact rolls. s1..s3 are the senses (+-1)
+        of omega.a_i, replaced by an unknown multiplier where the surface omega.a_i = 0 is `stuck`. Equal to (4.7) and
+        (5.3) with the errata corrected, which tests/test_equations.py shows.
+        """
+        h, K = law.h, law.K
+        sin_a, cos_a = cos(beta), sin(beta)
+        e, f = h * sin_a + cos_a, h * cos_a - sin_a  # (4.9)
+        J1, J2, weight = K / 4 + h * h / 3, K / 2, (K + 4) / 4
+        rate = w3 / cos_a  # precession rate, (2.3)
+        v1, v2 = u1 + w2 - h * w3, u2 - e * w1  # centre of mass along a_1, a_2, from (2.5)
+
+        # About e_1: J1 w1' = gyro + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6).
+        gyro = J2 * w2 * w3 - J1 * rate * sin_a * w3 + loads.M1
+        Phi0 = weight - e * w1 * w1
+        if sliding:  # F2 = -mu s Phi
+            drag, F20, F21 = law.mu_dynamic * s, 0.0, 0.0
+        else:  # F2 = F20 + F21 w1' keeps u2 at rest
+            drag, F20, F21 = 0.0, rate * v1 - f * w1 * w1 - loads.G2, -e
+        if stuck1:
+            domega1 = 0.0 * Phi0
+        else:
+            lever = f + e * drag + s1 * law.k1
+            domega1 = (gyro + e * F20 - lever * Phi0) / (J1 - e * F21 + lever * f)
+        Phi = Phi0 + f * domega1
+        F2 = F20 + F21 * domega1 - drag * Phi
+        m1 = gyro + e * F2 - f * Phi if stuck1 else s1 * law.k1 * Phi
+
+        # About e_2, e_3: A (w2', w3') = b - m2 n2 - m3 n3, with n2 = (cos a, -sin a), n3 = (sin a, cos a).
+        b2, b3 = loads.M2, loads.M3 + w1 * (J1 * rate * sin_a - J2 * w2)
+        if sliding:
+            A22, A23, A33 = J2, 0.0, J1
+            b2, b3 = b2 + law.mu_dynamic * c * Phi, b3 - h * law.mu_dynamic * c * Phi
+        else:  # F1 = w2' - h w3' - rate v2 keeps u1 at rest
+            A22, A23, A33 = J2 + 1, -h, J1 + h * h
+            b2, b3 = b2 + rate * v2 + loads.G1, b3 - h * (rate * v2 + loads.G1)
+        det = A22 * A33 - A23 * A23
+        roll2, pivot3 = -w1 * (w2 * sin_a + w3 * cos_a), w1 * (w2 * cos_a - w3 * sin_a)
+        # roll2, pivot3: what the turning of a_2, a_3 adds to n2.(w2', w3') and n3.(w2', w3') in d(omega.a_i)/dtau
+        if stuck2 and stuck3:
+            domega2, domega3 = -roll2 * cos_a - pivot3 * sin_a, roll2 * sin_a - pivot3 * cos_a
+            r2, r3 = b2 - A22 * domega2 - A23 * domega3, b3 - A23 * domega2 - A33 * domega3
+            m2, m3 = r2 * cos_a - r3 * sin_a, r2 * sin_a + r3 * cos_a
+        else:
+            m2, m3 = s2 * law.k2 * Phi, s3 * law.k3 * Phi
+            if stuck2:
+                q2, q3 = (A33 * cos_a + A23 * sin_a) / det, (-A23 * cos_a - A22 * sin_a) / det
+                m2 = (q2 * (b2 - m3 * sin_a) + q3 * (b3 - m3 * cos_a) + roll2) / (q2 * cos_a - q3 * sin_a)
+            if stuck3:
+                q2, q3 = (A33 * sin_a - A23 * cos_a) / det, (A22 * cos_a - A23 * sin_a) / det
+                m3 = (q2 * (b2 - m2 * cos_a) + q3 * (b3 + m2 * sin_a) + pivot3) / (q2 * sin_a + q3 * cos_a)
+            r2, r3 = b2 - m2 * cos_a - m3 * sin_a, b3 + m2 * sin_a - m3 * cos_a
+            domega2, domega3 = (A33 * r2 - A23 * r3) / det, (A22 * r3 - A23 * r2) / det
+
+        spin = domega2 - h * domega3
+        if sliding:
+            F1 = -law.mu_dynamic * c * Phi
+            du1 = F1 + loads.G1 - spin + rate * v2  # (2.8)
+            du2 = F2 + loads.G2 + e * domega1 + f * w1 * w1 - rate * v1
+        else:
+            F1, du1, du2 = spin - rate * v2 - loads.G1, 0.0 * Phi, 0.0 * Phi
+        return Contact(domega1, domega2, domega3, du1, du2, F1, F2, Phi, m1, m2, m3)
+
+    return solve
+
+
+solve = balance(math.sin, math.cos)
+"""The balance laws for Python floats."""

@@ -1,0 +1,103 @@
+"""Event-driven integration of a system that switches between regimes; it knows no mechanics.
+
+A system offers three calls:
+  begin(y) -> Switch                      the regime at the start,
+  advance(y, regime, span) -> Arc         the flow until a guard falls through zero, or for part of the span,
+  switch(y, regime, guard) -> Switch      what follows when a guard has fired.
+"""
+
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+
+
+class Arc(NamedTuple):
+    """A stretch of one regime: n + 1 times from its start, Taylor coefficients (n, order + 1, k), end state, the guard that fired."""
+
+    times: np.ndarray
+    coefficients: np.ndarray
+    end: list
+    guard: str | None
+
+
+class Step(NamedTuple):
+    """A short step taken in closed form within a regime: its duration and Taylor coefficients (order + 1, k)."""
+
+    regime: Any
+    duration: float
+    coefficients: list
+
+
+class Switch(NamedTuple):
+    """What follows an event: the regime (None: the motion ends here), the state and the closed steps to it."""
+
+    regime: Any
+    state: list
+    steps: tuple[Step, ...] = ()
+
+
+class Crossing(NamedTuple):
+    """One change of regime: when, from, to, and the guard that fired."""
+
+    t: float
+    before: Any
+    after: Any
+    guard: str
+
+
+@dataclass
+class Path:
+    """The solution so far: breakpoints, one Taylor polynomial and one regime for each piece, and the crossings."""
+
+    t: float = 0.0
+    times: list = field(default_factory=lambda: [np.zeros(1)])
+    coefficients: list = field(default_factory=list)
+    regimes: list = field(default_factory=list)
+    crossings: list = field(default_factory=list)
+
+    def extend(self, times, coefficients, regime) -> None:
+        """Append pieces that end at `times` (n,), counted from the present end."""
+        self.times.append(self.t + times)
+        self.coefficients.append(coefficients)
+        self.regimes.append((regime, len(times)))
+        self.t = float(self.times[-1][-1])
+
+
+MOST_AT_ONCE = 100
+"""Changes of regime that may follow one another while time stands still; more is the outcome `CASCADE`."""
+CASCADE = "cascade"
+
+
+def drive(system, y, span, watch=lambda t, y: None) -> tuple[Path, str | None]:
+    """Integrate `system` from state y over at most `span`; return the path and the guard that ended it, None for the span.
+
+    `watch(t, state)` is called after every arc. More than MOST_AT_ONCE switches that take no time end it as CASCADE.
+    """
+    path, at_once = Path(), 0
+    regime, y = _take(path, system.begin(y))
+    while path.t < span:
+        start = path.t
+        arc = system.advance(y, regime, span - path.t)
+        path.extend(arc.times, arc.coefficients, regime)
+        y = arc.end
+        watch(path.t, y)
+        if arc.guard is None:
+            continue
+        before, switch = regime, system.switch(y, regime, arc.guard)
+        now = path.t + sum(step.duration for step in switch.steps if step.regime == before)
+        regime, y = _take(path, switch)
+        if regime is None:
+            return path, arc.guard
+        path.crossings.append(Crossing(now, before, regime, arc.guard))
+        at_once = at_once + 1 if path.t == start else 0
+        if at_once > MOST_AT_ONCE:
+            return path, CASCADE
+    return path, None
+
+
+def _take(path, switch):
+    """Append the closed steps of a switch; return its regime and state."""
+    for regime, duration, coefficients in switch.steps:
+        path.extend(np.array([duration]), np.array([coefficients]), regime)
+    return switch.regime, switch.state

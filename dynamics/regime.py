@@ -1,0 +1,131 @@
+"""Regimes of the contact, the flow within one, and the guards that end it.
+
+The state that is integrated makes the approach to the table regular: r = sqrt(inclination), and the angular velocity
+omega/r and slip velocity u/r, all of which stay of order one while the inclination falls through ten decades. The last
+five entries are quadratures: precession, spin, centre of mass, dissipated energy.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from .equations import Contact, Law, Loads, balance
+
+R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
+AXES = ("nutation", "rolling", "pivoting")
+"""Names of the turnings omega.a_1, omega.a_2, omega.a_3 that the moments of (3.3) resist."""
+STOP_SPEED = 1e-9
+"""Slip speed over r at which the rest of a slide is taken in one tangent step; its effect is of the second order."""
+
+
+class Regime(NamedTuple):
+    """Which branch of each set-valued law holds: rolling or sliding, and for omega.a_i its sense, or sticking."""
+
+    sliding: bool
+    stuck: tuple[bool, bool, bool]
+    senses: tuple[float, float, float]
+
+    def __str__(self) -> str:
+        """'roll' or 'slide', and what sticks: 'roll, nutation sticks'."""
+        return ", ".join(
+            ["slide" if self.sliding else "roll"] + [f"{a} sticks" for a, s in zip(AXES, self.stuck, strict=True) if s]
+        )
+
+
+class Branch(NamedTuple):
+    """What of a regime and a scene shapes the flow: everything but numbers that can change from call to call."""
+
+    sliding: bool
+    stuck: tuple[bool, bool, bool]
+    resisted: tuple[bool, bool, bool]
+    can_slip: bool
+    can_grip: bool
+    loads: Callable | None
+
+    @classmethod
+    def of(cls, regime: Regime, law: Law, loads: Callable | None) -> "Branch":
+        """Return the branch of `regime` under `law`: no guard for a moment without arm or a cone without edge."""
+        arms = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
+        return cls(regime.sliding, regime.stuck, arms, law.mu_static < float("inf"), law.mu_dynamic > 0, loads)
+
+
+def projections(beta, w1, w2, w3, sin, cos):
+    """Return omega.a_1, omega.a_2, omega.a_3 from the components along e_i (2.1)."""
+    sin_a, cos_a = cos(beta), sin(beta)
+    return w1, w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
+
+
+class Flow:
+    """The flow of every branch, for the kind of scalar that `sin`, `cos`, `sqrt`, `power` act on."""
+
+    def __init__(self, sin, cos, sqrt, power):
+        self.sin, self.cos, self.sqrt, self.power = sin, cos, sqrt, power
+        self.solve = balance(sin, cos)
+
+    def contact(self, y, branch: Branch, senses, law: Law) -> Contact:
+        """Solve the balance laws at state y; the slip direction is that of y."""
+        r = y[R]
+        u1, u2, c, s = 0.0, 0.0, 0.0, 0.0
+        if branch.sliding:
+            u1, u2 = r * y[V1], r * y[V2]
+            if branch.can_grip:  # without friction the direction has no meaning at rest
+                speed = self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
+                c, s = y[V1] / speed, y[V2] / speed
+        return self.contact_along(y, (u1, u2), (c, s), branch, senses, law)
+
+    def contact_along(self, y, slip, direction, branch: Branch, senses, law: Law) -> Contact:
+        """Solve the balance laws at state y with the slip direction given."""
+        r = y[R]
+        omega = (r * y[W1], r * y[W2], r * y[W3])
+        loads = branch.loads(r * r, omega, slip, law, self) if branch.loads else Loads()
+        return self.solve(r * r, *omega, *slip, *direction, branch.sliding, *branch.stuck, *senses, law, loads)
+
+    def rates(self, y, contact: Contact, branch: Branch, law: Law):
+        """Return dy/dtau from the solved contact: (4.7) or (5.3), (2.3), (2.5) and the dissipated power."""
+        r, w1 = y[R], y[W1]
+        beta, omega = r * r, (r * y[W1], r * y[W2], r * y[W3])
+        sin_a, cos_a = self.cos(beta), self.sin(beta)
+        e = law.h * sin_a + cos_a
+        slip = (r * y[V1], r * y[V2]) if branch.sliding else (0.0, 0.0)
+        v1, v2 = slip[0] + omega[1] - law.h * omega[2], slip[1] - e * omega[0]
+        rate = omega[2] / cos_a
+        ct, st = self.cos(y[PRECESSION]), self.sin(y[PRECESSION])
+        turns = projections(beta, *omega, self.sin, self.cos)
+        power = contact.m1 * turns[0] + contact.m2 * turns[1] + contact.m3 * turns[2]
+        if branch.sliding:
+            power = power - contact.F1 * slip[0] - contact.F2 * slip[1]
+        if branch.loads:
+            loads = branch.loads(beta, omega, slip, law, self)
+            power = power - loads.G1 * v1 - loads.G2 * v2
+            power = power - loads.M1 * omega[0] - loads.M2 * omega[1] - loads.M3 * omega[2]
+        half = 0.5 * w1  # r' = -w1/2, so (omega/r)' = (omega' + omega w1 / (2 r)) / r
+        return [
+            -half,
+            (contact.domega1 + half * w1) / r,
+            (contact.domega2 + half * y[W2]) / r,
+            (contact.domega3 + half * y[W3]) / r,
+            (contact.du1 + half * y[V1]) / r if branch.sliding else 0.0 * r,
+            (contact.du2 + half * y[V2]) / r if branch.sliding else 0.0 * r,
+            rate,
+            omega[1] - rate * sin_a,
+            v1 * ct - v2 * st,
+            v1 * st + v2 * ct,
+            power,
+        ]
+
+    def guards(self, y, contact: Contact, branch: Branch, senses, law: Law, r_end):
+        """Return the guards of a branch by name: each is positive while the regime is valid and falls through zero."""
+        turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
+        arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
+        named = {"flat": y[R] - r_end, "upright": self.cos(y[R] * y[R]), "lift-off": contact.Phi}
+        for i in range(3):
+            if branch.stuck[i]:
+                limit = arms[i] * contact.Phi
+                named[f"{AXES[i]} unsticks"] = (limit * limit - moments[i] * moments[i]) / (arms[i] * arms[i])
+            elif branch.resisted[i]:
+                named[f"{AXES[i]} reverses"] = senses[i] * turns[i]
+        if branch.sliding and branch.can_grip:
+            named["grip"] = self.sqrt(y[V1] * y[V1] + y[V2] * y[V2]) - STOP_SPEED
+        elif not branch.sliding and branch.can_slip:
+            cone = law.mu_static * contact.Phi
+            named["slip"] = cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2
+        return named

@@ -1,0 +1,82 @@
+"""The disk as a hybrid system: its beginning, its flow and its switches, for the driver of hybrid.py."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from .equations import Law
+from .hybrid import Arc, Switch
+from .regime import AXES, PRECESSION, SPIN, V1, V2, W1, W2, W3, R, Regime
+from .switching import follow, slide_to_rest
+
+ENDS = ("flat", "upright", "lift-off")
+
+
+@dataclass(frozen=True)
+class RollingDisk:
+    """Law and loads of a scene, the sqrt(inclination) at which the motion counts as over, and the integrator to use."""
+
+    law: Law
+    loads: Callable | None
+    r_end: float
+    integrate: Callable
+    tolerance: float
+
+    def begin(self, y) -> Switch:
+        """Decide the regime of a disk released with its contact at rest."""
+        turns = turnings(y)
+        at_zero = {0} | {i + 1 for i in range(3) if abs(turns[i]) < 1e-14}
+        return self._follow(y, at_zero)
+
+    def advance(self, y, regime: Regime, span: float) -> Arc:
+        """Integrate within `regime`; precession and quadratures restart near zero so that they keep their digits."""
+        local = list(y)
+        local[PRECESSION] = math.remainder(y[PRECESSION], 2 * math.pi)
+        local[SPIN:] = [0.0] * 4
+        offset = np.array(y) - np.array(local)
+        arc = self.integrate(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
+        arc.coefficients[:, 0] += offset
+        return arc._replace(end=(np.array(arc.end) + offset).tolist())
+
+    def switch(self, y, regime: Regime, guard: str) -> Switch:
+        """Decide what follows when `guard` has fallen through zero."""
+        if guard in ENDS:
+            return Switch(None, y)
+        held = {i + 1 for i in range(3) if regime.stuck[i]} | (set() if regime.sliding else {0})
+        if guard == "slip":
+            return self._follow(y, held, fired={0}, senses=regime.senses)
+        if guard == "grip":
+            last = slide_to_rest(y, regime, self.law, self.loads)
+            y = [a + last.duration * b for a, b in zip(*last.coefficients, strict=True)]
+            y[V1] = y[V2] = 0.0
+            then = self._follow(y, held | {0}, senses=regime.senses)
+            return then._replace(steps=(last, *then.steps))
+        axis, verb = guard.split()
+        i = AXES.index(axis)
+        fired = {i + 1} if verb == "unsticks" else set()
+        return self._follow(at_rest(y, i), held | {i + 1}, fired=fired, senses=regime.senses)
+
+    def _follow(self, y, at_zero, fired=(), senses=(1.0, 1.0, 1.0)) -> Switch:
+        regime, step = follow(y, self.law, self.loads, frozenset(at_zero), frozenset(fired), senses)
+        if step is None:
+            return Switch(regime, y)
+        powers = [step.duration**k for k in range(len(step.coefficients))]
+        end = [sum(p * c for p, c in zip(powers, row, strict=True)) for row in zip(*step.coefficients, strict=True)]
+        return Switch(regime, end, (step,))
+
+
+def turnings(y) -> tuple[float, float, float]:
+    """Return omega.a_i / r at state y."""
+    sin_a, cos_a = math.cos(y[R] ** 2), math.sin(y[R] ** 2)
+    return y[W1], y[W2] * cos_a - y[W3] * sin_a, y[W2] * sin_a + y[W3] * cos_a
+
+
+def at_rest(y, i):
+    """Return y with omega.a_(i+1) exactly zero."""
+    y, excess = list(y), turnings(y)[i]
+    sin_a, cos_a = math.cos(y[R] ** 2), math.sin(y[R] ** 2)
+    axis = ((1.0, 0.0, 0.0), (0.0, cos_a, -sin_a), (0.0, sin_a, cos_a))[i]
+    y[W1], y[W2], y[W3] = (w - excess * n for w, n in zip((y[W1], y[W2], y[W3]), axis, strict=True))
+    return y

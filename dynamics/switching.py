@@ -1,0 +1,158 @@
+"""Which regime follows: the set-valued laws (3.2), (3.3) decided at an instant, and the two ends of a slide made exact.
+
+sign() at zero is any number in [-1, 1] (Filippov): among rolling and sliding, and for each omega.a_i = 0 among sticking
+and the two senses, exactly the choices whose own accelerations and loads agree with them can follow.
+"""
+
+import math
+from itertools import product
+
+import numpy as np
+from scipy.optimize import brentq, newton
+
+from .equations import Law
+from .hybrid import Step
+from .regime import V1, V2, W1, W2, W3, Branch, Flow, R, Regime, projections
+
+FLOAT = Flow(math.sin, math.cos, math.sqrt, math.pow)
+ARRAY = Flow(np.sin, np.cos, np.sqrt, np.power)
+ROUND_OFF = 1e-12
+START = 1e-5
+"""Length of the first step of a slide in units of r: its error is START cubed, below round-off."""
+
+
+class ImpossibleContactError(ValueError):
+    """No choice of rolling, sliding and sticking satisfies the balance laws with a pressing contact (Painleve)."""
+
+
+def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0)) -> tuple[Regime, Step | None]:
+    """Return the regime that can follow from state y, and the first step where it starts to slide from rest.
+
+    `at_zero` names what is zero now: 0 the slip, i the surface omega.a_i; `fired` which of these can no longer stay so.
+    Raises ImpossibleContactError where no regime is consistent.
+    """
+    for leaving in (fired, frozenset()) if fired else (fired,):
+        for regime in _candidates(y, law, at_zero, leaving, senses):
+            branch = Branch.of(regime, law, loads)
+            if regime.sliding and 0 in at_zero:
+                step = _slide_from_rest(y, regime, branch, law, at_zero)
+                if step:
+                    return regime, step
+            elif _consistent(y, FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero):
+                return regime, None
+    r = y[R]
+    raise ImpossibleContactError(
+        f"inclination {r * r:.6g} rad, dimensionless omega ({r * y[W1]:.6g}, {r * y[W2]:.6g}, {r * y[W3]:.6g}): "
+        "no rolling, sliding or sticking contact with a pressing normal force satisfies the balance laws"
+    )
+
+
+def _candidates(y, law, at_zero, leaving, senses):
+    """Yield the regimes to try, those in which most stays at zero first."""
+    turns = projections(y[R] ** 2, y[W1], y[W2], y[W3], math.sin, math.cos)
+    contact = [True] if 0 not in at_zero or 0 in leaving else [False, True]
+    if law.mu_static == math.inf:
+        contact = [False]
+    surfaces = []
+    for i, arm in enumerate((law.k1, law.k2, law.k3)):
+        if arm == 0:
+            surfaces.append([(False, 1.0)])
+        elif i + 1 in at_zero:
+            stick = [] if i + 1 in leaving else [(True, 1.0)]
+            surfaces.append([*stick, (False, -senses[i]), (False, senses[i])])
+        else:
+            surfaces.append([(False, math.copysign(1.0, turns[i]))])
+    for sliding, *choice in product(contact, *surfaces):
+        yield Regime(sliding, tuple(c[0] for c in choice), tuple(c[1] for c in choice))
+
+
+def _consistent(y, contact, regime, law, at_zero) -> bool:
+    """Tell whether the solved contact presses, stays in its cones and moves in the senses assumed."""
+    if not contact.Phi > 0:
+        return False
+    cone = law.mu_static * contact.Phi
+    if not regime.sliding and contact.F1**2 + contact.F2**2 > cone * cone * (1 + ROUND_OFF):
+        return False
+    arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
+    rates = turning_rates(y, contact)
+    for i in range(3):
+        if regime.stuck[i] and abs(moments[i]) > arms[i] * contact.Phi * (1 + ROUND_OFF):
+            return False
+        if not regime.stuck[i] and i + 1 in at_zero and arms[i] > 0 and regime.senses[i] * rates[i] < 0:
+            return False
+    return True
+
+
+def turning_rates(y, contact) -> tuple[float, float, float]:
+    """Return d(omega.a_i)/dtau, the turning of a_2 and a_3 about a_1 included."""
+    r = y[R]
+    sin_a, cos_a = math.cos(r * r), math.sin(r * r)
+    w1, along2, along3 = (r * p for p in projections(r * r, y[W1], y[W2], y[W3], math.sin, math.cos))
+    return (
+        contact.domega1,
+        contact.domega2 * cos_a - contact.domega3 * sin_a - w1 * along3,
+        contact.domega2 * sin_a + contact.domega3 * cos_a + w1 * along2,
+    )
+
+
+def _along(y, angle, regime, branch, law, flow=FLOAT, sin=math.sin, cos=math.cos):
+    """Solve the balance laws for a contact that is about to slide along `angle` (2.7)."""
+    slip = (y[R] * y[V1], y[R] * y[V2])
+    return flow.contact_along(y, slip, (cos(angle), sin(angle)), branch, regime.senses, law)
+
+
+def _slip_directions(y, regime, branch, law) -> list[float]:
+    """Return the angles nu with udot(nu) x s = 0 and udot(nu) . s not negative, fastest first."""
+    grid = np.linspace(-np.pi, np.pi, 65)
+    coarse = _along(y, grid, regime, branch, law, ARRAY, np.sin, np.cos)
+    across = coarse.du2 * np.cos(grid) - coarse.du1 * np.sin(grid)
+
+    def cross(nu):
+        contact = _along(y, nu, regime, branch, law)
+        return contact.du2 * math.cos(nu) - contact.du1 * math.sin(nu)
+
+    def growth(nu):
+        contact = _along(y, nu, regime, branch, law)
+        return contact.du1 * math.cos(nu) + contact.du2 * math.sin(nu)
+
+    turns = np.flatnonzero((across[:-1] > 0) != (across[1:] > 0))
+    roots = [brentq(cross, grid[i], grid[i + 1], xtol=1e-15, rtol=1e-15) for i in turns]
+    return [nu for speed, nu in sorted(((growth(nu), nu) for nu in roots), reverse=True) if speed > -ROUND_OFF]
+
+
+def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
+    """Take the first step of a slide in the limit of no start-up speed, or None where `regime` contradicts itself."""
+    for nu in _slip_directions(y, regime, branch, law):
+        first = _along(y, nu, regime, branch, law)
+        if _consistent(y, first, regime, law, at_zero):
+            return _trapezoidal_step(y, nu, first, regime, branch, law)
+    return None
+
+
+def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
+    """Take one implicit trapezoidal step of START r, whose unknown is the slip direction at its end.
+
+    That direction is the direction of the mean slip acceleration. It serves mu_dynamic < mu_static, where the slip
+    starts with a finite acceleration, and mu_dynamic = mu_static, where it starts with none.
+    """
+    dt = START * y[R]
+    slope = FLOAT.rates(y, first, branch, law)
+    ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
+
+    def cross(angle):
+        last = _along(ahead, angle, regime, branch, law)
+        return (first.du2 + last.du2) * math.cos(angle) - (first.du1 + last.du1) * math.sin(angle)
+
+    last = _along(ahead, newton(cross, nu, x1=nu + START, tol=1e-15, rtol=1e-15), regime, branch, law)
+    curve = [(b - a) / (2 * dt) for a, b in zip(slope, FLOAT.rates(ahead, last, branch, law), strict=True)]
+    return Step(regime, dt, [list(y), slope, curve])
+
+
+def slide_to_rest(y, regime: Regime, law: Law, loads) -> Step:
+    """Take the last step of a slide along its tangent: to rest from a slip speed whose square is below round-off."""
+    branch = Branch.of(regime, law, loads)
+    slope = FLOAT.rates(y, FLOAT.contact(y, branch, regime.senses, law), branch, law)
+    speed = math.hypot(y[V1], y[V2])
+    duration = -(speed**2) / (y[V1] * slope[V1] + y[V2] * slope[V2])
+    slope[V1], slope[V2] = -y[V1] / duration, -y[V2] / duration
+    return Step(regime, duration, [list(y), slope])
