@@ -6,8 +6,7 @@ from scipy.optimize import brentq
 
 from .equations import Law
 from .hybrid import Arc
-from .regime import V1, V2, W1, W2, W3, Branch, R, Regime
-from .switching import FLOAT
+from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime
 
 MOST_STEPS = 1000
 LOOKS = 4

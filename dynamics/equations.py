@@ -4,7 +4,6 @@ Dimensionless as in the paper: m = R = 1, time in units of chi. The formulas are
 floats, numpy arrays, numba floats or heyoka expressions, according to the sine and cosine that they are given.
 """
 
-import functools
 import math
 from typing import NamedTuple
 

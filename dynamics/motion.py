@@ -14,9 +14,9 @@ from scipy.interpolate import PPoly
 from .disk import Disk
 from .equations import Law
 from .hybrid import CASCADE, drive
-from .regime import DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, X, Branch, R, Regime
+from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
 from .rolling import RollingDisk
-from .switching import ARRAY, ImpossibleContactError
+from .switching import ImpossibleContactError
 
 COLUMNS = (
     "precession",

@@ -5,8 +5,11 @@ omega/r and slip velocity u/r, all of which stay of order one while the inclinat
 five entries are quadratures: precession, spin, centre of mass, dissipated energy.
 """
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
+
+import numpy as np
 
 from .equations import Contact, Law, Loads, balance
 
@@ -129,3 +132,7 @@ class Flow:
             cone = law.mu_static * contact.Phi
             named["slip"] = cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2
         return named
+
+
+FLOAT = Flow(math.sin, math.cos, math.sqrt, math.pow)
+ARRAY = Flow(np.sin, np.cos, np.sqrt, np.power)

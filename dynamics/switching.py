@@ -10,15 +10,17 @@ from itertools import product
 import numpy as np
 from scipy.optimize import brentq, newton
 
+from .collocation import grazing_step
 from .equations import Law
 from .hybrid import Step
-from .regime import V1, V2, W1, W2, W3, Branch, Flow, R, Regime, projections
+from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, projections
 
-FLOAT = Flow(math.sin, math.cos, math.sqrt, math.pow)
-ARRAY = Flow(np.sin, np.cos, np.sqrt, np.power)
 ROUND_OFF = 1e-12
 START = 1e-5
 """Length of the first step of a slide in units of r: its error is START cubed, below round-off."""
+
+GRAZING = 1e-3
+"""A slide whose first acceleration is less than this part of friction starts with the long step of collocation.py."""
 
 
 class ImpossibleContactError(ValueError):
@@ -26,7 +28,7 @@ class ImpossibleContactError(ValueError):
 
 
 def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0)) -> tuple[Regime, Step | None]:
-    """Return the regime that can follow from state y, and the first step where it starts to slide from rest.
+    """Return the regime that can follow from state y, and the first step where it leaves rest without a push.
 
     `at_zero` names what is zero now: 0 the slip, i the surface omega.a_i; `fired` which of these can no longer stay so.
     Raises ImpossibleContactError where no regime is consistent.
@@ -38,8 +40,8 @@ def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0
                 step = _slide_from_rest(y, regime, branch, law, at_zero)
                 if step:
                     return regime, step
-            elif _consistent(y, FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero):
-                return regime, None
+            elif _consistent(y, contact := FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero):
+                return regime, _step_off(y, contact, regime, branch, law) if leaving - {0} else None
     r = y[R]
     raise ImpossibleContactError(
         f"inclination {r * r:.6g} rad, dimensionless omega ({r * y[W1]:.6g}, {r * y[W2]:.6g}, {r * y[W3]:.6g}): "
@@ -71,14 +73,14 @@ def _consistent(y, contact, regime, law, at_zero) -> bool:
     if not contact.Phi > 0:
         return False
     cone = law.mu_static * contact.Phi
-    if not regime.sliding and contact.F1**2 + contact.F2**2 > cone * cone * (1 + ROUND_OFF):
+    if not regime.sliding and cone * cone * (1 + ROUND_OFF) < contact.F1**2 + contact.F2**2:
         return False
     arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
     rates = turning_rates(y, contact)
     for i in range(3):
         if regime.stuck[i] and abs(moments[i]) > arms[i] * contact.Phi * (1 + ROUND_OFF):
             return False
-        if not regime.stuck[i] and i + 1 in at_zero and arms[i] > 0 and regime.senses[i] * rates[i] < 0:
+        if not regime.stuck[i] and i + 1 in at_zero and arms[i] > 0 and regime.senses[i] * rates[i] < -ROUND_OFF:
             return False
     return True
 
@@ -125,6 +127,9 @@ def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
     for nu in _slip_directions(y, regime, branch, law):
         first = _along(y, nu, regime, branch, law)
         if _consistent(y, first, regime, law, at_zero):
+            push = math.hypot(first.du1, first.du2)
+            if push < GRAZING * law.mu_dynamic * first.Phi:
+                return grazing_step(y, nu, first, regime, branch, law)
             return _trapezoidal_step(y, nu, first, regime, branch, law)
     return None
 
@@ -132,8 +137,7 @@ def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
 def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
     """Take one implicit trapezoidal step of START r, whose unknown is the slip direction at its end.
 
-    That direction is the direction of the mean slip acceleration. It serves mu_dynamic < mu_static, where the slip
-    starts with a finite acceleration, and mu_dynamic = mu_static, where it starts with none.
+    That direction is the direction of the mean slip acceleration.
     """
     dt = START * y[R]
     slope = FLOAT.rates(y, first, branch, law)
@@ -144,8 +148,20 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
         return (first.du2 + last.du2) * math.cos(angle) - (first.du1 + last.du1) * math.sin(angle)
 
     last = _along(ahead, newton(cross, nu, x1=nu + START, tol=1e-15, rtol=1e-15), regime, branch, law)
-    curve = [(b - a) / (2 * dt) for a, b in zip(slope, FLOAT.rates(ahead, last, branch, law), strict=True)]
-    return Step(regime, dt, [list(y), slope, curve])
+    return _parabola(regime, dt, y, slope, FLOAT.rates(ahead, last, branch, law))
+
+
+def _step_off(y, first, regime, branch, law) -> Step:
+    """Take one step of Heun of START r: a turning that stops sticking starts without acceleration, at the guard's zero."""
+    dt = START * y[R]
+    slope = FLOAT.rates(y, first, branch, law)
+    ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
+    after = FLOAT.rates(ahead, FLOAT.contact(ahead, branch, regime.senses, law), branch, law)
+    return _parabola(regime, dt, y, slope, after)
+
+
+def _parabola(regime, dt, y, slope, after) -> Step:
+    return Step(regime, dt, [list(y), slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]])
 
 
 def slide_to_rest(y, regime: Regime, law: Law, loads) -> Step:

@@ -1,0 +1,38 @@
+"""Scenes for the tests of the motion: the published one, with the changes a test asks for."""
+
+from dataclasses import dataclass
+
+from dynamics.disk import Disk, Friction, Release
+
+RADIUS = 0.03755
+
+
+@dataclass(frozen=True, kw_only=True)
+class Numerics:
+    """What `simulate` reads of a scene's numerics."""
+
+    accuracy: str = "standard"
+    integrator: str = "auto"
+    tolerance: float | None = None
+    final_inclination: float | None = None
+    time_limit: float = 600.0
+
+
+@dataclass(frozen=True, kw_only=True)
+class Scene:
+    """The sections that `simulate` reads."""
+
+    disk: Disk
+    friction: Friction
+    release: Release
+    numerics: Numerics
+
+
+def scene(numerics=None, disk=None, release=None, **friction) -> Scene:
+    """Return the published scene (7.1), (7.3), (7.4) with changes; `k1`, `k2`, `k3` are arms over the radius."""
+    body = Disk(**{"radius": RADIUS, "thickness": 0.0128, "mass": 0.4387} | (disk or {}))
+    law = {"mu_static": 0.5, "mu_dynamic": 0.3, "k1": 1e-4, "k2": 8e-4, "k3": 8e-3} | friction
+    for arm, k in (("arm_nutation", "k1"), ("arm_rolling", "k2"), ("arm_pivoting", "k3")):
+        law[arm] = law.pop(k) * body.radius
+    start = {"inclination_deg": 32.70422048691768, "omega": (0.0, 0.0, -1 / body.time_unit)} | (release or {})
+    return Scene(disk=body, friction=Friction(**law), release=Release(**start), numerics=Numerics(**(numerics or {})))

@@ -1,0 +1,176 @@
+"""Claim: the balance laws as solved are Newton-Euler's, and the paper's (4.7) and (5.3) with the errata corrected.
+
+Source: Kessler & O'Reilly (2002), (2.1)-(2.8), (3.1)-(3.3), (4.1)-(4.9), (5.1)-(5.3), (6.1).
+Oracle: a derivation in Cartesian vectors with a computer-algebra system, and the printed equations.
+"""
+
+import math
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from dynamics.equations import Law, Loads, solve
+
+MU, ARMS = 0.3, (0.01, 0.02, 0.03)
+
+
+def random_states(n=6):
+    """Yield parameters and states: h, K, beta, omega, slip, senses, loads."""
+    rng = np.random.default_rng(7)
+    for i in range(n):
+        yield (
+            rng.uniform(0.01, 2.0),
+            float(1 + i % 2),
+            rng.uniform(0.05, 1.5),
+            rng.normal(size=3),
+            rng.normal(size=2),
+            rng.choice([-1.0, 1.0], size=3),
+            rng.normal(size=5) * 0.1,
+        )
+
+
+def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5):
+    law = Law(h, K, 1.0, MU, *ARMS)
+    direction = u / np.hypot(*u)
+    slip = u if sliding else np.zeros(2)
+    return solve(beta, *w, *slip, *direction, sliding, False, False, False, *senses, law, Loads(*loads))
+
+
+@cache
+def newton_euler():
+    """Derive the residuals of (4.1), (4.2) in Cartesian vectors, with velocities differentiated by the machine."""
+    t = sp.symbols("t")
+    h, K, g = sp.symbols("h K g")
+    names = "theta alpha psi x y"
+    theta, alpha, psi, x, y = (sp.Function(n)(t) for n in names.split())
+    F1, F2, N, m1, m2, m3, G1, G2, M1, M2, M3 = sp.symbols("F1 F2 N m1 m2 m3 G1 G2 M1 M2 M3")
+    a = sp.Matrix([[sp.cos(theta), sp.sin(theta), 0], [-sp.sin(theta), sp.cos(theta), 0], [0, 0, 1]])
+    e = sp.Matrix([[1, 0, 0], [0, sp.cos(alpha), sp.sin(alpha)], [0, -sp.sin(alpha), sp.cos(alpha)]]) * a
+    a1, a2, a3 = (a[i, :].T for i in range(3))
+    e1, e2, e3 = (e[i, :].T for i in range(3))
+    omega = theta.diff(t) * a3 + alpha.diff(t) * e1 + psi.diff(t) * e2
+    arm = -h * e2 - e3
+    centre = sp.Matrix([x, y, -arm[2]])  # the contact point is on the plane
+    velocity = centre.diff(t)
+    slip = velocity + omega.cross(arm)
+    J1, J2 = K / 4 + h**2 / 3, K / 2
+    spin = J1 * (omega.dot(e1) * e1 + omega.dot(e3) * e3) + J2 * omega.dot(e2) * e2
+    force = F1 * a1 + F2 * a2 + N * a3
+    momentum = velocity.diff(t) - force - G1 * a1 - G2 * a2 + g * a3
+    moment = arm.cross(force) - m1 * a1 - m2 * a2 - m3 * a3 + M1 * e1 + M2 * e2 + M3 * e3
+    angular = spin.diff(t) - moment
+    kinematics = {
+        "omega": [omega.dot(b) for b in (e1, e2, e3)],
+        "slip": [slip.dot(a1), slip.dot(a2)],
+        "momentum": list(momentum),
+        "angular": list(angular),
+        "domega": [omega.dot(b).diff(t) for b in (e1, e2, e3)],
+        "dslip": [slip.dot(a1).diff(t), slip.dot(a2).diff(t)],
+    }
+    loads = (F1, F2, N, m1, m2, m3, G1, G2, M1, M2, M3)
+    return t, (theta, alpha, psi, x, y), (h, K, g), loads, kinematics
+
+
+def evaluate(h, K, beta, w, u, c, loads):
+    """Insert a state and our solution into the derivation; return the residuals of every law and of every rate."""
+    t, q, constants, symbols, laws = newton_euler()
+    theta, alpha = 0.7, math.pi / 2 - beta
+    rates = sp.symbols("q1:6")
+    accelerations = sp.symbols("p1:6")
+    second = {f.diff(t, 2): p for f, p in zip(q, accelerations, strict=True)}
+    first = {f.diff(t): r for f, r in zip(q, rates, strict=True)}
+    place = dict(zip(q, (theta, alpha, 0.0, 0.0, 0.0), strict=True))
+    numbers = dict(zip(constants, (h, K, (K + 4) / 4), strict=True))
+    applied = dict(zip(symbols, (c.F1, c.F2, c.Phi, c.m1, c.m2, c.m3, *loads), strict=True))
+
+    def at(expression):
+        return expression.subs(second).subs(first).subs(place).subs(numbers).subs(applied)
+
+    goal = [*w, *u]
+    speeds = sp.solve([at(x) - v for x, v in zip(laws["omega"] + laws["slip"], goal, strict=True)], rates)
+    goal = [c.domega1, c.domega2, c.domega3, c.du1, c.du2]
+    rows = [at(x).subs(speeds) - v for x, v in zip(laws["domega"] + laws["dslip"], goal, strict=True)]
+    turning = sp.solve(rows, accelerations)
+    return [float(at(x).subs(speeds).subs(turning)) for x in laws["momentum"] + laws["angular"]]
+
+
+@pytest.mark.parametrize("sliding", [True, False])
+@pytest.mark.parametrize("case", range(3))
+def test_the_solution_satisfies_newton_and_euler(case, sliding):
+    h, K, beta, w, u, senses, loads = list(random_states())[case]
+    c = contact(h, K, beta, w, u, senses, sliding, loads)
+    residuals = evaluate(h, K, beta, w, u if sliding else np.zeros(2), c, loads)
+    np.testing.assert_allclose(residuals, 0, atol=1e-10 * max(1.0, abs(c.Phi)))
+
+
+def barred(alpha, senses):
+    """Return k2-bar, k3-bar of (4.8), over R."""
+    _, k2, k3 = ARMS
+    sin_a, cos_a = math.sin(alpha), math.cos(alpha)
+    return k2 * cos_a * senses[1] + k3 * sin_a * senses[2], k3 * cos_a * senses[2] - k2 * sin_a * senses[1]
+
+
+@pytest.mark.parametrize("case", range(6))
+def test_sliding_is_the_papers_4_7(case):
+    h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
+    c = contact(h, K, beta, np.array([w1, w2, w3]), u, senses, True)
+    alpha, nu = math.pi / 2 - beta, math.atan2(u[1], u[0])
+    sec, tan = 1 / math.cos(alpha), math.tan(alpha)
+    e, f = h * math.sin(alpha) + math.cos(alpha), h * math.cos(alpha) - math.sin(alpha)
+    k2, k3 = barred(alpha, senses)
+    gyro = 2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * tan
+    pairs = [
+        (
+            c.du1 + c.domega2 - h * c.domega3,
+            w3 * sec * (u[1] - w1 * e) - MU * c.Phi * math.cos(nu),
+        ),
+        (
+            c.du2 - e * c.domega1,
+            -w3 * sec * (u[0] + w2 - h * w3) + f * w1**2 - MU * c.Phi * math.sin(nu),
+        ),
+        (
+            (1 + 4 * h * h / (3 * K) + 4 * f * f / K) * c.domega1,
+            w3 * gyro
+            - f * (1 + 4 / K)
+            + 4 * e * f / K * w1**2
+            - 4 * MU * e / K * c.Phi * math.sin(nu)
+            - 4 * ARMS[0] / K * c.Phi * senses[0],
+        ),
+        (c.domega2, 2 * MU / K * c.Phi * math.cos(nu) - 2 * k2 / K * c.Phi),
+        (
+            (1 + 4 * h * h / (3 * K)) * c.domega3,
+            -w1 * gyro - 4 * MU * h / K * c.Phi * math.cos(nu) - 4 * k3 / K * c.Phi,
+        ),
+        (c.Phi, (K + 4) / 4 + f * c.domega1 - e * w1**2),
+    ]
+    np.testing.assert_allclose(*zip(*pairs, strict=True), rtol=1e-11, atol=1e-11)
+
+
+@pytest.mark.parametrize("case", range(6))
+def test_rolling_is_the_papers_5_3_with_the_sign_of_omega_1(case):
+    h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
+    c = contact(h, K, beta, np.array([w1, w2, w3]), u, senses, False)
+    alpha = math.pi / 2 - beta
+    sec, tan = 1 / math.cos(alpha), math.tan(alpha)
+    e, f = h * math.sin(alpha) + math.cos(alpha), h * math.cos(alpha) - math.sin(alpha)
+    k2, k3 = barred(alpha, senses)
+    gyro = 2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * tan
+    pairs = [
+        (
+            (1 + 4 / K + 16 * h * h / (3 * K)) * c.domega1,
+            w3 * gyro + 4 * e / K * w3 * sec * (w2 - h * w3) - f * (1 + 4 / K) - 4 * ARMS[0] / K * c.Phi * senses[0],
+        ),
+        (
+            c.domega2 - 2 * h / (K + 2) * c.domega3,
+            -2 * e / (K + 2) * w1 * w3 * sec - 2 * k2 / (K + 2) * c.Phi,
+        ),
+        (
+            (1 + 16 * h * h / (3 * K)) * c.domega3 - 4 * h / K * c.domega2,
+            -w1 * gyro + 4 * h * e / K * w1 * w3 * sec - 4 * k3 / K * c.Phi,
+        ),
+        (c.F1, c.domega2 - h * c.domega3 + e * w1 * w3 * sec),
+        (c.F2, -e * c.domega1 - f * w1**2 + (w2 - h * w3) * w3 * sec),
+    ]
+    np.testing.assert_allclose(*zip(*pairs, strict=True), rtol=1e-11, atol=1e-11)
