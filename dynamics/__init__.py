@@ -2,7 +2,7 @@
 
 from importlib import import_module
 
-_HOME = {"simulate": "motion", "Motion": "motion", "Outcome": "motion", "ImpossibleContactError": "switching"}
+_HOME = {"simulate": "simulation", "Motion": "motion", "Outcome": "motion", "ImpossibleContactError": "switching"}
 __all__ = list(_HOME)
 
 

@@ -1,39 +1,94 @@
-"""One long implicit step for a slide that starts (almost) without acceleration: mu_dynamic = mu_static.
+"""Implicit steps of high order for a slide so slow that its direction is stiff.
 
-The slip then grows with the square of time, and its direction relaxes at a rate that grows without bound towards the
-start: explicit steps would have to be as short as the time already passed. Collocation follows the smooth solution.
+The slip direction relaxes at a rate of friction over slip speed. Where the slip speed hardly changes meanwhile, as
+after a start without acceleration (mu_dynamic = mu_static), explicit steps of any order would have to be as short.
 """
 
 import math
 
 import numpy as np
 
-from .hybrid import Step
-from .regime import ARRAY, FLOAT, V1, V2, R
+from .falls import first_fall
+from .hybrid import Arc, Step
+from .regime import ARRAY, FLOAT, V1, V2, Branch, R
 
 ORDER = 9
 NODES = (1 - np.cos(np.pi * (np.arange(ORDER) + 0.5) / ORDER)) / 2
-"""Gauss-Chebyshev points on [0, 1]; the start, where the direction has no meaning, is not one of them."""
+"""Gauss-Chebyshev points on [0, 1]; the start, where the direction may have no meaning, is not one of them."""
 POWERS = np.arange(ORDER)
 TO_POWERS = np.linalg.inv(NODES[:, None] ** POWERS)
 INTEGRAL = NODES[:, None] ** (POWERS + 1) / (POWERS + 1) @ TO_POWERS
-LENGTH = 0.02
-"""First length to try, in units of r."""
+LENGTH = 0.1
+"""First length of a step to try, in units of r."""
+SHORTEST = 1e-12
 COMPLEX_STEP = 1e-30
+ACCURACY = 1e-12
+SLOW, LAZY = 0.02, 0.05
+"""A slide is stiff below the slip speed SLOW r while its acceleration is below LAZY times that of friction."""
+MOST_STEPS = 100
+
+
+def is_stiff(y, contact, law) -> bool:
+    """Tell whether the slide at state y is slow, and slow to change."""
+    speed = math.hypot(y[V1], y[V2])
+    push = abs(contact.du1 * y[V1] + contact.du2 * y[V2]) / speed
+    return speed < SLOW and push < LAZY * law.mu_dynamic * contact.Phi
 
 
 def grazing_step(y, nu, first, regime, branch, law) -> Step:
-    """Return the first step of a slide from state y along nu, of a length on which the guards stay positive.
+    """Return the first step of a slide from rest along nu, of a length on which the guards stay positive.
 
-    Raises ArithmeticError where no length down to 1e-4 of LENGTH converges.
+    Raises ArithmeticError where no length down to SHORTEST converges.
     """
-    dt = LENGTH * y[R]
-    for _ in range(13):
-        states = _newton(_guess(y, nu, first, regime, branch, law, dt), y, regime, branch, law, dt)
+    length = LENGTH
+    while length > SHORTEST:
+        states = _newton(
+            _at_rest(y, nu, first, regime, branch, law, length * y[R]), y, regime, branch, law, length * y[R]
+        )
         if states is not None and _valid(states[-1], regime, branch, law):
-            return _step(y, states, regime, branch, law, dt)
-        dt /= 2
+            return Step(regime, length * y[R], _powers(y, states, regime, branch, law, length * y[R]))
+        length /= 2
     raise ArithmeticError(f"the slide that starts at inclination {y[R] ** 2:.6g} could not be followed")
+
+
+def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
+    """Integrate a stiff slide until a guard falls, for `span`, until it is stiff no more, or for MOST_STEPS steps.
+
+    Raises ArithmeticError where no length down to SHORTEST converges.
+    """
+    branch = Branch.of(regime, law, loads)
+
+    def guards(y):
+        y = np.asarray(y).tolist()
+        return FLOAT.guards(y, FLOAT.contact(y, branch, regime.senses, law), branch, regime.senses, law, r_end)
+
+    t, length, times, blocks, fired, values = 0.0, LENGTH, [], [], None, guards(y)
+    while t < span and fired is None and len(times) < MOST_STEPS:
+        dt = min(length * y[R], span - t)
+        powers = _step(np.array(y), regime, branch, law, dt)
+        if powers is None:
+            length /= 2
+            if length < SHORTEST:
+                raise ArithmeticError(f"the slow slide at inclination {y[R] ** 2:.6g} could not be followed")
+            continue
+        curve = lambda s, rows=powers: np.polynomial.polynomial.polyval(s, rows)  # noqa: E731
+        end, fired, values = first_fall(curve, 0.0, dt, guards, values)
+        t, y, length = t + end, curve(end).tolist(), min(1.5 * length, 5 * LENGTH)
+        times.append(t)
+        blocks.append(powers)
+        if not is_stiff(y, FLOAT.contact(y, branch, regime.senses, law), law):
+            break
+    return Arc(np.array(times), np.array(blocks), y, fired)
+
+
+def _step(y, regime, branch, law, dt):
+    """Return the powers (ORDER + 1, k) of one step of length dt, or None where it is too long."""
+    states = _newton(_onward(y, regime, branch, law, dt), y, regime, branch, law, dt)
+    if states is None:
+        return None
+    powers = np.array(_powers(y, states, regime, branch, law, dt))
+    tail = np.abs(powers[-1]).max() * dt**ORDER
+    return powers if tail < ACCURACY * max(1.0, np.abs(y).max()) else None
 
 
 def _rates(states, regime, branch, law):
@@ -42,11 +97,10 @@ def _rates(states, regime, branch, law):
     return np.stack(np.broadcast_arrays(*ARRAY.rates(states.T, contact, branch, law)), axis=1)
 
 
-def _guess(y, nu, first, regime, branch, law, dt):
-    """Return states at the nodes with a slip that grows with the square of time along nu."""
-    slope = np.array(FLOAT.rates(y, first, branch, law))
+def _at_rest(y, nu, first, regime, branch, law, dt):
+    """Return states at the nodes with a slip that starts at rest along nu and gains speed at a rate that grows."""
     direction = np.array([math.cos(nu), math.sin(nu)])
-    states = np.array(y) + dt * NODES[:, None] * slope
+    states = np.array(y) + dt * NODES[:, None] * np.array(FLOAT.rates(y, first, branch, law))
     states[:, V1 : V2 + 1] = 0.0
     later = FLOAT.contact_along(states[-1].tolist(), (0.0, 0.0), tuple(direction), branch, regime.senses, law)
     push = np.array([first.du1, first.du2]) @ direction
@@ -56,21 +110,33 @@ def _guess(y, nu, first, regime, branch, law, dt):
     return states
 
 
+def _onward(y, regime, branch, law, dt):
+    """Return states at the nodes with a slip that keeps its direction."""
+    slope = _rates(y[None], regime, branch, law)[0]
+    along = y[V1 : V2 + 1] / np.hypot(*y[V1 : V2 + 1])
+    slope[V1 : V2 + 1] = along * (slope[V1 : V2 + 1] @ along)
+    return y + dt * NODES[:, None] * slope
+
+
 def _newton(states, y, regime, branch, law, dt):
     """Solve states = y + dt INTEGRAL rates(states) by Newton's method; None where it does not converge."""
-    n, k = states.shape
     for _ in range(12):
         residual = states - y - dt * INTEGRAL @ _rates(states, regime, branch, law)
-        tilted = states + 1j * COMPLEX_STEP * np.eye(k)[:, None, :]
-        slopes = _rates(tilted.reshape(-1, k), regime, branch, law).imag.reshape(k, n, k) / COMPLEX_STEP
-        matrix = np.eye(n * k) - dt * np.einsum("ij,bja->iajb", INTEGRAL, slopes).reshape(n * k, n * k)
-        change = np.linalg.solve(matrix, residual.ravel()).reshape(n, k)
+        change = np.linalg.solve(_matrix(states, regime, branch, law, dt), residual.ravel()).reshape(states.shape)
         states = states - change
         if not np.isfinite(states).all():
             return None
-        if np.abs(change).max() < 1e-14 * max(1.0, np.abs(states).max()):
+        if np.abs(change).max() < ACCURACY * max(1.0, np.abs(states).max()):
             return states
     return None
+
+
+def _matrix(states, regime, branch, law, dt):
+    """Return 1 - dt INTEGRAL d(rates)/d(states), the slopes by complex steps, which cancel nothing."""
+    n, k = states.shape
+    tilted = states + 1j * COMPLEX_STEP * np.eye(k)[:, None, :]
+    slopes = _rates(tilted.reshape(-1, k), regime, branch, law).imag.reshape(k, n, k) / COMPLEX_STEP
+    return np.eye(n * k) - dt * np.einsum("ij,bja->iajb", INTEGRAL, slopes).reshape(n * k, n * k)
 
 
 def _valid(y, regime, branch, law) -> bool:
@@ -81,8 +147,7 @@ def _valid(y, regime, branch, law) -> bool:
     return all(value > 0 for name, value in guards.items() if name != "grip")
 
 
-def _step(y, states, regime, branch, law, dt) -> Step:
-    """Return the polynomial through the collocated rates."""
+def _powers(y, states, regime, branch, law, dt):
+    """Return the Taylor coefficients of the polynomial through the collocated rates."""
     rates = TO_POWERS @ _rates(states, regime, branch, law)
-    rows = dt ** (-POWERS[:, None].astype(float)) * rates / (POWERS[:, None] + 1)
-    return Step(regime, dt, [list(y), *rows.tolist()])
+    return [list(y), *(dt ** (-POWERS[:, None].astype(float)) * rates / (POWERS[:, None] + 1)).tolist()]

@@ -71,7 +71,7 @@ class Friction:
 
 @dataclass(frozen=True, kw_only=True)
 class Release:
-    """The start: inclination of the disk plane to the table and angular velocity [rad/s] along e_1, e_2, e_3; no slip."""
+    """The start, without slip: inclination of the disk to the table, angular velocity [rad/s] along e_1, e_2, e_3."""
 
     inclination_deg: Annotated[float, Gt(0), Lt(90)]
     omega: tuple[float, float, float]

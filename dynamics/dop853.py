@@ -2,15 +2,13 @@
 
 import numpy as np
 from scipy.integrate import DOP853
-from scipy.optimize import brentq
 
 from .equations import Law
+from .falls import first_fall
 from .hybrid import Arc
 from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime
 
 MOST_STEPS = 1000
-LOOKS = 4
-"""Points of a step at which the guards are looked at."""
 NODES = np.sin(np.pi / 4 * (1 - np.cos(np.pi * np.arange(8) / 7))) ** 2
 TO_POWERS = np.linalg.inv(np.vander(NODES, increasing=True))
 """From the values of the interpolant, a polynomial of degree 7 on [0, 1], to its powers."""
@@ -40,7 +38,7 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         if message := solver.step():
             raise ArithmeticError(f"DOP853 stopped at r = {solver.y[R]:.6g}: {message}")
         curve = solver.dense_output()
-        end, fired, values = _first_fall(curve, solver.t_old, solver.t, guards, values)
+        end, fired, values = first_fall(curve, solver.t_old, solver.t, guards, values)
         coefficients.append(_powers(curve, solver.t_old, solver.t))
         times.append(end)
     state = curve(end) if fired else solver.y
@@ -50,21 +48,6 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
 def fastest_clock(y) -> float:
     """Return the longest step that cannot hide two roots of a guard: a part of the time of a radian of turning."""
     return 0.25 * y[R] / (1e-3 + max(abs(y[W1]), abs(y[W2]), abs(y[W3]), abs(y[V1]), abs(y[V2])))
-
-
-def _first_fall(curve, start, stop, guards, values):
-    """Return the time of the first guard that falls through zero in a step (or its end), its name, and the values then."""
-    for look in np.linspace(start, stop, LOOKS + 1)[1:]:
-        now = guards(curve(look))
-        falls = [name for name in now if values[name] > 0 >= now[name]]
-        if falls:
-            roots = {
-                name: brentq(lambda t, name=name: guards(curve(t))[name], start, look, xtol=1e-16) for name in falls
-            }
-            name = min(roots, key=roots.get)
-            return roots[name], name, now
-        start, values = look, now
-    return stop, None, values
 
 
 def _powers(curve, start, stop):

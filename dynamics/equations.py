@@ -31,7 +31,7 @@ class Loads(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """What the balance laws give at one instant: rates of omega and slip, forces along a_1..a_3, moments along -a_1..-a_3."""
+    """What the balance laws give: rates of omega and slip, forces along a_1..a_3, moments along -a_1..-a_3."""
 
     domega1: float
     domega2: float
@@ -55,9 +55,9 @@ def balance(sin, cos):
     def solve(beta, w1, w2, w3, u1, u2, c, s, sliding, stuck1, stuck2, stuck3, s1, s2, s3, law, loads=UNLOADED):
         """Solve for accelerations and contact loads at inclination beta, angular velocity w and slip velocity u.
 
-        (c, s) is the slip direction (2.7), used when `sliding`; otherwise the contact rolls. s1..s3 are the senses (+-1)
-        of omega.a_i, replaced by an unknown multiplier where the surface omega.a_i = 0 is `stuck`. Equal to (4.7) and
-        (5.3) with the errata corrected, which tests/test_equations.py shows.
+        (c, s) is the slip direction (2.7), used when `sliding`; otherwise the contact rolls. s1..s3 are the senses
+        (+-1) of omega.a_i, replaced by an unknown multiplier where the surface omega.a_i = 0 is `stuck`. Equal to (4.7)
+        and (5.3) with the errata corrected, which tests/test_equations.py shows.
         """
         h, K = law.h, law.K
         sin_a, cos_a = cos(beta), sin(beta)

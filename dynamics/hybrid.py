@@ -13,7 +13,7 @@ import numpy as np
 
 
 class Arc(NamedTuple):
-    """A stretch of one regime: n + 1 times from its start, Taylor coefficients (n, order + 1, k), end state, the guard that fired."""
+    """A stretch of one regime: ends of its n pieces, Taylor coefficients (n, order + 1, k), end state, guard fired."""
 
     times: np.ndarray
     coefficients: np.ndarray
@@ -70,7 +70,7 @@ CASCADE = "cascade"
 
 
 def drive(system, y, span, watch=lambda t, y: None) -> tuple[Path, str | None]:
-    """Integrate `system` from state y over at most `span`; return the path and the guard that ended it, None for the span.
+    """Integrate `system` from y over at most `span`; return the path and the guard that ended it, None for the span.
 
     `watch(t, state)` is called after every arc. More than MOST_AT_ONCE switches that take no time end it as CASCADE.
     """

@@ -1,11 +1,8 @@
-"""The motion of a scene: `simulate`, and the record that answers for any time and any force."""
+"""The record of a solved motion, which answers for any time and any force."""
 
-import math
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
-from importlib import import_module
-from importlib.util import find_spec
 from typing import NamedTuple
 
 import numpy as np
@@ -13,10 +10,7 @@ from scipy.interpolate import PPoly
 
 from .disk import Disk
 from .equations import Law
-from .hybrid import CASCADE, drive
 from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
-from .rolling import RollingDisk
-from .switching import ImpossibleContactError
 
 COLUMNS = (
     "precession",
@@ -32,8 +26,6 @@ COLUMNS = (
     "dissipated_energy",
 )
 """Names of the columns of `Motion.state`."""
-TOLERANCE = {"draft": 1e-12, "standard": 1e-16, "reference": 1e-16}
-FINAL_INCLINATION = 1e-10
 BLOCK = 8192
 """Times at which the force is computed together: few enough for the cache."""
 
@@ -53,17 +45,8 @@ class Outcome(Enum):
         return self.value
 
 
-OUTCOMES = {
-    "flat": Outcome.SETTLED,
-    "upright": Outcome.UPRIGHT,
-    "lift-off": Outcome.LIFTED_OFF,
-    CASCADE: Outcome.CASCADE,
-    None: Outcome.TIME_LIMIT,
-}
-
-
 class Transition(NamedTuple):
-    """A change of regime at time t [s]: its name before and after ('roll', 'slide', with what sticks), and the guard."""
+    """A change of regime at t [s]: its name before and after ('roll', 'slide', with what sticks), and the guard."""
 
     t: float
     before: str
@@ -72,7 +55,7 @@ class Transition(NamedTuple):
 
 
 class Jumps(NamedTuple):
-    """The discontinuities of the contact force: times (j,) [s], force before and after (j, 3) [N], as `Motion.force`."""
+    """The discontinuities of the contact force: times (j,) [s], `Motion.force` before and after them (j, 3) [N]."""
 
     t: np.ndarray
     before: np.ndarray
@@ -100,12 +83,12 @@ class Motion:
     @cached_property
     def t(self) -> np.ndarray:
         """Ends of the pieces of the solution, (n,) [s], from 0 to the end of the motion."""
-        return _read_only(self.path.x * self.disk.time_unit)
+        return read_only(self.path.x * self.disk.time_unit)
 
     @cached_property
     def state(self) -> np.ndarray:
         """The state at `t`, (n, 11), with the columns COLUMNS."""
-        return _read_only(self.at(self.t))
+        return read_only(self.at(self.t))
 
     def at(self, t) -> np.ndarray:
         """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses.
@@ -115,7 +98,7 @@ class Motion:
         return self._columns(self.path(self._tau(t)))
 
     def force(self, t) -> np.ndarray:
-        """Return the contact force at the times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
+        """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
 
         It comes from the balance laws that the integrator solved (4.6), (5.2), never from differences. At a jump it is
         the force after it. Raises ValueError for times outside the motion.
@@ -132,7 +115,7 @@ class Motion:
         return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
 
     def energy(self, t) -> np.ndarray:
-        """Return kinetic and potential energy [J] at the times t (k,) [s], zero at rest on the table; (6.1) corrected."""
+        """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
         tau = self._tau(t)
         return energy(self.path(tau).T, self.law) * self._unit_of_energy
 
@@ -148,7 +131,7 @@ class Motion:
         tau = self.path.x[ends]
         at_end = _polynomials(self.path.c[:, ends - 1], tau - self.path.x[ends - 1])
         before, after = self._force(at_end, ends - 1), self._force(self.path.c[-1, ends].copy(), ends)
-        return Jumps(*(_read_only(a) for a in (tau * self.disk.time_unit, before, after)))
+        return Jumps(*(read_only(a) for a in (tau * self.disk.time_unit, before, after)))
 
     @cached_property
     def t_end(self) -> float:
@@ -227,85 +210,7 @@ def energy(y, law: Law):
     return (v1 * v1 + v2 * v2 + v3 * v3 + turning) / 2 + (law.K + 4) / 4 * height
 
 
-def simulate(scene, watch=lambda t, inclination: None) -> Motion:
-    """Solve the rigid motion of `scene`, which offers disk, friction, release and numerics.
-
-    `watch(t, inclination)` is called on the way. Raises ImpossibleContactError, with time and state, where no contact
-    force satisfies the balance laws.
-    """
-    disk, numerics = scene.disk, scene.numerics
-    name, integrate = chosen_integrator(numerics.integrator)
-    r_end = math.sqrt(numerics.final_inclination or FINAL_INCLINATION)
-    tolerance = numerics.tolerance or TOLERANCE[numerics.accuracy]
-    system = RollingDisk(law_of(disk, scene.friction), None, r_end, integrate, tolerance)
-    y, now = released(disk, scene.release), 0.0
-
-    def watched(tau, y):
-        nonlocal now
-        now = tau * disk.time_unit
-        watch(now, y[R] ** 2)
-
-    try:
-        path, guard = drive(system, y, numerics.time_limit / disk.time_unit, watched)
-    except ImpossibleContactError as error:
-        raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
-    return _motion(disk, system, path, OUTCOMES[guard], name)
-
-
-def chosen_integrator(name: str):
-    """Return name and flow of the integrator asked for; 'auto' takes heyoka's Taylor series where it is installed.
-
-    Raises ValueError where 'taylor' is asked for and heyoka is missing.
-    """
-    if name == "auto":
-        name = "taylor" if find_spec("heyoka") else "dop853"
-    if name == "taylor" and not find_spec("heyoka"):
-        raise ValueError("numerics.integrator = 'taylor' needs heyoka, which is not installed: use 'dop853'")
-    return name, import_module(f".{name}", __package__).advance
-
-
-def _motion(disk, system, path, outcome, name) -> Motion:
-    """Join the pieces of a path to one record; pieces of no duration are left out."""
-    x = np.concatenate(path.times)
-    lasting = np.diff(x) > 0
-    order = max(block.shape[1] for block in path.coefficients)
-    c = np.zeros((order, np.count_nonzero(lasting), len(path.coefficients[0][0, 0])))
-    regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
-    kinds = np.repeat([regimes.index(regime) for regime, _ in path.regimes], [n for _, n in path.regimes])
-    start = 0
-    for block, kept in zip(path.coefficients, np.split(lasting, np.cumsum([len(b) for b in path.coefficients])[:-1])):
-        n = np.count_nonzero(kept)
-        c[order - block.shape[1] :, start : start + n] = block[kept, ::-1].swapaxes(0, 1)
-        start += n
-    chi = disk.time_unit
-    crossings = (Transition(a.t * chi, str(a.before), str(a.after), a.guard) for a in path.crossings)
-    return Motion(
-        disk=disk,
-        law=system.law,
-        loads=system.loads,
-        path=PPoly(_read_only(c), _read_only(np.append(x[0], x[1:][lasting]))),
-        regimes=regimes,
-        regime_of_piece=_read_only(kinds[lasting]),
-        transitions=tuple(crossings),
-        contact_losses=(),
-        outcome=outcome,
-        integrator=name,
-    )
-
-
-def _read_only(array):
+def read_only(array):
     array = np.asarray(array)
     array.flags.writeable = False
     return array
-
-
-def law_of(disk: Disk, friction) -> Law:
-    """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
-    arms = (friction.arm_nutation, friction.arm_rolling, friction.arm_pivoting)
-    return Law(disk.aspect, disk.gyration, friction.mu_static, friction.mu_dynamic, *(a / disk.radius for a in arms))
-
-
-def released(disk: Disk, release) -> list:
-    """Return the state of (7.4): the contact at rest, the centre over the origin."""
-    r = math.sqrt(math.radians(release.inclination_deg))
-    return [r, *(w * disk.time_unit / r for w in release.omega), *[0.0] * 7]

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from . import collocation
 from .equations import Law
 from .hybrid import Arc, Switch
-from .regime import AXES, PRECESSION, SPIN, V1, V2, W1, W2, W3, R, Regime
+from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime
 from .switching import follow, slide_to_rest
 
 ENDS = ("flat", "upright", "lift-off")
@@ -36,9 +37,16 @@ class RollingDisk:
         local[PRECESSION] = math.remainder(y[PRECESSION], 2 * math.pi)
         local[SPIN:] = [0.0] * 4
         offset = np.array(y) - np.array(local)
-        arc = self.integrate(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
+        flow = collocation.advance if self._is_stiff(y, regime) else self.integrate
+        arc = flow(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
         arc.coefficients[:, 0] += offset
         return arc._replace(end=(np.array(arc.end) + offset).tolist())
+
+    def _is_stiff(self, y, regime) -> bool:
+        branch = Branch.of(regime, self.law, self.loads)
+        if not (regime.sliding and branch.can_grip):
+            return False
+        return collocation.is_stiff(y, FLOAT.contact(y, branch, regime.senses, self.law), self.law)
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Decide what follows when `guard` has fallen through zero."""

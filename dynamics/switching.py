@@ -152,7 +152,7 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
 
 
 def _step_off(y, first, regime, branch, law) -> Step:
-    """Take one step of Heun of START r: a turning that stops sticking starts without acceleration, at the guard's zero."""
+    """Take one step of Heun of START r: a turning that stops sticking starts at its guard's zero, without push."""
     dt = START * y[R]
     slope = FLOAT.rates(y, first, branch, law)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]

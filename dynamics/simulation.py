@@ -1,0 +1,105 @@
+"""From a scene to its motion: `simulate`."""
+
+import math
+from importlib import import_module
+from importlib.util import find_spec
+
+import numpy as np
+from scipy.interpolate import PPoly
+
+from .disk import Disk
+from .equations import Law
+from .hybrid import CASCADE, drive
+from .motion import Motion, Outcome, Transition, read_only
+from .regime import R
+from .rolling import RollingDisk
+from .switching import ImpossibleContactError
+
+TOLERANCE = {"draft": 1e-12, "standard": 1e-16, "reference": 1e-16}
+FINAL_INCLINATION = 1e-10
+OUTCOMES = {
+    "flat": Outcome.SETTLED,
+    "upright": Outcome.UPRIGHT,
+    "lift-off": Outcome.LIFTED_OFF,
+    CASCADE: Outcome.CASCADE,
+    None: Outcome.TIME_LIMIT,
+}
+
+
+def simulate(scene, watch=lambda t, inclination: None) -> Motion:
+    """Solve the rigid motion of `scene`, which offers disk, friction, release and numerics.
+
+    `watch(t, inclination)` is called on the way. Raises ImpossibleContactError, with time and state, where no contact
+    force satisfies the balance laws.
+    """
+    disk, numerics = scene.disk, scene.numerics
+    name, integrate = chosen_integrator(numerics.integrator)
+    r_end = math.sqrt(numerics.final_inclination or FINAL_INCLINATION)
+    tolerance = numerics.tolerance or TOLERANCE[numerics.accuracy]
+    system = RollingDisk(law_of(disk, scene.friction), None, r_end, integrate, tolerance)
+    y, now = released(disk, scene.release), 0.0
+
+    def watched(tau, y):
+        nonlocal now
+        now = tau * disk.time_unit
+        watch(now, y[R] ** 2)
+
+    try:
+        path, guard = drive(system, y, numerics.time_limit / disk.time_unit, watched)
+    except ImpossibleContactError as error:
+        raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
+    return _motion(disk, system, path, OUTCOMES[guard], name)
+
+
+def chosen_integrator(name: str):
+    """Return name and flow of the integrator asked for; 'auto' takes heyoka's Taylor series where it is installed.
+
+    Raises ValueError where 'taylor' is asked for and heyoka is missing.
+    """
+    if name == "auto":
+        name = "taylor" if find_spec("heyoka") else "dop853"
+    if name == "taylor" and not find_spec("heyoka"):
+        raise ValueError("numerics.integrator = 'taylor' needs heyoka, which is not installed: use 'dop853'")
+    return name, import_module(f".{name}", __package__).advance
+
+
+def _motion(disk, system, path, outcome, name) -> Motion:
+    """Join the pieces of a path to one record; pieces of no duration are left out."""
+    x = np.concatenate(path.times)
+    lasting = np.diff(x) > 0
+    order = max(block.shape[1] for block in path.coefficients)
+    c = np.zeros((order, np.count_nonzero(lasting), len(path.coefficients[0][0, 0])))
+    regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
+    kinds = np.repeat([regimes.index(regime) for regime, _ in path.regimes], [n for _, n in path.regimes])
+    start = 0
+    ends = np.cumsum([len(block) for block in path.coefficients])
+    for block, kept in zip(path.coefficients, np.split(lasting, ends[:-1]), strict=True):
+        n = np.count_nonzero(kept)
+        c[order - block.shape[1] :, start : start + n] = block[kept, ::-1].swapaxes(0, 1)
+        start += n
+    chi = disk.time_unit
+    crossings = (Transition(a.t * chi, str(a.before), str(a.after), a.guard) for a in path.crossings)
+    return Motion(
+        disk=disk,
+        law=system.law,
+        loads=system.loads,
+        path=PPoly(read_only(c), read_only(np.append(x[0], x[1:][lasting]))),
+        regimes=regimes,
+        regime_of_piece=read_only(kinds[lasting]),
+        transitions=tuple(crossings),
+        contact_losses=(),
+        outcome=outcome,
+        integrator=name,
+    )
+
+
+def law_of(disk: Disk, friction) -> Law:
+    """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
+    arms = (friction.arm_nutation, friction.arm_rolling, friction.arm_pivoting)
+    return Law(disk.aspect, disk.gyration, friction.mu_static, friction.mu_dynamic, *(a / disk.radius for a in arms))
+
+
+def released(disk: Disk, release) -> list:
+    """Return the state of (7.4): the contact at rest, the centre over the origin."""
+    r = math.sqrt(math.radians(release.inclination_deg))
+    return [r, *(w * disk.time_unit / r for w in release.omega), *[0.0] * 7]
