@@ -37,6 +37,8 @@ class Outcome(Enum):
     TIME_LIMIT = "the time limit was reached before the disk came to rest"
     LIFTED_OFF = "the normal force fell to zero: the contact was lost"
     UPRIGHT = "the disk stood upright on a generator of its lateral surface: contact passes to the other rim"
+    FELL = "the disk fell flat, with angular velocity left"
+    PRECESSION_STOPPED = "the precession came to a stop, where the law of dissipation has no direction"
     CASCADE = "the regimes changed again and again at one instant"
 
     @property

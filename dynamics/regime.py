@@ -19,6 +19,9 @@ AXES = ("nutation", "rolling", "pivoting")
 STOP_SPEED = 1e-9
 """Slip speed over r at which the rest of a slide is taken in one tangent step; its effect is of the second order."""
 
+FALLING = 10.0
+"""omega_1 over sqrt(inclination), at most one on the way to rest, above which the disk falls flat with energy left."""
+
 
 class Regime(NamedTuple):
     """Which branch of each set-valued law holds: rolling or sliding, and for omega.a_i its sense, or sticking."""
@@ -119,7 +122,9 @@ class Flow:
         """Return the guards of a branch by name: each is positive while the regime is valid and falls through zero."""
         turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
         arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
-        named = {"flat": y[R] - r_end, "upright": self.cos(y[R] * y[R]), "lift-off": contact.Phi}
+        named = {"flat": y[R] - r_end, "falls": FALLING - y[W1], "upright": self.cos(y[R] * y[R]), "lift-off": contact.Phi}
+        if branch.loads and branch.loads.is_singular:
+            named["precession stops"] = y[W3] * y[W3] - STOP_SPEED * STOP_SPEED
         for i in range(3):
             if branch.stuck[i]:
                 limit = arms[i] * contact.Phi

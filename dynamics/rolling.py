@@ -12,7 +12,7 @@ from .hybrid import Arc, Switch
 from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime
 from .switching import follow, slide_to_rest
 
-ENDS = ("flat", "upright", "lift-off")
+ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
 
 
 @dataclass(frozen=True)

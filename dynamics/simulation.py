@@ -8,6 +8,7 @@ import numpy as np
 from scipy.interpolate import PPoly
 
 from .disk import Disk
+from .dissipation import resistance
 from .equations import Law
 from .hybrid import CASCADE, drive
 from .motion import Motion, Outcome, Transition, read_only
@@ -19,8 +20,10 @@ TOLERANCE = {"draft": 1e-12, "standard": 1e-16, "reference": 1e-16}
 FINAL_INCLINATION = 1e-10
 OUTCOMES = {
     "flat": Outcome.SETTLED,
+    "falls": Outcome.FELL,
     "upright": Outcome.UPRIGHT,
     "lift-off": Outcome.LIFTED_OFF,
+    "precession stops": Outcome.PRECESSION_STOPPED,
     CASCADE: Outcome.CASCADE,
     None: Outcome.TIME_LIMIT,
 }
@@ -36,8 +39,9 @@ def simulate(scene, watch=lambda t, inclination: None) -> Motion:
     name, integrate = chosen_integrator(numerics.integrator)
     r_end = math.sqrt(numerics.final_inclination or FINAL_INCLINATION)
     tolerance = numerics.tolerance or TOLERANCE[numerics.accuracy]
-    system = RollingDisk(law_of(disk, scene.friction), None, r_end, integrate, tolerance)
-    y, now = released(disk, scene.release), 0.0
+    loads = resistance(getattr(scene, "dissipation", None), disk)
+    system = RollingDisk(law_of(disk, scene.friction), loads, r_end, integrate, tolerance)
+    now = 0.0
 
     def watched(tau, y):
         nonlocal now
@@ -45,7 +49,7 @@ def simulate(scene, watch=lambda t, inclination: None) -> Motion:
         watch(now, y[R] ** 2)
 
     try:
-        path, guard = drive(system, y, numerics.time_limit / disk.time_unit, watched)
+        path, guard = drive(system, released(disk, scene.release), numerics.time_limit / disk.time_unit, watched)
     except ImpossibleContactError as error:
         raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
     return _motion(disk, system, path, OUTCOMES[guard], name)

@@ -1,0 +1,86 @@
+"""Other laws of dissipation than the paper's moment: powers of the precession rate, and viscous moment and force.
+
+A power law P = -c |Omega|^b acts as the moment -c |Omega|^(b-1) sign(Omega) sec(a) e_3, whose power it is for any
+motion. In the quasi-steady range it makes the energy fall as (t0 - t)^(2/(b + 2)).
+"""
+
+from dataclasses import dataclass
+from math import pi
+from typing import Annotated, NamedTuple
+
+from annotated_types import Ge, Le
+
+from .disk import GRAVITY, Disk
+from .equations import Loads
+
+
+@dataclass(frozen=True, kw_only=True)
+class Dissipation:
+    """What resists besides Coulomb friction and the moment (3.3); the laws add up, and zero leaves one out.
+
+    power_coefficient [W s^b], power_exponent b -- (1.1), McDonald & McDonald (2002): their measurements suggest b = 2.5
+    air_viscosity [Pa s]            -- Moffatt (2000): the air under the disk, viscous throughout, b = 4
+    boundary_layer_viscosity [m^2/s], air_density [kg/m^3] -- Bildsten (2002): the air's boundary layer, b = 5/2
+    contour_moment [N m]            -- contour friction, Leine (2009): b = 1
+    viscous_moment [N m s], viscous_force [N s/m] -- Compere: proportional to omega and to the velocity of the centre
+    """
+
+    power_coefficient: Annotated[float, Ge(0)] = 0.0
+    power_exponent: Annotated[float, Ge(0), Le(16)] = 2.5
+    air_viscosity: Annotated[float, Ge(0)] = 0.0
+    boundary_layer_viscosity: Annotated[float, Ge(0)] = 0.0
+    air_density: Annotated[float, Ge(0)] = 1.2
+    contour_moment: Annotated[float, Ge(0)] = 0.0
+    viscous_moment: Annotated[float, Ge(0)] = 0.0
+    viscous_force: Annotated[float, Ge(0)] = 0.0
+
+
+def power_laws(dissipation: Dissipation, disk: Disk) -> list[tuple[float, float]]:
+    """Return (coefficient [W s^b], exponent b) of every power law that acts.
+
+    Moffatt's pi mu g a^2 / beta^2 with beta = 4 g / (a Omega^2) is pi mu a^4 Omega^4 / (16 g). The boundary layer of
+    thickness sqrt(nu / Omega), sheared at Omega a over the face, gives pi rho sqrt(nu) a^4 Omega^(5/2), an estimate.
+    """
+    a = disk.radius
+    layer = pi * dissipation.air_density * dissipation.boundary_layer_viscosity**0.5 * a**4
+    laws = [
+        (dissipation.power_coefficient, dissipation.power_exponent),
+        (pi * dissipation.air_viscosity * a**4 / (16 * GRAVITY), 4.0),
+        (layer, 2.5),
+        (dissipation.contour_moment, 1.0),
+    ]
+    return [law for law in laws if law[0] > 0]
+
+
+class Resistance(NamedTuple):
+    """The loads of a Dissipation, dimensionless: ((c, b), ...), moment and force per velocity."""
+
+    powers: tuple[tuple[float, float], ...]
+    viscous_moment: float
+    viscous_force: float
+
+    def __call__(self, beta, omega, slip, law, flow) -> Loads:
+        """Return the loads at inclination beta, angular velocity omega and slip velocity, for the scalars of `flow`."""
+        sin_a, cos_a = flow.cos(beta), flow.sin(beta)
+        e = law.h * sin_a + cos_a
+        rate = omega[2] / cos_a
+        v1, v2 = slip[0] + omega[1] - law.h * omega[2], slip[1] - e * omega[0]
+        M1, M2, M3 = (-self.viscous_moment * w for w in omega)
+        for c, b in self.powers:  # |Omega|^(b-1) sign(Omega), written so that b = 2, 4, ... stay polynomials
+            M3 = M3 - c * rate * flow.power(rate * rate, (b - 2) / 2) / cos_a
+        return Loads(-self.viscous_force * v1, -self.viscous_force * v2, M1, M2, M3)
+
+    @property
+    def is_singular(self) -> bool:
+        """Whether a law is not smooth where the precession stops."""
+        return any(b < 2 for _, b in self.powers)
+
+
+def resistance(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:
+    """Return the dimensionless loads of a scene, None where there are none."""
+    if dissipation is None:
+        return None
+    chi, unit = disk.time_unit, disk.mass * disk.radius**2
+    powers = tuple((c * chi ** (3 - b) / unit, b) for c, b in power_laws(dissipation, disk))
+    loads = Resistance(powers, dissipation.viscous_moment * chi / unit, dissipation.viscous_force * chi / disk.mass)
+    return loads if powers or loads.viscous_moment or loads.viscous_force else None
