@@ -1,0 +1,73 @@
+"""The command line: python -m sonify."""
+
+import errno
+import sys
+
+import click
+
+ACCURACIES = ("draft", "standard", "reference")
+
+
+class OneLine(click.Group):
+    """Turns what is expected to go wrong into one line on standard error and the exit status of the contract."""
+
+    def invoke(self, context):
+        """Run the command. Exit status: 1 full disk, 2 wrong input, 130 interrupted."""
+        from sonify.files import OutputError
+        from sonify.scene_errors import SceneError
+
+        try:
+            return super().invoke(context)
+        except (SceneError, OutputError) as error:
+            _stop(error, 2)
+        except KeyboardInterrupt:
+            _stop("interrupted", 130)
+        except OSError as error:
+            if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+                raise
+            _stop(f"{error.filename or 'output'}: {error.strerror}", 1)
+
+
+def _stop(message, status):
+    click.echo(f"sonify: {' '.join(str(message).split())}", err=True)
+    sys.exit(status)
+
+
+@click.group(cls=OneLine, context_settings={"help_option_names": ["-h", "--help"]})
+def main():
+    """Euler's disk, heard: from a scene to its sound."""
+
+
+@main.command()
+@click.argument("scene", default="published")
+@click.option("--out", type=click.Path(), help="Folder for the files; default outputs/<scene name>.")
+@click.option("--accuracy", type=click.Choice(ACCURACIES), help="Instead of the scene's.")
+@click.option(
+    "--set", "assignments", multiple=True, metavar="KEY=VALUE", help="Replace a value, as friction.mu_static=0.3."
+)
+def run(scene, out, accuracy, assignments):
+    """Solve SCENE, a shipped name or a TOML file; write sound, pictures and report."""
+    from sonify.scene import load_scene
+
+    scene = load_scene(scene).replace(*assignments)
+    from sonify.console import Console, say
+
+    with Console() as stages:
+        from sonify.pipeline import run as solve
+
+        result = solve(scene, out, accuracy, stages)
+    say(result)
+    sys.exit(0 if result.passed else 1)
+
+
+@main.command()
+def scenes():
+    """List the shipped scenes."""
+    from sonify.scene import shipped_scenes
+
+    for name, summary in shipped_scenes().items():
+        click.echo(f"{name:16} {summary}")
+
+
+if __name__ == "__main__":
+    main(prog_name="python -m sonify")

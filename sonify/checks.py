@@ -1,0 +1,107 @@
+"""Self-checks: every run proves these on its own numbers, and says so in run.json."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True, kw_only=True)
+class Check:
+    """One number that must stay within `tolerance` of what is `expected`; `source` says why."""
+
+    name: str
+    value: float
+    expected: float
+    tolerance: float
+    source: str
+
+    @property
+    def passed(self) -> bool:
+        """Whether the value is finite and near enough."""
+        return bool(abs(self.value - self.expected) <= self.tolerance)
+
+
+def energy_balance(motion) -> Check:
+    """Energy plus dissipated energy stays what it was, relative to what there was."""
+    total = motion.energy(motion.t) + motion.state[:, 10]
+    return Check(
+        name="energy and dissipated energy add up",
+        value=float(np.abs(total / total[0] - 1).max()),
+        expected=0.0,
+        tolerance=1e-8,
+        source="dE/dt is the power of friction and resisting moments, (3.2), (3.3)",
+    )
+
+
+def friction_cone(motion, friction) -> Check:
+    """By how much |F|/N exceeds the static coefficient while rolling, or misses the dynamic one while sliding."""
+    t = (motion.t[1:] + motion.t[:-1]) / 2
+    force = motion.force(t)
+    ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
+    sliding = np.char.startswith(motion.regime(t), "slide")
+    excess = np.maximum(ratio[~sliding] - friction.mu_static, 0)
+    miss = np.abs(ratio[sliding] - friction.mu_dynamic) if sliding.any() else np.zeros(1)
+    return Check(
+        name="the friction force stays on its cone",
+        value=float(max(excess.max(initial=0), miss.max())),
+        expected=0.0,
+        tolerance=1e-6,
+        source="|F| <= mu_s N rolling, |F| = mu_d N sliding, section 3",
+    )
+
+
+def pushing_contact(motion) -> Check:
+    """The share of the motion in which the normal force pulls."""
+    force = motion.force(motion.t)[:-1, 2]
+    return Check(
+        name="the table never pulls",
+        value=float(np.sum(np.diff(motion.t)[force <= 0]) / motion.t[-1]),
+        expected=0.0,
+        tolerance=0.0,
+        source="Phi > 0 while there is contact, section 4",
+    )
+
+
+def mode_residuals(modes) -> Check:
+    """The largest |K phi - w^2 M phi| / |K phi| of the modes."""
+    return Check(
+        name="the modes solve their eigenvalue problem",
+        value=float(modes.residual.max(initial=0.0)),
+        expected=0.0,
+        tolerance=1e-6,
+        source="K phi = w^2 M phi",
+    )
+
+
+def discrete_mass(modes, disk) -> Check:
+    """The mass of the elastic model over that of the disk."""
+    return Check(
+        name="the elastic model weighs what the disk weighs",
+        value=modes.mass / disk.mass,
+        expected=1.0,
+        tolerance=1e-3,
+        source="mass of the scene",
+    )
+
+
+def no_sample_clipped(sound) -> Check:
+    """The peak of sound.wav over full scale, which is finite only if every sample of the pressure is."""
+    return Check(
+        name="no sample of sound.wav is clipped, all are finite",
+        value=sound.peak / sound.full_scale if sound.finite else 2.0,
+        expected=0.5,
+        tolerance=0.5,
+        source="a PCM file holds -1 to 1",
+    )
+
+
+def all_checks(scene, motion, modes, sound) -> list[Check]:
+    """Every check of a run."""
+    return [
+        energy_balance(motion),
+        friction_cone(motion, scene.friction),
+        pushing_contact(motion),
+        mode_residuals(modes),
+        discrete_mass(modes, scene.disk),
+        no_sample_clipped(sound),
+    ]

@@ -1,0 +1,57 @@
+"""Progress on standard error, results on standard output."""
+
+from contextlib import contextmanager
+
+import click
+from rich.console import Console as RichConsole
+from rich.progress import BarColumn, Progress, TextColumn
+
+from sonify.plan import unsettled
+from sonify.progress import Stages
+
+
+class Console(Stages):
+    """Shows every stage as a line on standard error, with a bar while it runs where there is a terminal."""
+
+    def __init__(self):
+        super().__init__()
+        self._console = RichConsole(stderr=True, highlight=False)
+        self._bars = Progress(
+            TextColumn("{task.description}"),
+            BarColumn(),
+            TextColumn("{task.fields[note]}"),
+            console=self._console,
+            transient=True,
+        )
+
+    def __enter__(self):
+        self._bars.start()
+        return self
+
+    def __exit__(self, *_):
+        self._bars.stop()
+
+    @contextmanager
+    def stage(self, name: str):
+        """Time the block as stage `name` and say how long it took."""
+        self._task = self._bars.add_task(name, total=1.0, note="")
+        with super().stage(name):
+            yield self.watch
+        self._bars.remove_task(self._task)
+        self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
+
+    def watch(self, share: float, note: str = ""):
+        """Move the bar of the running stage."""
+        self._bars.update(self._task, completed=share, note=note)
+
+
+def say(result):
+    """Print checks and findings, and where the files are."""
+    for c in result.checks:
+        verdict = "ok    " if c.passed else "FAILED"
+        click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expected:g}, tolerance {c.tolerance:g})")
+    for f in result.findings:
+        click.echo(f"{'yes' if f.holds else 'no ':6}  {f.claim}: {f.value:.5g} {f.unit} ({f.expectation})")
+    for line in unsettled(result.motion):
+        click.echo(f"note    {line}")
+    click.echo(str(result.out))

@@ -1,0 +1,70 @@
+"""FORCE -> MODES: what a contact force does to the disk as a rigid body, and to its elastic modes.
+
+The frame of the patch, x towards the contact and z along the axis, is (-e3, -e1, e2) of (2.1).
+"""
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+
+def in_patch_frame(force, inclination) -> np.ndarray:
+    """Return forces (k, 3) along a_1, a_2, a_3 at inclinations (k,) [rad] as (k, 3) along x, y, z of the patch;
+    (2.1)."""
+    along, across, normal = np.asarray(force).T
+    s, c = np.sin(inclination), np.cos(inclination)
+    return np.stack([c * across - s * normal, -along, s * across + c * normal], axis=1)
+
+
+def rigid_acceleration(force, inclination, disk) -> np.ndarray:
+    """Return the acceleration (k, 6) that a contact force (k, 3) [N] causes: of the centre [m/s^2], angular [rad/s^2].
+
+    In the frame of the patch; inertia by (2.4), force at (R, 0, -L/2). The resisting moments (3.3), below 1 % of the
+    moment of the force, and the centrifugal and gyroscopic loads, slow and soon gone, are left out.
+    """
+    push = in_patch_frame(force, inclination)
+    turn = np.cross([disk.radius, 0.0, -disk.thickness / 2], push)
+    about_diameter = disk.mass * (disk.radius**2 * disk.gyration / 4 + disk.thickness**2 / 12)
+    about_axis = disk.mass * disk.radius**2 * disk.gyration / 2
+    return np.hstack([push / disk.mass, turn / [about_diameter, about_diameter, about_axis]])
+
+
+def rigid_sources(force, attitude, disk) -> np.ndarray:
+    """Return (k, 2) [m/s^2]: the heave of the disk, and the acceleration by tilting of its rim towards azimuth 0.
+
+    At rest the force is the weight and the heave is 0. `force` (k, 3) [N], `attitude` (k, 3) [rad].
+    """
+    turn = rigid_acceleration(force, attitude[:, 1], disk)[:, 3:]
+    azimuth = listener_azimuth(attitude, turning_with_body=False)
+    tilt = turn[:, 0] * np.sin(azimuth) - turn[:, 1] * np.cos(azimuth)
+    return np.stack([(force[:, 2] - disk.weight) / disk.mass, disk.radius * tilt], axis=1)
+
+
+def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
+    """Return the azimuth (k,) [rad] of the table's x axis in the frame of the patch, or in that of the free body.
+
+    The patch lies a quarter turn ahead of the precession, along a_2; the free body turns by the spin more.
+    """
+    precession, _, spin = np.asarray(attitude).T
+    return -(precession + np.pi / 2 + (spin if turning_with_body else 0.0))
+
+
+def modal_drive(modes, scene):
+    """Return drive(force (k, 3) [N], attitude (k, 3) [rad]) -> the right-hand sides (k, m) of q'' + 2 d q' + w^2 q = g.
+
+    A disk held by its `patch` moves with the contact, g = -participation . rigid acceleration, and the force does no
+    work on the modes itself; on a `free` one the force acts where the contact is at the moment, g = shape . force.
+    """
+    disk = scene.disk
+    if scene.support.kind == "patch":
+        return lambda force, attitude: -rigid_acceleration(force, attitude[:, 1], disk) @ modes.participation.T
+    shape = _rim(modes)
+    return lambda force, attitude: np.einsum(
+        "kmc,kc->km", shape(-attitude[:, 2]), in_patch_frame(force, attitude[:, 1]), optimize=True
+    )
+
+
+def _rim(modes):
+    """The displacement (k, m, 3) of the bottom edge at angles (k,), periodic cubic splines through `rim_shape`."""
+    angle = np.append(modes.rim_angle, modes.rim_angle[0] + 2 * np.pi)
+    closed = np.concatenate([modes.rim_shape, modes.rim_shape[:, :1]], axis=1)
+    return CubicSpline(angle, closed.swapaxes(0, 1), bc_type="periodic")

@@ -1,0 +1,186 @@
+"""FINDINGS: every claim of the paper as a function of what was solved; a "no" is a result, not a failure."""
+
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from scipy.signal import find_peaks
+
+HEARING = (20.0, 20e3)
+"""What is called audible [Hz]."""
+PROMINENCE = 0.05
+"""Of a peak of the normal force over the weight: above the steps at slips; the corners by the resisting moment are
+1e-4."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """A claim, what was found, and the range in which the claim holds, give or take `tolerance`."""
+
+    claim: str
+    value: float
+    unit: str
+    at_least: float = -inf
+    at_most: float = inf
+    tolerance: float = 0.0
+    source: str
+
+    @property
+    def holds(self) -> bool:
+        """Whether the claim stands."""
+        return bool(self.at_least - self.tolerance <= self.value <= self.at_most + self.tolerance)
+
+    @property
+    def expectation(self) -> str:
+        """The range in words."""
+        bounds = {"at least": self.at_least, "at most": self.at_most}
+        return " and ".join(f"{word} {bound:g}" for word, bound in bounds.items() if np.isfinite(bound))
+
+
+def slips(motion) -> np.ndarray:
+    """Return the times (j,) [s] at which rolling turns into sliding."""
+    return np.array([e.t for e in motion.transitions if e.before.startswith("roll") and e.after.startswith("slide")])
+
+
+def load_peaks(motion) -> np.ndarray:
+    """Return the times (p,) [s] of the peaks of the normal force, found by prominence on twelve points a piece."""
+    t = np.unique(np.concatenate([motion.t[:-1] + np.diff(motion.t) * part for part in (0.0, 0.5)]))
+    load = motion.force(t)[:, 2] / motion.disk.weight
+    return t[find_peaks(load, prominence=PROMINENCE)[0]]
+
+
+def load_frequency(motion) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (q,) [s] and f (q,) [Hz] of footnote 3: 2/T, T the time between three successive peaks of Phi."""
+    peaks = load_peaks(motion)
+    return peaks[1:-1], 2 / (peaks[2:] - peaks[:-2])
+
+
+def precession_rate(state) -> np.ndarray:
+    """Return d theta/dt = omega_3 sec(alpha) (2.3), (k,) [rad/s], of states (k, 11)."""
+    return state[:, 7] / np.sin(state[:, 1])
+
+
+def repeated_slips(motion) -> Finding:
+    return Finding(
+        claim="The disk goes from rolling to sliding again and again",
+        value=float(len(slips(motion))),
+        unit="transitions",
+        at_least=2.0,
+        source="section 1 of the paper",
+    )
+
+
+def contact_kept(motion) -> Finding:
+    t = motion.t[:-1]
+    return Finding(
+        claim="The normal force is never zero",
+        value=float(motion.force(t)[:, 2].min() / motion.disk.weight),
+        unit="least normal force / weight",
+        at_least=np.nextafter(0, 1),
+        source="section 7, figure 4 (a)",
+    )
+
+
+def load_frequency_rises(motion) -> Finding:
+    frequency = load_frequency(motion)[1]
+    tenth = max(len(frequency) // 10, 1)
+    return Finding(
+        claim="The frequency of the normal force rises as the disk declines",
+        value=float(np.median(frequency[-tenth:]) / np.median(frequency[:tenth])) if len(frequency) else 0.0,
+        unit="last tenth of the peaks / first tenth",
+        at_least=1.5,
+        source="section 7, figure 4 (b)",
+    )
+
+
+def load_frequency_reached(motion) -> Finding:
+    chi = motion.disk.time_unit
+    return Finding(
+        claim="The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
+        value=float(chi * load_frequency(motion)[1].max(initial=0.0)),
+        unit="1/chi",
+        at_least=2.5,
+        source="figure 4 (b)",
+    )
+
+
+def energy_falls(motion) -> Finding:
+    return Finding(
+        claim="The energy falls monotonically",
+        value=float(np.diff(motion.energy(motion.t)).max() / motion.energy(motion.t[:1])[0]),
+        unit="greatest gain between two instants / energy at the start",
+        at_most=0.0,
+        tolerance=1e-12,
+        source="sections 6.3 and 7, figure 3 (b)",
+    )
+
+
+def sliding_costs_more(motion) -> Finding:
+    sliding = np.char.startswith(motion.regime((motion.t[1:] + motion.t[:-1]) / 2), "slide")
+    edges = np.concatenate([[0], np.flatnonzero(np.diff(sliding)) + 1, [len(sliding)]])
+    power = np.diff(motion.state[edges, 10]) / np.diff(motion.t[edges])
+    slides = np.arange(2 if sliding[0] else 1, len(power) - 1, 2)
+    around = np.maximum(power[slides - 1], power[slides + 1])
+    return Finding(
+        claim="Sliding dissipates more than rolling",
+        value=float(np.median(power[slides] / around)) if len(slides) else 0.0,
+        unit="power in a slide / the greater of those before and after, median",
+        at_least=1.0,
+        source="section 7, figure 3 (b)",
+    )
+
+
+def audible_modes(modes) -> Finding:
+    low, high = HEARING
+    return Finding(
+        claim="At least four modes of vibration are in the audible range",
+        value=float(np.sum((modes.frequency >= low) & (modes.frequency <= high))),
+        unit="modes from 20 Hz to 20 kHz",
+        at_least=4.0,
+        source="section 8",
+    )
+
+
+def centre_comes_to_rest(motion) -> Finding:
+    t = np.linspace(0, motion.t[-1], 20001)
+    path = motion.at(t)[:, 3:5]
+    fifth = len(t) // 5
+    return Finding(
+        claim="The motion of the centre diminishes until it is almost negligible",
+        value=float(np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max()),
+        unit="extent of the path, last fifth / first fifth",
+        at_most=0.1,
+        source="section 7, figure 5",
+    )
+
+
+def no_singularity(motion) -> Finding:
+    left = np.geomspace(motion.t_end / 20, max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4), 400)
+    rate = np.abs(precession_rate(motion.at(motion.t_end - left)))
+    return Finding(
+        claim="There is no finite-time singularity: the precession rate stays finite",
+        value=float(np.polyfit(np.log(left), np.log(rate), 1)[0]),
+        unit="exponent of the precession rate in the time left (negative: it diverges)",
+        at_least=0.0,
+        tolerance=0.05,
+        source="section 7",
+    )
+
+
+def motion_findings(motion) -> list[Finding]:
+    """The claims about the rigid motion; those on its end only where it has settled."""
+    claims = [
+        repeated_slips,
+        contact_kept,
+        load_frequency_rises,
+        load_frequency_reached,
+        energy_falls,
+        sliding_costs_more,
+    ]
+    ends = [centre_comes_to_rest, no_singularity] if motion.outcome.name == "SETTLED" else []
+    return [claim(motion) for claim in claims + ends]
+
+
+def all_findings(motion, modes) -> list[Finding]:
+    """Every claim of the paper that this run can judge."""
+    return [*motion_findings(motion), audible_modes(modes)]

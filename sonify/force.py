@@ -1,0 +1,166 @@
+"""MOTION -> FORCE: the contact force, or what it does, at audio rate, with exact times and sizes of its jumps."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import sparse
+
+HARMONICS = 8
+"""Multiples of the precession rate that the force is taken to contain."""
+HALF_WIDTH = 8
+"""Half the width of the low-pass before the samples, where the force holds more than they can [samples]."""
+FADE_TURNS = 4
+"""Turns of the contact, before the end of a settled motion, over which everything goes to its mean over these turns."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class ContactForce:
+    """Channels of the contact force at t (k,) [s]: a continuous part plus steps.
+
+    `smooth` (k, c) are samples of the continuous part. From each `jump_time` (j,) [s] on a channel has `jump` (j, c)
+    more; there its continuous part lies `bend` (j, c) above the line from the previous jump or sample to the next
+    sample. `steps` (k, c) is the sum of all jumps so far, those before the block included.
+    """
+
+    t: np.ndarray
+    smooth: np.ndarray
+    steps: np.ndarray
+    jump_time: np.ndarray
+    jump: np.ndarray
+    bend: np.ndarray
+
+    @property
+    def samples(self) -> np.ndarray:
+        """Both parts together at the samples, (k, c); at a jump the value after it."""
+        return self.smooth + self.steps
+
+    @property
+    def knots(self):
+        """Of each jump: the interval it lies in (j,), the time since the previous jump or sample and to the next
+        sample."""
+        interval = np.searchsorted(self.t, self.jump_time, side="left") - 1
+        return (
+            interval,
+            self.jump_time - _previous(self.jump_time, self.t[interval]),
+            self.t[interval + 1] - self.jump_time,
+        )
+
+
+def in_newton(force, attitude):
+    """The channels that are the force itself: along a_1, a_2 and the normal [N]."""
+    return force
+
+
+class ForceSampler:
+    """Samples channels(force (k, 3) [N], attitude (k, 3) [rad]) -> (k, c) of a motion at start + n / sample_rate [s].
+
+    The attitude is precession, inclination, spin. A channel may turn with the attitude, but at a jump of the force it
+    must be linear in it. Before the motion the channels have their first values. After it they keep the mean over the
+    last turns of the contact, so that the end is no blow: what is left of the self-similar end after the solution stops
+    is far above hearing. `rest` (c,) overrides the mean where it is not NaN. A motion that did not settle keeps its
+    last values. Where the contact turns too fast for the sample rate, the samples are those of the low-passed channels.
+    tests/test_sound_force.py.
+    """
+
+    def __init__(self, motion, sample_rate: float, start: float = 0.0, channels=in_newton, rest=None):
+        self.motion, self.channels, self.sample_rate, self.start = motion, channels, sample_rate, start
+        self.end = float(motion.t[-1])
+        settled = motion.outcome.name == "SETTLED"
+        self.fade = FADE_TURNS * 2 * np.pi / self._turning(motion.at([self.end]))[0] if settled else 0.0
+        self.rest = self._channels(self.end - self.fade * np.linspace(0, 1, 32 * FADE_TURNS)).mean(axis=0)
+        if rest is not None and settled:
+            self.rest = np.where(np.isnan(rest), self.rest, rest)
+        self._prepare_jumps(motion.jumps)
+
+    def block(self, first: int, count: int) -> ContactForce:
+        """Return the samples first ... first + count and the jumps between them; the last sample is the next block's
+        first."""
+        n = np.arange(first, first + count + 1)
+        t = self._times(n)
+        inside = slice(*np.searchsorted(self.jump_time, t[[0, -1]], side="right"))
+        state = self.motion.at(self._within(t))
+        slow = (self._crowd(state) == 1) | (t > self.end + HALF_WIDTH / self.sample_rate)
+        smooth = self._smooth(t, state)
+        smooth[~slow] = self._low_passed(n[~slow])
+        return ContactForce(
+            t=t,
+            smooth=smooth,
+            steps=self._steps(t),
+            jump_time=self.jump_time[inside],
+            jump=self.jump[inside],
+            bend=self._bends(t, slow, smooth, inside),
+        )
+
+    def _prepare_jumps(self, jumps):
+        self.jump_time = np.asarray(jumps.t)
+        attitude = self.motion.at(self.jump_time)[:, :3]
+        before, after = (self.channels(np.asarray(force), attitude) for force in (jumps.before, jumps.after))
+        self.jump = self._faded(self.jump_time) * (after - before)
+        self._levels = np.vstack([np.zeros_like(self.rest), np.cumsum(self.jump, axis=0)])
+        self._left = self._fading(self.jump_time, before) - self._levels[:-1]
+
+    def _times(self, n):
+        return self.start + n / self.sample_rate
+
+    def _within(self, t):
+        return np.clip(t, 0.0, self.end)
+
+    def _steps(self, t):
+        return self._levels[np.searchsorted(self.jump_time, t, side="right")]
+
+    def _channels(self, t, state=None):
+        t = self._within(t)
+        state = self.motion.at(t) if state is None else state
+        return self.channels(self.motion.force(t), state[:, :3])
+
+    def _smooth(self, t, state=None):
+        return self._fading(t, self._channels(t, state)) - self._steps(t)
+
+    def _faded(self, t):
+        return np.cos(np.pi / 2 * np.clip(1 - (self.end - t) / (self.fade or 1e-300), 0, 1))[:, None] ** 2
+
+    def _fading(self, t, values):
+        return self.rest + self._faded(t) * (values - self.rest)
+
+    @staticmethod
+    def _turning(state):
+        """The precession rate (k,) [rad/s], without its sign; (2.3)."""
+        return np.abs(state[:, 7] / np.sin(state[:, 1]))
+
+    def _crowd(self, state):
+        """How many times denser than the samples the force must be read at states (k, 11); a power of 2, mostly 1."""
+        fastest = HARMONICS * self._turning(state) / (np.pi * self.sample_rate)
+        return 2 ** np.ceil(np.log2(np.clip(fastest, 1, 2**16))).astype(int)
+
+    def _low_passed(self, n):
+        """The continuous part through a windowed sinc, at the samples n (k,) in ascending order."""
+        if not len(n):
+            return np.empty((0, len(self.rest)))
+        cells = np.arange(n[0] - HALF_WIDTH, n[-1] + HALF_WIDTH)
+        middle = self._times(cells + 0.5)
+        density = np.where(middle > self.end, 1, self._crowd(self.motion.at(self._within(middle))))
+        cell = np.repeat(np.arange(len(cells)), density)
+        within = np.arange(len(cell)) - (np.cumsum(density) - density)[cell]
+        at = cells[cell] + (within + 0.5) / density[cell]
+        edges = np.searchsorted(at, [n - HALF_WIDTH, n + HALF_WIDTH])
+        row = np.repeat(np.arange(len(n)), edges[1] - edges[0])
+        column = np.concatenate([np.arange(*pair) for pair in edges.T])
+        away = at[column] - n[row]
+        weight = np.sinc(away) * np.cos(np.pi / 2 * away / HALF_WIDTH) ** 2 / density[cell[column]]
+        filtering = sparse.csr_array((weight, (row, column)), shape=(len(n), len(at)))
+        return (filtering @ self._smooth(self._times(at))) / filtering.sum(axis=1)[:, None]
+
+    def _bends(self, t, slow, smooth, inside):
+        """By how much the continuous part at the jumps departs from the line to the next sample; none if low-passed."""
+        times, here = self.jump_time[inside], self._left[inside]
+        interval = np.searchsorted(t, times, side="left") - 1
+        since = _previous(times, t[interval])
+        before = np.where((since == t[interval])[:, None], smooth[interval], np.roll(here, 1, axis=0))
+        part = ((times - since) / (t[interval + 1] - since))[:, None]
+        bend = here - (before + part * (smooth[interval + 1] - before))
+        return np.where((slow[interval] & slow[interval + 1])[:, None], bend, 0.0)
+
+
+def _previous(times, samples):
+    """The later of the previous jump and the previous sample, (j,) [s]."""
+    return np.maximum(np.concatenate([[-np.inf], times[:-1]]), samples)

@@ -1,0 +1,138 @@
+"""FORCE -> MODES: linear oscillators stepped exactly for a force that is piecewise linear, jumps and corners
+included."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+
+class Knots(NamedTuple):
+    """Where a force departs from the straight line between two samples.
+
+    Knot j lies in the interval after sample `interval` (j,), `since` (j,) [s] after the previous knot or sample and
+    `until` (j,) [s] before the next sample. There the force jumps by `jump` (j, m), and its continuous part lies `bend`
+    (j, m) above the line from the previous knot or sample to the next sample. In order of time.
+    """
+
+    interval: np.ndarray
+    since: np.ndarray
+    until: np.ndarray
+    jump: np.ndarray
+    bend: np.ndarray
+
+
+def no_knots(m: int) -> Knots:
+    """Return the knots of a force of m components that has none."""
+    return Knots(np.zeros(0, int), np.zeros(0), np.zeros(0), np.zeros((0, m)), np.zeros((0, m)))
+
+
+def free_response(omega, decay, t):
+    """Return c, s with q = (c + decay s) q0 + s v0 for q'' + 2 decay q' + omega^2 q = 0; any decay >= 0, omega > 0.
+
+    With w = sqrt(omega^2 - decay^2), imaginary when overdamped: c = exp(-decay t) cos(w t), s = exp(-decay t) sin(w
+    t)/w. All arguments broadcast; omega, decay [1/s], t [s].
+    """
+    omega, decay, t = np.broadcast_arrays(*map(np.asarray, (omega, decay, t)))
+    w = np.sqrt((omega - decay) * (omega + decay) + 0j)
+    rising, falling = np.exp((-decay + 1j * w) * t), np.exp((-decay - 1j * w) * t)
+    near = np.abs(w * t) < 1e-3  # sin(x)/x by its series, also where the damping is critical
+    series = t * np.exp(-decay * t) * (1 - ((w * t) ** 2).real / 6)
+    s = np.where(near, series, ((rising - falling) / np.where(near, 1, 2j * w)).real)
+    return (rising + falling).real / 2, s
+
+
+def responses(omega, decay, t):
+    """Return the displacement at time t after a unit step and after a unit ramp; the velocity of one is the other's
+    rate.
+
+    From the equation of motion itself: omega^2 q = force - 2 decay q' - q''. Arguments as `free_response`.
+    """
+    c, s = free_response(omega, decay, t)
+    step = (1 - c - decay * s) / omega**2
+    ramp = (t - 2 * decay * step - s) / omega**2
+    return step, ramp
+
+
+class OscillatorBank:
+    """m oscillators q'' + 2 d q' + w^2 q = g(t) with states that carry over from block to block.
+
+    `frequency` w/2pi (m,) [Hz] > 0 and below half the `sample_rate` [Hz]; `decay_rate` d (m,) [1/s] >= 0, also
+    overdamped. Exact for every g that is linear between samples and knots; unconditionally stable, since it is the
+    exact solution that is stepped. Raises ValueError for a frequency or a decay outside its range.
+    tests/test_oscillators.py.
+    """
+
+    def __init__(self, frequency, decay_rate, sample_rate: float):
+        frequency, self.decay = np.asarray(frequency, float), np.asarray(decay_rate, float)
+        if not np.all((frequency > 0) & (frequency < sample_rate / 2)):
+            raise ValueError("frequencies must lie above 0 and below half the sample rate")
+        if not np.all((self.decay >= 0) & np.isfinite(self.decay)):
+            raise ValueError("decay rates must be finite and not negative")
+        self.omega, self.h = 2 * np.pi * frequency, 1 / sample_rate
+        self._hold()
+        self.settle(0.0)
+
+    def settle(self, g, slope=0.0):
+        """Put every oscillator where a force g (m,) that has long been rising with `slope` (m,) has it."""
+        v = slope / self.omega**2 + 0 * self.omega
+        q = (g - 2 * self.decay * v) / self.omega**2
+        self.state = self._observed(np.stack([q, v]) - self.late * g)
+
+    def advance(self, g, knots: Knots | None = None) -> np.ndarray:
+        """Step through the samples g (k + 1, m); return the accelerations q'' (k, m) at the first k of them.
+
+        The last sample is the first of the next block. g is the force after a jump where one falls on a sample.
+        """
+        g = np.ascontiguousarray(g, dtype=float)
+        knots = knots or no_knots(g.shape[1])
+        out = np.empty((len(g) - 1, g.shape[1]))
+        _advance(g, self.state, self.step, knots.interval, self._kicks(knots), out)
+        return out
+
+    def _hold(self):
+        """The exact step x' = A x + early g0 + late g1 of x = (q, q') under a force that goes linearly from g0 to g1.
+
+        With the state x - late g and its observable coordinates the acceleration is the output of
+        w1' = trace w1 + w2 + ..., w2' = -det w1 + ..., five multiplications a sample.
+        """
+        c, s = free_response(self.omega, self.decay, self.h)
+        step, ramp = responses(self.omega, self.decay, self.h)
+        A = np.array([[c + self.decay * s, s], [-(self.omega**2) * s, c - self.decay * s]])
+        early, self.late = np.array([step - ramp / self.h, s - step / self.h]), np.array([ramp, step]) / self.h
+        C = np.array([-(self.omega**2), -2 * self.decay])
+        trace, det = 2 * c, np.exp(-2 * self.decay * self.h)
+        self._rows = np.array([C, np.einsum("im,ijm->jm", C, A) - trace * C])
+        into = self._observed(np.einsum("ijm,jm->im", A, self.late) + early)
+        through = 1 + np.einsum("im,im->m", C, self.late)
+        self.step = np.ascontiguousarray([through, into[0], trace, into[1], -det])
+
+    def _observed(self, x):
+        return np.einsum("wim,i...m->w...m", self._rows, x)
+
+    def _kicks(self, knots):
+        """What knots add to the state at the next sample, beyond the line between the samples around them: (2, j,
+        m)."""
+        since, until = np.maximum(knots.since[:, None], 1e-6 * self.h), np.maximum(knots.until[:, None], 1e-6 * self.h)
+        step, ramp = responses(self.omega, self.decay, until)
+        rate = free_response(self.omega, self.decay, until)[1]
+        early_step, early_ramp = responses(self.omega, self.decay, since + until)
+        rise, turn = knots.bend / since, knots.bend / since + knots.bend / until
+        q = step * knots.jump + early_ramp * rise - ramp * turn
+        v = rate * knots.jump + early_step * rise - step * turn
+        return self._observed(np.stack([q, v]) - self.late[:, None] * knots.jump)
+
+
+@njit(cache=True, fastmath={"contract"})
+def _advance(g, state, step, interval, kicks, out):
+    first, second, j = state[0], state[1], 0
+    for n in range(out.shape[0]):
+        for m in range(out.shape[1]):
+            u, w = g[n, m], first[m]
+            out[n, m] = step[0, m] * u + w
+            first[m] = step[1, m] * u + step[2, m] * w + second[m]
+            second[m] = step[3, m] * u + step[4, m] * w
+        while j < interval.shape[0] and interval[j] == n:
+            first += kicks[0, j]
+            second += kicks[1, j]
+            j += 1

@@ -1,0 +1,70 @@
+"""SCENE -> MOTION -> MODES -> FORCE -> SOUND -> FINDINGS: the whole program on one screen."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from dynamics import Motion, simulate
+from modal import eigenmodes
+from modal.modes import Modes
+from sonify.checks import Check, all_checks
+from sonify.files import claim
+from sonify.findings import Finding, all_findings
+from sonify.plan import Plan, plan_of
+from sonify.progress import Stages
+from sonify.record import write_record
+from sonify.scene import Scene
+from sonify.sound import Renderer, Sound
+from sonify.wav import write_sound
+
+
+@dataclass(frozen=True, kw_only=True)
+class Result:
+    """What a run found; the files are in `out`. `seconds` by stage."""
+
+    scene: Scene
+    plan: Plan
+    motion: Motion
+    modes: Modes
+    sound: Sound
+    findings: list[Finding]
+    checks: list[Check]
+    seconds: dict[str, float]
+    out: Path
+
+    @property
+    def passed(self) -> bool:
+        """Whether every self-check passed."""
+        return all(check.passed for check in self.checks)
+
+
+def run(
+    scene: Scene, out: str | Path | None = None, accuracy: str | None = None, stages: Stages | None = None
+) -> Result:
+    """Solve `scene`, write sound, pictures and report into `out` (default outputs/<scene name>), return what was found.
+
+    `accuracy` (draft, standard, reference) replaces the scene's. Raises SceneError, OutputError when `out` cannot be
+    written, and OSError when the disk is full. No file is ever left half written.
+    """
+    scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
+    out, stages = claim(out or Path("outputs") / scene.name), stages or Stages()
+    with stages.stage("motion") as watch:
+        motion = simulate(scene, lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}"))
+    with stages.stage("modes"):
+        modes = eigenmodes(scene, below=plan_of(scene).highest_mode)
+    with stages.stage("sound") as watch:
+        sound = write_sound(Renderer(scene, motion, modes), out, watch)
+    with stages.stage("findings"):
+        checks, findings = all_checks(scene, motion, modes, sound), all_findings(motion, modes)
+    result = Result(
+        scene=scene,
+        plan=plan_of(scene, motion),
+        motion=motion,
+        modes=modes,
+        sound=sound,
+        findings=findings,
+        checks=checks,
+        seconds=stages.seconds,
+        out=out,
+    )
+    write_record(result, stages)
+    return result

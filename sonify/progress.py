@@ -1,0 +1,21 @@
+"""Which stage a run is in, and how long each took."""
+
+from contextlib import contextmanager
+from time import perf_counter
+
+
+class Stages:
+    """Times the stages of a run; `seconds` by name. Silent: the command line shows them by a subclass."""
+
+    def __init__(self):
+        self.seconds: dict[str, float] = {}
+
+    @contextmanager
+    def stage(self, name: str):
+        """Time the block as stage `name`; yields watch(share done, note)."""
+        began = perf_counter()
+        yield self.watch
+        self.seconds[name] = perf_counter() - began
+
+    def watch(self, share: float, note: str = ""):
+        """Note the share of the stage that is done."""

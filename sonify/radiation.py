@@ -1,0 +1,138 @@
+"""ACCELERATION -> PRESSURE: a face of the disk as a baffled radiator, the table being the baffle.
+
+Rayleigh's integral p(t) = rho/(2 pi) * integral of w(t - R/c)/R over the face, w its normal acceleration. Valid while
+the face lies nearly in the plane of the table and the film of air below it is closed; where the film is open, early in
+a motion, air flows round the rim and the true pressure is lower.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+AIR_DENSITY = 1.204
+"""Dry air at 20 degrees and 101325 Pa [kg/m^3]."""
+SPEED_OF_SOUND = 343.2
+"""In the same air [m/s]."""
+AZIMUTHS = 512
+"""Directions at which the radiation of a mode is tabulated; between them it is taken linear."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Listener:
+    """Distance [m] from the centre of the disk and elevation [rad] above the table; azimuth 0 is the x axis of the
+    table."""
+
+    distance: float
+    elevation: float
+
+    @property
+    def delay(self) -> float:
+        """Time from the centre of the disk to the listener [s]."""
+        return self.distance / SPEED_OF_SOUND
+
+    def transit(self, radius: float) -> float:
+        """Half the time that a plane wave to the listener needs across the disk [s]."""
+        return radius * np.cos(self.elevation) / SPEED_OF_SOUND
+
+
+def rayleigh(face, points, weights, wavenumber, listener_at) -> np.ndarray:
+    """Return the pressure [Pa] per unit modal acceleration, at `listener_at` (3,) [m], retarded to the disk's centre.
+
+    `face` (m, p) is the normal shape, `points` (p, 2) [m] and `weights` (p,) [m^2] integrate over it, `wavenumber` (m,)
+    [1/m] is that of each shape. Complex (m,): the factor exp(-i k distance) is taken out. Exact for a plane baffle.
+    """
+    way = np.linalg.norm(listener_at - np.column_stack([points, np.zeros(len(points))]), axis=1)
+    wave = np.exp(-1j * np.outer(wavenumber, way - np.linalg.norm(listener_at))) / way
+    return AIR_DENSITY / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
+
+
+def directions(modes, listener: Listener, still: bool = False) -> np.ndarray:
+    """Return `rayleigh` of the top face of every mode at AZIMUTHS even azimuths of the listener, (AZIMUTHS, m),
+    complex.
+
+    At the frequency of each mode; at frequency 0 if `still`. Azimuths are in the frame of the modes.
+    """
+    radius, angle = np.meshgrid(modes.face_radius, modes.face_angle, indexing="ij")
+    points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
+    weights = np.repeat(modes.face_weight, len(modes.face_angle)) * 2 * np.pi / len(modes.face_angle)
+    face = modes.face_shape[:, 1].reshape(len(modes.frequency), -1)
+    k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / SPEED_OF_SOUND
+    azimuth = 2 * np.pi * np.arange(AZIMUTHS) / AZIMUTHS
+    return np.array([rayleigh(face, points, weights, k, _position(listener, a)) for a in azimuth])
+
+
+def taps(modes, listener: Listener, sample_rate: float) -> np.ndarray:
+    """Return three-tap filters (AZIMUTHS, m, 3) on samples n + 1, n, n - 1 that radiate the modes.
+
+    Their response is exactly Rayleigh's integral at the frequency of the mode and at 0. In the last 2 % below half the
+    sample rate, where three taps cannot turn the phase, the phase is approximate.
+    """
+    turn = 2 * np.pi * modes.frequency / sample_rate
+    at_mode, at_rest = directions(modes, listener), directions(modes, listener, still=True).real
+    both = (at_rest - at_mode.real) / (1 - np.cos(turn))
+    apart = at_mode.imag * np.sin(turn) / np.maximum(np.sin(turn) ** 2, 0.06**2)
+    return np.stack([(both + apart) / 2, at_rest - both, (both - apart) / 2], axis=2)
+
+
+def heave_kernel(listener: Listener, radius: float, h: float):
+    """Return `step`, `taps` of a disk of `radius` [m] that heaves with unit acceleration: the low-pass by its own size.
+
+    step(t) is the response at t [s] to a step, taps (2 w + 1,) that to samples joined by straight lines, h [s] apart.
+    In units of `piston_strength`; to the first order in radius/distance.
+    """
+    return _kernel(listener.transit(radius), h, _heave)
+
+
+def tilt_kernel(listener: Listener, radius: float, h: float):
+    """The same for a disk that rocks: its rim towards the listener has unit acceleration, the opposite rim the reverse.
+
+    Far away the two halves cancel but for their difference in time; nearby also by their difference in distance.
+    """
+    transit = listener.transit(radius)
+    far_step, far_taps = _kernel(transit, h, _tilt_far)
+    near_step, near_taps = _kernel(transit, h, _tilt_near)
+    late, close = transit / max(transit, h), transit * SPEED_OF_SOUND / listener.distance
+    return lambda t: late * far_step(t) + close * near_step(t), late * far_taps + close * near_taps
+
+
+def _kernel(transit, h, shape):
+    """Step response and taps of a `shape` that gives its step response and the integral of it at s = time / transit."""
+    width = max(transit, h)  # never sharper than a sample: a step shows in more than one
+    reach = int(np.ceil(width / h)) + 1
+    t = np.arange(-reach - 1, reach + 2) * h / width
+    inside = np.clip(t, -1, 1)
+    ramp = shape(inside)[1] + shape(1.0)[0] * np.maximum(t - 1, 0)
+    return (lambda t: shape(np.clip(t / width, -1, 1))[0]), np.diff(width * ramp, 2) / h
+
+
+def _heave(s):
+    """(2/pi) sqrt(1 - s^2), the chords of a disk of unit area, integrated once and twice."""
+    root, arc = np.sqrt(1 - s * s), np.arcsin(s)
+    return 0.5 + (s * root + arc) / np.pi, s / 2 + (s * arc + root - root**3 / 3) / np.pi
+
+
+def _tilt_far(s):
+    """(2/pi) s sqrt(1 - s^2), earlier first."""
+    root, arc = np.sqrt(1 - s * s), np.arcsin(s)
+    twice = s * (5 - 2 * s * s) * root / 8 + 3 / 8 * (arc + np.pi / 2)
+    return 2 / (3 * np.pi) * root**3, 2 / (3 * np.pi) * twice
+
+
+def _tilt_near(s):
+    """(2/pi) s^2 sqrt(1 - s^2)."""
+    root, arc = np.sqrt(1 - s * s), np.arcsin(s)
+    once = (s * (2 * s * s - 1) * root + arc) / 8 + np.pi / 16
+    twice = (s * arc + root - root**3 / 3 + 2 / 5 * root**5) / 8 + np.pi / 16 * s
+    return 2 / np.pi * once, 2 / np.pi * twice
+
+
+def piston_strength(radius: float, distance: float) -> float:
+    """Pressure [Pa] of a small disk per unit acceleration [m/s^2], rho R^2/(2 r): the monopole on a baffle."""
+    return AIR_DENSITY * radius**2 / (2 * distance)
+
+
+def _position(listener, azimuth):
+    across = listener.distance * np.cos(listener.elevation)
+    return np.array(
+        [across * np.cos(azimuth), across * np.sin(azimuth), listener.distance * np.sin(listener.elevation)]
+    )
