@@ -4,13 +4,14 @@ from dataclasses import dataclass
 from math import inf
 
 import numpy as np
+from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
 HEARING = (20.0, 20e3)
 """What is called audible [Hz]."""
-PROMINENCE = 0.05
-"""Of a peak of the normal force over the weight: above the steps at slips; the corners by the resisting moment are
-1e-4."""
+PROMINENCE, SHARE, NEIGHBOURS = 0.005, 0.5, 11
+"""A peak of the normal force counts if its prominence is this part of the weight, and this share of the median of so
+many neighbours: more than the corners that the resisting moment makes (1e-4), more than most of the steps at slips."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -43,16 +44,24 @@ def slips(motion) -> np.ndarray:
 
 
 def load_peaks(motion) -> np.ndarray:
-    """Return the times (p,) [s] of the peaks of the normal force, found by prominence on twelve points a piece."""
-    t = np.unique(np.concatenate([motion.t[:-1] + np.diff(motion.t) * part for part in (0.0, 0.5)]))
-    load = motion.force(t)[:, 2] / motion.disk.weight
-    return t[find_peaks(load, prominence=PROMINENCE)[0]]
+    """Return the times (p,) [s] of the peaks of the normal force, found by prominence on two points a piece."""
+    t = np.sort(np.concatenate([motion.t[:-1], (motion.t[:-1] + motion.t[1:]) / 2]))
+    peaks, found = find_peaks(motion.force(t)[:, 2] / motion.disk.weight, prominence=PROMINENCE)
+    prominence = found["prominences"]
+    return t[peaks[prominence >= SHARE * median_filter(prominence, NEIGHBOURS)]]
 
 
 def load_frequency(motion) -> tuple[np.ndarray, np.ndarray]:
     """Return times (q,) [s] and f (q,) [Hz] of footnote 3: 2/T, T the time between three successive peaks of Phi."""
     peaks = load_peaks(motion)
     return peaks[1:-1], 2 / (peaks[2:] - peaks[:-2])
+
+
+def mean_precession(motion) -> np.ndarray:
+    """Return the turns a second (q,) [Hz] of the contact about the vertical, at the times of `load_frequency`."""
+    peaks = load_peaks(motion)
+    turned = motion.at(peaks)[:, 0] / (2 * np.pi)
+    return np.abs(turned[2:] - turned[:-2]) / (peaks[2:] - peaks[:-2])
 
 
 def precession_rate(state) -> np.ndarray:
@@ -76,7 +85,7 @@ def contact_kept(motion) -> Finding:
         claim="The normal force is never zero",
         value=float(motion.force(t)[:, 2].min() / motion.disk.weight),
         unit="least normal force / weight",
-        at_least=np.nextafter(0, 1),
+        at_least=1e-9,
         source="section 7, figure 4 (a)",
     )
 

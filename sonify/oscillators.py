@@ -74,7 +74,10 @@ class OscillatorBank:
         self.settle(0.0)
 
     def settle(self, g, slope=0.0):
-        """Put every oscillator where a force g (m,) that has long been rising with `slope` (m,) has it."""
+        """Put every oscillator where a force that has long been rising with `slope` (m,) has it when it reaches g (m,).
+
+        The samples of the next block begin with g.
+        """
         v = slope / self.omega**2 + 0 * self.omega
         q = (g - 2 * self.decay * v) / self.omega**2
         self.state = self._observed(np.stack([q, v]) - self.late * g)

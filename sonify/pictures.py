@@ -4,9 +4,11 @@ from contextlib import contextmanager
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
+from scipy.ndimage import median_filter
 
 from sonify.files import whole
-from sonify.findings import load_frequency, precession_rate
+from sonify.findings import load_frequency, mean_precession, precession_rate
 from sonify.spectrogram import REFERENCE_PRESSURE, spectrogram
 
 DPI = 110
@@ -71,11 +73,11 @@ def _image(axes, seen, unit):
 
 def _rate_lines(axes, motion, delay):
     peaks, nutation = load_frequency(motion)
-    t = np.linspace(0, motion.t[-1], 4000)
-    turning = np.abs(precession_rate(motion.at(t))) / (2 * np.pi)
-    axes.plot(t + delay, turning, color="w", lw=1.0, ls="--", label="precession, solved")
-    axes.plot(peaks + delay, nutation, color="w", lw=1.0, ls=":", label="nutation, solved")
-    axes.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w", framealpha=0.8)
+    edge = [withStroke(linewidth=2.5, foreground="k")]
+    for rate, style, name in ((mean_precession(motion), "-", "precession"), (nutation, "--", "nutation")):
+        smooth = median_filter(rate, 5)
+        axes.plot(peaks + delay, smooth, color="w", lw=1.0, ls=style, label=f"{name}, solved", path_effects=edge)
+    axes.legend(loc="lower right", fontsize=8, facecolor="0.2", labelcolor="w")
 
 
 def draw_motion(motion, path):

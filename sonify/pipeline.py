@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from dynamics import Motion, simulate
+from dynamics import ImpossibleContactError, Motion, simulate
 from modal import eigenmodes
 from modal.modes import Modes
 from sonify.checks import Check, all_checks
@@ -12,7 +12,7 @@ from sonify.findings import Finding, all_findings
 from sonify.plan import Plan, plan_of
 from sonify.progress import Stages
 from sonify.record import write_record
-from sonify.scene import Scene
+from sonify.scene import Scene, SceneError
 from sonify.sound import Renderer, Sound
 from sonify.wav import write_sound
 
@@ -48,7 +48,7 @@ def run(
     scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
     out, stages = claim(out or Path("outputs") / scene.name), stages or Stages()
     with stages.stage("motion") as watch:
-        motion = simulate(scene, lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}"))
+        motion = solve_motion(scene, lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}"))
     with stages.stage("modes"):
         modes = eigenmodes(scene, below=plan_of(scene).highest_mode)
     with stages.stage("sound") as watch:
@@ -68,3 +68,11 @@ def run(
     )
     write_record(result, stages)
     return result
+
+
+def solve_motion(scene: Scene, watch) -> Motion:
+    """Return the motion of a scene. Raises SceneError where no contact force satisfies the balance laws."""
+    try:
+        return simulate(scene, watch)
+    except ImpossibleContactError as error:
+        raise SceneError(f"friction, release: {error}") from None

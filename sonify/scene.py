@@ -13,6 +13,7 @@ from annotated_types import Ge, Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from dynamics.disk import Disk, Friction, Release
+from dynamics.dissipation import Dissipation
 from modal.modes import Material, Support
 from sonify.scene_errors import SceneError, explain
 
@@ -64,6 +65,7 @@ class Scene:
     release: Release
     support: Support = field(default_factory=Support)
     surface: Surface = field(default_factory=Surface)
+    dissipation: Dissipation = field(default_factory=Dissipation)
     audio: Audio = field(default_factory=Audio)
     numerics: Numerics = field(default_factory=Numerics)
 

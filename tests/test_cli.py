@@ -1,0 +1,116 @@
+"""Claim: the command line keeps its contract: exit status 0, 1, 2, one line for what is wrong, nothing written then.
+
+Source: the README's table of commands. Oracle: the files that exist afterwards, and the streams.
+"""
+
+import errno
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+from test_scene import FAULTS
+
+from sonify.__main__ import main
+from sonify.files import whole
+
+HEAVY = ("numpy", "scipy", "matplotlib", "numba", "heyoka", "skfem", "pydantic")
+
+
+def ask(*arguments):
+    return CliRunner().invoke(main, arguments)
+
+
+def one_line(result, status):
+    assert result.exit_code == status, result.output
+    assert result.stdout == ""
+    assert len(result.stderr.splitlines()) == 1
+    assert "Traceback" not in result.stderr
+    return result.stderr
+
+
+def test_help_loads_no_numerics():
+    code = f"""
+import runpy, sys
+sys.argv = ["sonify", "--help"]
+try:
+    runpy.run_module("sonify", run_name="__main__")
+except SystemExit as end:
+    print(end.code, [name for name in {HEAVY} if name in sys.modules], file=sys.stderr)
+"""
+    asked = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert asked.stderr.splitlines() == ["0 []"]
+    assert "run" in asked.stdout
+
+
+def test_scenes_are_listed_one_a_line():
+    result = ask("scenes")
+    assert result.exit_code == 0
+    assert any(line.startswith("published ") for line in result.stdout.splitlines())
+
+
+@pytest.mark.parametrize(("assignment", "message"), FAULTS, ids=[fault[0] for fault in FAULTS])
+def test_a_wrong_value_ends_with_2_and_writes_nothing(assignment, message, tmp_path):
+    out = tmp_path / "out"
+    assert message in one_line(ask("run", "published", "--out", str(out), "--set", assignment), 2)
+    assert not out.exists()
+
+
+@pytest.mark.parametrize("text", ["[disk\n", "x = nan", "\x00"])
+def test_a_wrong_file_ends_with_2(text, tmp_path):
+    path = tmp_path / "wrong.toml"
+    path.write_text(text)
+    one_line(ask("run", str(path), "--out", str(tmp_path / "out")), 2)
+    assert not (tmp_path / "out").exists()
+
+
+def test_an_absent_scene_ends_with_2(tmp_path):
+    assert "no such scene" in one_line(ask("run", "publishd", "--out", str(tmp_path / "out")), 2)
+
+
+@pytest.mark.parametrize("arguments", [["run", "--accuracy", "best"], ["sing"], ["run", "--nonsense"], ["scenes", "x"]])
+def test_wrong_usage_ends_with_2(arguments):
+    assert ask(*arguments).exit_code == 2
+
+
+def test_a_folder_that_cannot_be_written_ends_with_2_before_any_work(tmp_path, monkeypatch):
+    monkeypatch.setattr("sonify.pipeline.simulate", lambda *_: pytest.fail("the motion was solved"))
+    (tmp_path / "file").write_text("")
+    assert "cannot be written" in one_line(ask("run", "--out", str(tmp_path / "file" / "out")), 2)
+
+
+def test_an_interrupt_ends_with_130(tmp_path, monkeypatch):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("sonify.pipeline.simulate", interrupted)
+    result = ask("run", "--out", str(tmp_path))
+    assert result.exit_code == 130
+    assert result.stderr.splitlines()[-1] == "sonify: interrupted"
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_full_disk_ends_with_1_and_one_line(tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(errno.ENOSPC, "No space left on device", "sound.wav")
+
+    monkeypatch.setattr("sonify.pipeline.simulate", full)
+    result = ask("run", "--out", str(tmp_path))
+    assert result.exit_code == 1
+    assert result.stderr.splitlines()[-1] == "sonify: sound.wav: No space left on device"
+
+
+@pytest.mark.parametrize("fault", [KeyboardInterrupt(), OSError(errno.ENOSPC, "full")])
+def test_a_file_is_whole_or_as_it_was(tmp_path, fault):
+    path = tmp_path / "file.txt"
+    path.write_text("before")
+
+    def write_half():
+        with whole(path) as temporary:
+            temporary.write_text("half")
+            raise fault
+
+    with pytest.raises(type(fault)):
+        write_half()
+    assert path.read_text() == "before"
+    assert [p.name for p in tmp_path.iterdir()] == ["file.txt"]
