@@ -10,7 +10,7 @@ import numpy as np
 
 from .falls import first_fall
 from .hybrid import Arc, Step
-from .regime import ARRAY, FLOAT, V1, V2, Branch, R
+from .regime import ARRAY, FLOAT, STOP_SPEED, V1, V2, Branch, R
 
 ORDER = 9
 NODES = (1 - np.cos(np.pi * (np.arange(ORDER) + 0.5) / ORDER)) / 2
@@ -23,16 +23,19 @@ LENGTH = 0.1
 SHORTEST = 1e-12
 COMPLEX_STEP = 1e-30
 ACCURACY = 1e-12
-SLOW, LAZY = 0.02, 0.05
-"""A slide is stiff below the slip speed SLOW r while its acceleration is below LAZY times that of friction."""
+SLOW, LAZY_GAIN, LAZY_LOSS = 0.02, 0.002, 0.05
+"""A slide is stiff below the slip speed SLOW r while it gains or loses speed at less than these parts of friction.
+
+Explicit steps are many times cheaper, but as a slide comes to rest their number has no bound.
+"""
 MOST_STEPS = 100
 
 
 def is_stiff(y, contact, law) -> bool:
     """Tell whether the slide at state y is slow, and slow to change."""
     speed = math.hypot(y[V1], y[V2])
-    push = abs(contact.du1 * y[V1] + contact.du2 * y[V2]) / speed
-    return speed < SLOW and push < LAZY * law.mu_dynamic * contact.Phi
+    gain = (contact.du1 * y[V1] + contact.du2 * y[V2]) / (speed * law.mu_dynamic * contact.Phi)
+    return speed < SLOW and -LAZY_LOSS < gain < LAZY_GAIN
 
 
 def grazing_step(y, nu, first, regime, branch, law) -> Step:
@@ -40,14 +43,12 @@ def grazing_step(y, nu, first, regime, branch, law) -> Step:
 
     Raises ArithmeticError where no length down to SHORTEST converges.
     """
-    length = LENGTH
-    while length > SHORTEST:
-        states = _newton(
-            _at_rest(y, nu, first, regime, branch, law, length * y[R]), y, regime, branch, law, length * y[R]
-        )
+    dt, forward = LENGTH * y[R], (math.cos(nu), math.sin(nu))
+    while dt > SHORTEST * y[R]:
+        states = _newton(_at_rest(y, nu, first, regime, branch, law, dt), y, forward, regime, branch, law, dt)
         if states is not None and _valid(states[-1], regime, branch, law):
-            return Step(regime, length * y[R], _powers(y, states, regime, branch, law, length * y[R]))
-        length /= 2
+            return Step(regime, dt, _powers(y, states, forward, regime, branch, law, dt))
+        dt /= 2
     raise ArithmeticError(f"the slide that starts at inclination {y[R] ** 2:.6g} could not be followed")
 
 
@@ -57,15 +58,18 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
     Raises ArithmeticError where no length down to SHORTEST converges.
     """
     branch = Branch.of(regime, law, loads)
+    forward = np.array(y[V1 : V2 + 1])
 
     def guards(y):
-        y = np.asarray(y).tolist()
-        return FLOAT.guards(y, FLOAT.contact(y, branch, regime.senses, law), branch, regime.senses, law, r_end)
+        contact = ARRAY.contact_along(y, *_slip(y, forward), branch, regime.senses, law)
+        named = ARRAY.guards(y, contact, branch, regime.senses, law, r_end)
+        return {**named, "grip": math.copysign(np.hypot(*y[V1 : V2 + 1]), y[V1 : V2 + 1] @ forward) - STOP_SPEED}
 
+    y = np.array(y)
     t, length, times, blocks, fired, values = 0.0, LENGTH, [], [], None, guards(y)
     while t < span and fired is None and len(times) < MOST_STEPS:
         dt = min(length * y[R], span - t)
-        powers = _step(np.array(y), regime, branch, law, dt)
+        powers = _step(y, regime, branch, law, dt)
         if powers is None:
             length /= 2
             if length < SHORTEST:
@@ -73,28 +77,41 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
             continue
         curve = lambda s, rows=powers: np.polynomial.polynomial.polyval(s, rows)  # noqa: E731
         end, fired, values = first_fall(curve, 0.0, dt, guards, values)
-        t, y, length = t + end, curve(end).tolist(), min(1.5 * length, 5 * LENGTH)
+        t, y, length = t + end, curve(end), min(1.5 * length, 5 * LENGTH)
+        forward = y[V1 : V2 + 1]
         times.append(t)
         blocks.append(powers)
-        if not is_stiff(y, FLOAT.contact(y, branch, regime.senses, law), law):
+        if fired or not is_stiff(y, FLOAT.contact(y.tolist(), branch, regime.senses, law), law):
             break
-    return Arc(np.array(times), np.array(blocks), y, fired)
+    return Arc(np.array(times), np.array(blocks), y.tolist(), fired)
 
 
 def _step(y, regime, branch, law, dt):
     """Return the powers (ORDER + 1, k) of one step of length dt, or None where it is too long."""
-    states = _newton(_onward(y, regime, branch, law, dt), y, regime, branch, law, dt)
+    forward = y[V1 : V2 + 1]
+    states = _newton(_onward(y, regime, branch, law, dt), y, forward, regime, branch, law, dt)
     if states is None:
         return None
-    powers = np.array(_powers(y, states, regime, branch, law, dt))
+    powers = np.array(_powers(y, states, forward, regime, branch, law, dt))
     tail = np.abs(powers[-1]).max() * dt**ORDER
     return powers if tail < ACCURACY * max(1.0, np.abs(y).max()) else None
 
 
-def _rates(states, regime, branch, law):
+def _slip(y, forward):
+    """Return slip velocity and direction at states y (k, ...); the direction stays `forward` where the slip runs back.
+
+    So continued, the slow solution is smooth through rest, and a step that overshoots the end of the slide finds it.
+    """
+    v1, v2 = y[V1], y[V2]
+    speed = np.sqrt(v1 * v1 + v2 * v2) * np.where(np.real(v1) * forward[0] + np.real(v2) * forward[1] < 0, -1.0, 1.0)
+    return (y[R] * v1, y[R] * v2), (v1 / speed, v2 / speed)
+
+
+def _rates(states, forward, regime, branch, law):
     """Return dy/dtau at states (n, k)."""
-    contact = ARRAY.contact(states.T, branch, regime.senses, law)
-    return np.stack(np.broadcast_arrays(*ARRAY.rates(states.T, contact, branch, law)), axis=1)
+    y = states.T
+    contact = ARRAY.contact_along(y, *_slip(y, forward), branch, regime.senses, law)
+    return np.stack(np.broadcast_arrays(*ARRAY.rates(y, contact, branch, law)), axis=1)
 
 
 def _at_rest(y, nu, first, regime, branch, law, dt):
@@ -112,17 +129,18 @@ def _at_rest(y, nu, first, regime, branch, law, dt):
 
 def _onward(y, regime, branch, law, dt):
     """Return states at the nodes with a slip that keeps its direction."""
-    slope = _rates(y[None], regime, branch, law)[0]
+    slope = _rates(y[None], y[V1 : V2 + 1], regime, branch, law)[0]
     along = y[V1 : V2 + 1] / np.hypot(*y[V1 : V2 + 1])
     slope[V1 : V2 + 1] = along * (slope[V1 : V2 + 1] @ along)
     return y + dt * NODES[:, None] * slope
 
 
-def _newton(states, y, regime, branch, law, dt):
+def _newton(states, y, forward, regime, branch, law, dt):
     """Solve states = y + dt INTEGRAL rates(states) by Newton's method; None where it does not converge."""
     for _ in range(12):
-        residual = states - y - dt * INTEGRAL @ _rates(states, regime, branch, law)
-        change = np.linalg.solve(_matrix(states, regime, branch, law, dt), residual.ravel()).reshape(states.shape)
+        residual = states - y - dt * INTEGRAL @ _rates(states, forward, regime, branch, law)
+        matrix = _matrix(states, forward, regime, branch, law, dt)
+        change = np.linalg.solve(matrix, residual.ravel()).reshape(states.shape)
         states = states - change
         if not np.isfinite(states).all():
             return None
@@ -131,11 +149,11 @@ def _newton(states, y, regime, branch, law, dt):
     return None
 
 
-def _matrix(states, regime, branch, law, dt):
+def _matrix(states, forward, regime, branch, law, dt):
     """Return 1 - dt INTEGRAL d(rates)/d(states), the slopes by complex steps, which cancel nothing."""
     n, k = states.shape
     tilted = states + 1j * COMPLEX_STEP * np.eye(k)[:, None, :]
-    slopes = _rates(tilted.reshape(-1, k), regime, branch, law).imag.reshape(k, n, k) / COMPLEX_STEP
+    slopes = _rates(tilted.reshape(-1, k), forward, regime, branch, law).imag.reshape(k, n, k) / COMPLEX_STEP
     return np.eye(n * k) - dt * np.einsum("ij,bja->iajb", INTEGRAL, slopes).reshape(n * k, n * k)
 
 
@@ -147,7 +165,7 @@ def _valid(y, regime, branch, law) -> bool:
     return all(value > 0 for name, value in guards.items() if name != "grip")
 
 
-def _powers(y, states, regime, branch, law, dt):
+def _powers(y, states, forward, regime, branch, law, dt):
     """Return the Taylor coefficients of the polynomial through the collocated rates."""
-    rates = TO_POWERS @ _rates(states, regime, branch, law)
+    rates = TO_POWERS @ _rates(states, forward, regime, branch, law)
     return [list(y), *(dt ** (-POWERS[:, None].astype(float)) * rates / (POWERS[:, None] + 1)).tolist()]

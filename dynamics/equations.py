@@ -31,7 +31,10 @@ class Loads(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """What the balance laws give: rates of omega and slip, forces along a_1..a_3, moments along -a_1..-a_3."""
+    """What the balance laws give: rates of omega and slip, forces along a_1..a_3, moments along -a_1..-a_3.
+
+    `inertia` is what the normal force works against; where it is not positive the contact has no solution, or two.
+    """
 
     domega1: float
     domega2: float
@@ -44,6 +47,7 @@ class Contact(NamedTuple):
     m1: float
     m2: float
     m3: float
+    inertia: float
 
 
 UNLOADED = Loads()
@@ -74,10 +78,11 @@ def balance(sin, cos):
         else:  # F2 = F20 + F21 w1' keeps u2 at rest
             drag, F20, F21 = 0.0, rate * v1 - f * w1 * w1 - loads.G2, -e
         if stuck1:
-            domega1 = 0.0 * Phi0
+            domega1, inertia = 0.0 * Phi0, J1
         else:
             lever = f + e * drag + s1 * law.k1
-            domega1 = (gyro + e * F20 - lever * Phi0) / (J1 - e * F21 + lever * f)
+            inertia = J1 - e * F21 + lever * f
+            domega1 = (gyro + e * F20 - lever * Phi0) / inertia
         Phi = Phi0 + f * domega1
         F2 = F20 + F21 * domega1 - drag * Phi
         m1 = gyro + e * F2 - f * Phi if stuck1 else s1 * law.k1 * Phi
@@ -115,9 +120,18 @@ def balance(sin, cos):
             du2 = F2 + loads.G2 + e * domega1 + f * w1 * w1 - rate * v1
         else:
             F1, du1, du2 = spin - rate * v2 - loads.G1, 0.0 * Phi, 0.0 * Phi
-        return Contact(domega1, domega2, domega3, du1, du2, F1, F2, Phi, m1, m2, m3)
+        return Contact(domega1, domega2, domega3, du1, du2, F1, F2, Phi, m1, m2, m3, inertia)
 
     return solve
+
+
+def separation(beta, w1, w2, w3, law, loads=UNLOADED) -> float:
+    """Return the acceleration with which the lowest point would leave the plane if nothing held it there."""
+    sin_a, cos_a = math.cos(beta), math.sin(beta)
+    e, f = law.h * sin_a + cos_a, law.h * cos_a - sin_a
+    J1, J2 = law.K / 4 + law.h**2 / 3, law.K / 2
+    free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
+    return e * w1 * w1 - f * free - (law.K + 4) / 4
 
 
 solve = balance(math.sin, math.cos)

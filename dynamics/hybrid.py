@@ -30,11 +30,12 @@ class Step(NamedTuple):
 
 
 class Switch(NamedTuple):
-    """What follows an event: the regime (None: the motion ends here), the state and the closed steps to it."""
+    """What follows an event: the regime, the state and the closed steps to it; or how the motion `ended`."""
 
     regime: Any
     state: list
     steps: tuple[Step, ...] = ()
+    ended: str | None = None
 
 
 class Crossing(NamedTuple):
@@ -70,7 +71,7 @@ CASCADE = "cascade"
 
 
 def drive(system, y, span, watch=lambda t, y: None) -> tuple[Path, str | None]:
-    """Integrate `system` from y over at most `span`; return the path and the guard that ended it, None for the span.
+    """Integrate `system` from y over at most `span`; return the path and what ended it, None for the span.
 
     `watch(t, state)` is called after every arc. More than MOST_AT_ONCE switches that take no time end it as CASCADE.
     """
@@ -87,8 +88,8 @@ def drive(system, y, span, watch=lambda t, y: None) -> tuple[Path, str | None]:
         before, switch = regime, system.switch(y, regime, arc.guard)
         now = path.t + sum(step.duration for step in switch.steps if step.regime == before)
         regime, y = _take(path, switch)
-        if regime is None:
-            return path, arc.guard
+        if switch.ended:
+            return path, switch.ended
         path.crossings.append(Crossing(now, before, regime, arc.guard))
         at_once = at_once + 1 if path.t == start else 0
         if at_once > MOST_AT_ONCE:

@@ -122,7 +122,10 @@ class Flow:
         """Return the guards of a branch by name: each is positive while the regime is valid and falls through zero."""
         turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
         arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
-        named = {"flat": y[R] - r_end, "falls": FALLING - y[W1], "upright": self.cos(y[R] * y[R]), "lift-off": contact.Phi}
+        named = {"flat": y[R] - r_end, "falls": FALLING - y[W1], "upright": self.cos(y[R] * y[R])}
+        named["lift-off"] = contact.Phi
+        if branch.sliding and branch.can_grip and not branch.stuck[0]:
+            named["jams"] = contact.inertia
         if branch.loads and branch.loads.is_singular:
             named["precession stops"] = y[W3] * y[W3] - STOP_SPEED * STOP_SPEED
         for i in range(3):

@@ -10,7 +10,7 @@ from . import collocation
 from .equations import Law
 from .hybrid import Arc, Switch
 from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime
-from .switching import follow, slide_to_rest
+from .switching import ImpossibleContactError, describe, follow, slide_to_rest
 
 ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
 
@@ -29,7 +29,10 @@ class RollingDisk:
         """Decide the regime of a disk released with its contact at rest."""
         turns = turnings(y)
         at_zero = {0} | {i + 1 for i in range(3) if abs(turns[i]) < 1e-14}
-        return self._follow(y, at_zero)
+        start = self._follow(y, at_zero)
+        if start.ended:
+            raise ImpossibleContactError(f"{describe(y)}: the disk leaves the plane at once")
+        return start
 
     def advance(self, y, regime: Regime, span: float) -> Arc:
         """Integrate within `regime`; precession and quadratures restart near zero so that they keep their digits."""
@@ -51,7 +54,9 @@ class RollingDisk:
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Decide what follows when `guard` has fallen through zero."""
         if guard in ENDS:
-            return Switch(None, y)
+            return Switch(None, y, ended=guard)
+        if guard == "jams":
+            raise ImpossibleContactError(f"{describe(y)}: the slide jams, no normal force solves the balance laws")
         held = {i + 1 for i in range(3) if regime.stuck[i]} | (set() if regime.sliding else {0})
         if guard == "slip":
             return self._follow(y, held, fired={0}, senses=regime.senses)
@@ -68,6 +73,8 @@ class RollingDisk:
 
     def _follow(self, y, at_zero, fired=(), senses=(1.0, 1.0, 1.0)) -> Switch:
         regime, step = follow(y, self.law, self.loads, frozenset(at_zero), frozenset(fired), senses)
+        if regime is None:
+            return Switch(None, y, ended="lift-off")
         if step is None:
             return Switch(regime, y)
         powers = [step.duration**k for k in range(len(step.coefficients))]

@@ -11,7 +11,7 @@ import numpy as np
 from scipy.optimize import brentq, newton
 
 from .collocation import grazing_step
-from .equations import Law
+from .equations import UNLOADED, Law, separation
 from .hybrid import Step
 from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, projections
 
@@ -31,7 +31,8 @@ def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0
     """Return the regime that can follow from state y, and the first step where it leaves rest without a push.
 
     `at_zero` names what is zero now: 0 the slip, i the surface omega.a_i; `fired` which of these can no longer stay so.
-    Raises ImpossibleContactError where no regime is consistent.
+    Both are None where the disk leaves the plane. Raises ImpossibleContactError where it presses on it, but no regime
+    is consistent.
     """
     for leaving in (fired, frozenset()) if fired else (fired,):
         for regime in _candidates(y, law, at_zero, leaving, senses):
@@ -42,11 +43,26 @@ def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0
                     return regime, step
             elif _consistent(y, contact := FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero):
                 return regime, _step_off(y, contact, regime, branch, law) if leaving - {0} else None
-    r = y[R]
+    if _separates(y, law, loads):
+        return None, None
     raise ImpossibleContactError(
-        f"inclination {r * r:.6g} rad, dimensionless omega ({r * y[W1]:.6g}, {r * y[W2]:.6g}, {r * y[W3]:.6g}): "
-        "no rolling, sliding or sticking contact with a pressing normal force satisfies the balance laws"
+        f"{describe(y)}: no rolling, sliding or sticking contact with a pressing force satisfies the balance laws"
     )
+
+
+def describe(y) -> str:
+    """Return a state in words, for messages."""
+    r = y[R]
+    omega = ", ".join(f"{r * y[i]:.6g}" for i in (W1, W2, W3))
+    return f"inclination {r * r:.6g} rad, dimensionless omega ({omega}), slip ({r * y[V1]:.6g}, {r * y[V2]:.6g})"
+
+
+def _separates(y, law, loads) -> bool:
+    """Tell whether the disk, left alone, would rise from the plane."""
+    r = y[R]
+    omega, slip = (r * y[W1], r * y[W2], r * y[W3]), (r * y[V1], r * y[V2])
+    applied = loads(r * r, omega, slip, law, FLOAT) if loads else UNLOADED
+    return separation(r * r, *omega, law, applied) > 0
 
 
 def _candidates(y, law, at_zero, leaving, senses):
@@ -70,7 +86,7 @@ def _candidates(y, law, at_zero, leaving, senses):
 
 def _consistent(y, contact, regime, law, at_zero) -> bool:
     """Tell whether the solved contact presses, stays in its cones and moves in the senses assumed."""
-    if not contact.Phi > 0:
+    if not (contact.Phi > 0 and contact.inertia > 0):
         return False
     cone = law.mu_static * contact.Phi
     if not regime.sliding and cone * cone * (1 + ROUND_OFF) < contact.F1**2 + contact.F2**2:
