@@ -1,0 +1,94 @@
+"""Claim: the pressure at the listener is Rayleigh's integral over the face of the disk.
+
+Source: Rayleigh, The Theory of Sound, section 278. Oracle: the baffled piston in closed form, on its axis and far away
+(Kinsler & Frey, chapter 7), the monopole at low frequency, and the integral itself by Gauss quadrature.
+"""
+
+import numpy as np
+import pytest
+from scipy.special import j1
+
+from sonify.radiation import (
+    AIR_DENSITY,
+    SPEED_OF_SOUND,
+    Listener,
+    heave_kernel,
+    piston_strength,
+    rayleigh,
+    tilt_kernel,
+)
+
+RADIUS = 0.03755
+FREQUENCY = np.array([10.0, 300.0, 1000.0, 3000.0, 6000.0, 10000.0])
+
+
+@pytest.fixture(scope="module")
+def face():
+    """Points (p, 2), weights (p,), and the shapes 1 and x/R (2, p) on a disk."""
+    x, w = np.polynomial.legendre.leggauss(30)
+    radius, angle = (x + 1) / 2 * RADIUS, 2 * np.pi * np.arange(90) / 90
+    r, a = (grid.ravel() for grid in np.meshgrid(radius, angle, indexing="ij"))
+    weights = np.repeat(w / 2 * RADIUS * radius, 90) * 2 * np.pi / 90
+    points = np.column_stack([r * np.cos(a), r * np.sin(a)])
+    return points, weights, np.array([np.ones(len(points)), points[:, 0] / RADIUS])
+
+
+def pressure(face, shape, frequency, at):
+    points, weights, shapes = face
+    k = np.atleast_1d(2 * np.pi * frequency / SPEED_OF_SOUND)
+    return rayleigh(np.repeat(shapes[[shape]], len(k), axis=0), points, weights, k, np.asarray(at))
+
+
+def test_on_the_axis_of_a_piston(face):
+    d, k = 0.3, 2 * np.pi * FREQUENCY / SPEED_OF_SOUND
+    expected = AIR_DENSITY / (1j * k) * (1 - np.exp(-1j * k * (np.hypot(d, RADIUS) - d)))
+    assert pressure(face, 0, FREQUENCY, [0, 0, d]) == pytest.approx(expected, rel=1e-9)
+
+
+def test_far_from_a_piston(face):
+    d, elevation, k = 300.0, np.radians(40), 2 * np.pi * FREQUENCY / SPEED_OF_SOUND
+    x = k * RADIUS * np.cos(elevation)
+    expected = piston_strength(RADIUS, d) * 2 * j1(x) / x
+    found = pressure(face, 0, FREQUENCY, [d * np.cos(elevation), 0, d * np.sin(elevation)])
+    assert np.abs(found - expected).max() < 1e-3 * piston_strength(RADIUS, d)
+
+
+def test_low_frequency_is_the_monopole_on_a_baffle(face):
+    d = 5.0
+    found = pressure(face, 0, 1e-3, [d, 0, 0])[0]
+    volume_acceleration = np.pi * RADIUS**2
+    assert found == pytest.approx(AIR_DENSITY * volume_acceleration / (2 * np.pi * d), rel=2e-4)
+
+
+@pytest.mark.parametrize(("shape", "kernel"), [(0, heave_kernel), (1, tilt_kernel)])
+@pytest.mark.parametrize("elevation_deg", [0.0, 45.0, 80.0])
+def test_the_kernels_are_rayleighs_integral_at_all_frequencies(face, shape, kernel, elevation_deg):
+    listener, h = Listener(distance=1.0, elevation=np.radians(elevation_deg)), 1 / 192000
+    at = np.array([np.cos(listener.elevation), 0, np.sin(listener.elevation)])
+    expected = pressure(face, shape, FREQUENCY, at) / piston_strength(RADIUS, 1.0)
+    _, taps = kernel(listener, RADIUS, h)
+    n = np.arange(len(taps)) - len(taps) // 2
+    found = np.exp(-2j * np.pi * np.outer(FREQUENCY, n) * h) @ taps
+    assert np.abs(found - expected).max() < 0.06  # the phase k R^2 / 2 d of the near field, 0.1 at 10 kHz
+    assert np.abs(found - expected)[:3].max() < 0.01
+
+
+@pytest.mark.parametrize("kernel", [heave_kernel, tilt_kernel])
+def test_the_step_response_is_that_of_the_taps(kernel):
+    """Over many samples a step between samples is the same as a ramp from one sample to the next."""
+    listener, h = Listener(distance=1.0, elevation=0.3), 1e-7
+    step, taps = kernel(listener, RADIUS, h)
+    t = (np.arange(len(taps)) - len(taps) // 2) * h
+    assert np.abs(step(t + h / 2) - np.cumsum(taps)).max() < 1e-2
+    assert step(np.array([-1.0]))[0] == pytest.approx(0, abs=1e-12)
+
+
+def test_a_piston_seen_from_above_is_at_least_a_sample_wide():
+    step, taps = heave_kernel(Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000)
+    assert taps.sum() == pytest.approx(1)
+    assert step(np.array([0.0]))[0] == 0.5
+    assert np.allclose(tilt_kernel(Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000)[1], 0, atol=1e-15)
+
+
+def test_the_delay_is_the_distance():
+    assert Listener(distance=3.432, elevation=0).delay == pytest.approx(0.01)
