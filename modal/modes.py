@@ -15,7 +15,7 @@ from annotated_types import Ge, Gt, Le, Lt
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """An isotropic elastic solid: Young's modulus [Pa], Poisson's ratio, loss factor (energy lost per radian over stored)."""
+    """An isotropic elastic solid: Young's modulus [Pa], Poisson's ratio, loss factor (loss per radian over energy)."""
 
     young: Annotated[float, Gt(0)]
     poisson: Annotated[float, Gt(-1), Lt(0.5)]
@@ -27,7 +27,7 @@ class Support:
     """How the disk is held: by an arc `patch` of its lateral surface, centred at angle 0, or `free`.
 
     The patch reaches `half_angle_deg` to either side and over `height` [m], the whole thickness unless given, in the
-    middle of the thickness or from the bottom rim up; `held` names the components of the displacement that are zero on it.
+    middle of the thickness or from the bottom rim up; `held` names the components that vanish there.
     """
 
     kind: Literal["patch", "free"] = "patch"
@@ -58,7 +58,7 @@ class Modes:
 
     frequency, decay_rate (m,) -- [Hz] and [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency t).
     order (m,)          -- number of waves around the circumference; of a held disk the strongest one.
-    family (m,)         -- "flexural" (axial motion), "extensional" (in the plane) or "torsional" (in the plane, order 0).
+    family (m,)         -- "flexural" (axial motion), "extensional" (in the plane), "torsional" (in the plane, order 0).
     parity (m,)         -- "even": symmetric about the plane y = 0, u_r, u_z ~ cos n theta; "odd": the sine partner.
     partner (m,)        -- index of the other mode of a degenerate pair of an axisymmetric disk; -1 if there is none.
     participation (m, 6) -- phi^T M r for the translations along x, y, z [kg^1/2] and the rotations about x, y, z
@@ -117,11 +117,11 @@ class Modes:
 
     @property
     def effective_mass(self) -> np.ndarray:
-        """participation^2 (m, 6) [kg, kg m^2]; over all modes of a held disk the columns add up to its mass and inertia."""
+        """participation^2 (m, 6) [kg, kg m^2]; the columns of a held disk add up to its mass and inertia."""
         return self.participation**2
 
     def at_rim(self, angle) -> np.ndarray:
-        """Radial, tangential, axial displacement (m, k, 3) of the bottom edge at angles (k,) [rad], by Fourier's series."""
+        """Radial, tangential, axial displacement (m, k, 3) of the bottom edge at angles (k,) [rad]."""
         k = len(self.rim_angle)
         wave = np.fft.rfft(self.rim_shape, axis=1) / k
         order = np.arange(wave.shape[1])

@@ -1,0 +1,92 @@
+"""The modes of a disk on a patch, or free, by finite elements on one sector and its symmetry classes."""
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+from skfem import ElementHex2
+
+from .elastic import assemble, lowest, residuals
+from .mesh import sector
+from .modes import Modes
+from .plane import Blocks
+from .symmetry import Mirror, classes, free_unknowns, on_patch
+from .unfold import unfolded
+
+COARSE = Blocks(width=pi / 4, depth=0.5, rings=2)
+ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
+MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=3)
+FINE = Blocks(width=pi / 8, depth=0.38, rings=4, split=2)
+
+LEVELS = {"draft": (ROUGH, COARSE), "standard": (MIDDLE, COARSE), "reference": (FINE, MIDDLE)}
+"""Accuracy -> the mesh whose modes are given, and the coarser one whose distance from them estimates their error."""
+SAFETY = 2
+"""Errors are estimated as so many times that distance: the coarser mesh may be as little as half again as wrong."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Class:
+    """Solved pairs of one symmetry class: values (k,) [1/s^2], shapes (k, p, 3) on the sector, modal mass 1."""
+
+    mirror: Mirror
+    values: np.ndarray
+    shapes: np.ndarray
+    residual: np.ndarray
+
+
+def shift_for(disk, material, support, density):
+    """0 for a held disk; for a free one minus the square of a rate well below its first elastic mode [1/s^2]."""
+    if support.kind == "patch":
+        return 0.0
+    speed = (material.young / density) ** 0.5
+    return -((0.4 * speed * min(disk.thickness, disk.radius) / disk.radius**2) ** 2)
+
+
+def solve_class(solid, part, mirror, disk, support, shift, **which):
+    """The pairs of one class; `which` is passed to `lowest`."""
+    held = np.zeros(len(solid.points), bool)
+    if part.patch:
+        held = on_patch(solid.points, disk.radius, np.deg2rad(support.half_angle_deg), part.patch)
+    free = free_unknowns(solid.points, held, support.held, mirror, disk.radius)
+    k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
+    values, vectors = lowest(k, m, shift=shift, **which)
+    shapes = (free @ vectors).T.reshape(-1, len(solid.points), 3) / part.copies**0.5
+    return Class(mirror=mirror, values=values, shapes=shapes, residual=residuals(k, m, values, vectors))
+
+
+def solve(disk, material, support, density, size, which):
+    """The sector, its matrices and every class; which[i] selects the pairs of class i (see `lowest`)."""
+    part = sector(disk.radius, disk.thickness, support, size)
+    solid = assemble(part.mesh, ElementHex2(), material, density, intorder=4)
+    shift = shift_for(disk, material, support, density)
+    mirrors = classes(part.quarter)
+    if isinstance(which, dict):
+        which = [which] * len(mirrors)
+    solved = [solve_class(solid, part, m, disk, support, shift, **w) for m, w in zip(mirrors, which, strict=True)]
+    return part, solid, solved
+
+
+def without_rigid(solved, shift):
+    """The classes without rigid-body modes; ArithmeticError unless a free body has exactly six, a held one none."""
+    rigid = [np.count_nonzero(c.values < 1e-6 * abs(shift)) for c in solved]
+    if sum(rigid) != (6 if shift else 0):
+        raise ArithmeticError(f"{sum(rigid)} rigid-body modes were found, not {6 if shift else 0}")
+    return [
+        Class(mirror=c.mirror, values=c.values[r:], shapes=c.shapes[r:], residual=c.residual[r:])
+        for c, r in zip(solved, rigid, strict=True)
+    ]
+
+
+def modes(disk, material, support, density, below, accuracy) -> Modes:
+    """The `Modes` below `below` [Hz] of a solid disk at one of `LEVELS`."""
+    fine, coarse = LEVELS[accuracy]
+    limit = (2 * pi * below) ** 2
+    shift = shift_for(disk, material, support, density)
+    part, solid, solved = solve(disk, material, support, density, fine, {"below": limit})
+    check = [{"below": limit, "exactly": max(1, len(c.values))} for c in solved]
+    _, _, rough = solve(disk, material, support, density, coarse, check)
+    solved, rough = without_rigid(solved, shift), without_rigid(rough, shift)
+    error = [
+        SAFETY * np.abs(np.sqrt(b.values[: len(a.values)] / a.values) - 1) for a, b in zip(solved, rough, strict=True)
+    ]
+    return unfolded(part, solid, solved, np.concatenate(error), disk, material)

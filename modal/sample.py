@@ -1,0 +1,80 @@
+"""Values of finite-element fields on the rim and the faces, on fixed grids, as sparse interpolation matrices."""
+
+import numpy as np
+import scipy.sparse as sp
+
+RIM_ANGLES = 128
+FACE_RADII, FACE_ANGLES = 16, 64
+
+
+def rim_angles():
+    """Even angles (k,) [rad] of `Modes.rim_shape`."""
+    return np.arange(RIM_ANGLES) * 2 * np.pi / RIM_ANGLES
+
+
+def face_grid(radius):
+    """Gauss radii [m] and weights [m^2] for int f r dr, and even angles: the grid of `Modes.face_shape`."""
+    node, weight = np.polynomial.legendre.leggauss(FACE_RADII)
+    r = (node + 1) * radius / 2
+    return r, weight * radius / 2 * r, np.arange(FACE_ANGLES) * 2 * np.pi / FACE_ANGLES
+
+
+def quadratic(x):
+    """The three Lagrange polynomials (..., 3) of the nodes 0, 1/2, 1."""
+    return np.stack([(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)], axis=-1)
+
+
+def slope(x):
+    """Their derivatives (..., 3)."""
+    return np.stack([4 * x - 3, 4 - 8 * x, 4 * x - 1], axis=-1)
+
+
+def locate(points, cells, near=5):
+    """The biquadratic cell (q, 3, 3, 2) that holds each point (n, 2), and the point's place (u, v) in its unit square.
+
+    Newton's method in the `near` cells whose middles are nearest; the cell that holds the point best wins, and
+    a point outside every cell, beyond an approximated arc, is moved to the nearest place of that cell.
+    """
+    gap = np.linalg.norm(points[:, None] - cells[None, :, 1, 1], axis=2)
+    size = np.linalg.norm(cells[:, 2, 2] - cells[:, 0, 0], axis=1)
+    candidates = np.argsort(gap / size, axis=1)[:, : min(near, len(cells))]
+    nodes = cells[candidates]
+    place = np.full((*candidates.shape, 2), 0.5)
+    for _ in range(7):
+        u, v = place[..., 0], place[..., 1]
+        image = np.einsum("nci,ncj,ncijx->ncx", quadratic(u), quadratic(v), nodes)
+        jacobian = np.stack(
+            [
+                np.einsum("nci,ncj,ncijx->ncx", slope(u), quadratic(v), nodes),
+                np.einsum("nci,ncj,ncijx->ncx", quadratic(u), slope(v), nodes),
+            ],
+            axis=-1,
+        )
+        step = np.linalg.solve(jacobian + 1e-300 * np.eye(2), (points[:, None] - image)[..., None])[..., 0]
+        place = np.clip(place + step, -0.5, 1.5)
+    outside = np.abs(place - 0.5).max(axis=2)
+    best = outside.argmin(axis=1)
+    rows = np.arange(len(points))
+    return candidates[rows, best], np.clip(place[rows, best], 0, 1)
+
+
+def interpolation(points, cells, numbers, count):
+    """Sparse (n, count): values at points (n, 2) from nodal values; numbers (q, 3, 3) are the nodes of the cells."""
+    cell, place = locate(points, cells)
+    weight = quadratic(place[:, 0])[:, :, None] * quadratic(place[:, 1])[:, None, :]
+    rows = np.repeat(np.arange(len(points)), 9)
+    return sp.csr_matrix((weight.ravel(), (rows, numbers[cell].ravel())), shape=(len(points), count))
+
+
+def polar_components(shape, angle):
+    """Radial, tangential, axial (..., k, 3) from Cartesian displacements at angles (k,)."""
+    c, s = np.cos(angle), np.sin(angle)
+    x, y, z = np.moveaxis(shape, -1, 0)
+    return np.stack([c * x + s * y, c * y - s * x, z], axis=-1)
+
+
+def strongest_order(rim_shape):
+    """The circumferential order (m,) with the largest share of the rim's motion (m, k, 3)."""
+    power = (np.abs(np.fft.rfft(rim_shape, axis=1)) ** 2).sum(axis=2)
+    power[:, 0] /= 2
+    return power.argmax(axis=1)

@@ -1,0 +1,73 @@
+"""The mirror symmetries of a held disk: unknowns of each class, and the whole disk from a solved sector."""
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+import scipy.sparse as sp
+
+COMPONENTS = ("radial", "tangential", "axial")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mirror:
+    """One symmetry class: displacement even (1) or odd (-1) under y -> -y and under z -> -z (0: no such symmetry)."""
+
+    y: int
+    z: int
+
+    def sign(self, flip_y, flip_z):
+        """Factors (3,) of the displacement components at the mirror image of a point."""
+        sign = np.ones(3)
+        if flip_y:
+            sign *= self.y * np.array([1, -1, 1])
+        if flip_z:
+            sign *= self.z * np.array([1, 1, -1])
+        return sign
+
+    def zero(self, points, scale):
+        """Which components (p, 3) vanish because the point lies on a mirror plane."""
+        on_y, on_z = np.abs(points[:, 1]) < 1e-9 * scale, np.abs(points[:, 2]) < 1e-9 * scale
+        zero = on_y[:, None] & (self.sign(True, False) < 0)
+        return zero | (on_z[:, None] & (self.sign(False, True) < 0)) if self.z else zero
+
+
+def classes(quarter):
+    """The four classes of a quarter model, the two of a half model."""
+    return [Mirror(y=y, z=z) for y, z in product((1, -1), (1, -1) if quarter else (0,))]
+
+
+def on_patch(points, radius, half_angle, patch):
+    """Which points (p,) lie on the patch: the rim within half_angle [rad] between the heights patch = (low, high)."""
+    x, y, z = points.T
+    slack = 1e-9 * radius
+    on_rim = np.abs(np.hypot(x, y) - radius) < slack
+    inside = (z > patch[0] - slack) & (z < patch[1] + slack)
+    return on_rim & inside & (np.abs(np.arctan2(y, x)) < half_angle + 1e-9)
+
+
+def free_unknowns(points, held, components, mirror, scale):
+    """T (3p, n): columns span the displacements that keep the class and leave the held components of the patch at zero.
+
+    Nodes of the patch are turned to radial, tangential, axial components, all others stay Cartesian.
+    """
+    zero = mirror.zero(points, scale)
+    free = sp.identity(3 * len(points), format="csc")
+    if set(components) == set(COMPONENTS):
+        zero[held] = True
+    else:
+        free = turned(points, held)
+        on_plane = zero[held, 1]
+        zero[held] = [c in components for c in COMPONENTS]
+        zero[np.nonzero(held)[0][on_plane], 1] = True
+        zero[held] |= mirror.zero(points[held], scale)
+    return free[:, np.nonzero(~zero.ravel())[0]]
+
+
+def turned(points, where):
+    """Cartesian from cylindrical components at the marked nodes, identity elsewhere (3p, 3p)."""
+    blocks = np.broadcast_to(np.eye(3), (len(points), 3, 3)).copy()
+    angle = np.arctan2(points[where, 1], points[where, 0])
+    blocks[where, 0, 0] = blocks[where, 1, 1] = np.cos(angle)
+    blocks[where, 1, 0], blocks[where, 0, 1] = np.sin(angle), -np.sin(angle)
+    return sp.bsr_matrix((blocks, np.arange(len(points)), np.arange(len(points) + 1))).tocsc()
