@@ -16,8 +16,12 @@ RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
 """The band of the contact rates [Hz], and the window it is seen through [s]."""
 WINDOW_MODES = 0.02
 """The window for the band of the modes [s]."""
-RANGE_DB = 70.0
-"""From the loudest to the darkest."""
+FLOOR_DB, RANGE_DB = -10.0, 65.0
+"""Level of the darkest [dB re 20 uPa], and from there to the brightest."""
+LAST = 1.0
+"""How much of the end is shown by itself [s]."""
+EDGE = [withStroke(linewidth=2.5, foreground="k")]
+"""Makes a white line visible on white."""
 
 
 def draw_all(result):
@@ -28,56 +32,46 @@ def draw_all(result):
 
 
 def draw_spectrogram(motion, modes, sound, path):
-    """Draw pressure.wav in two bands, with the solved nutation, precession and modes over it."""
-    with _figure(path, 2, 1, (11, 9)) as (_, (low, high)):
-        file, end = sound.folder / "pressure.wav", sound.duration
-        _image(low, spectrogram(file, WINDOW_RATES).band(*RATES), 1.0)
-        low.set(yscale="log", ylim=RATES, ylabel="frequency [Hz]", title="Contact rates")
-        _rate_lines(low, motion, sound.source_end - motion.t[-1])
-        _image(high, spectrogram(file, WINDOW_MODES), 1e3)
-        high.set(
-            ylabel="frequency [kHz]",
-            xlabel="time at the listener [s]",
-            title="Modes",
-            ylim=(0, sound.sample_rate / 2e3),
-        )
-        for frequency in modes.frequency:
-            high.annotate(
-                f"{frequency:.0f} Hz",
-                (end, frequency / 1e3),
-                (end * 0.995, frequency / 1e3),
-                color="w",
-                ha="right",
-                fontsize=7,
-            )
-            high.axhline(frequency / 1e3, xmin=0.9, color="w", lw=0.7, ls=":")
-        for axes in (low, high):
-            axes.set_xlim(0, end)
+    """Draw pressure.wav in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
+    file, delay = sound.folder / "pressure.wav", sound.source_end - motion.t[-1]
+    low, high = spectrogram(file, WINDOW_RATES).band(*RATES), spectrogram(file, WINDOW_MODES)
+    spans = [(0.0, sound.duration), (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4,
+    sound.duration))] with _figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
+        for (top, bottom), span in zip(axes.T, spans, strict=True):
+            _image(top, low, 1.0)
+            top.set(yscale="log", ylim=RATES, xlim=span)
+            _rate_lines(top, motion, delay, 1.0)
+            image = _image(bottom, high, 1e3)
+            bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
+            _mode_lines(bottom, modes.frequency, span)
+        _rate_lines(axes[1, 1], motion, delay, 1e3)
+        axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")
+        axes[1, 0].set(ylabel="frequency [kHz]", title="Modes")
+        axes[0, 1].set(title="The end")
+        figure.colorbar(image, ax=axes, pad=0.01, label="level of a sine in the window [dB re 20 µPa]")
 
 
 def _image(axes, seen, unit):
-    level = seen.level_db(REFERENCE_PRESSURE)
-    top = np.ceil(level.max() / 5) * 5
-    image = axes.pcolormesh(
-        seen.time,
-        seen.frequency / unit,
-        level,
-        vmin=top - RANGE_DB,
-        vmax=top,
-        cmap="magma",
-        shading="nearest",
-        rasterized=True,
-    )
-    axes.figure.colorbar(image, ax=axes, pad=0.01, label="level in the window [dB re 20 µPa]")
+    level, options = seen.level_db(REFERENCE_PRESSURE), {"cmap": "magma", "shading": "nearest", "rasterized": True}
+    return axes.pcolormesh(seen.time, seen.frequency / unit, level, vmin=FLOOR_DB, vmax=FLOOR_DB + RANGE_DB, **options)
 
 
-def _rate_lines(axes, motion, delay):
+def _rate_lines(axes, motion, delay, unit):
     peaks, nutation = load_frequency(motion)
-    edge = [withStroke(linewidth=2.5, foreground="k")]
     for rate, style, name in ((mean_precession(motion), "-", "precession"), (nutation, "--", "nutation")):
-        smooth = median_filter(rate, 5)
-        axes.plot(peaks + delay, smooth, color="w", lw=1.0, ls=style, label=f"{name}, solved", path_effects=edge)
-    axes.legend(loc="lower right", fontsize=8, facecolor="0.2", labelcolor="w")
+        smooth = median_filter(rate, 5) / unit
+        axes.plot(peaks + delay, smooth, color="w", lw=1.0, ls=style, label=f"{name}, solved", path_effects=EDGE)
+    axes.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
+
+
+def _mode_lines(axes, frequencies, span):
+    heights = np.array(frequencies) / 1e3
+    places = heights.copy()
+    for i in range(1, len(places)):  # keep the labels apart
+        places[i] = max(places[i], places[i - 1] + 0.45)
+    for height, place in zip(heights, places, strict=True):
+        axes.axhline(height, color="w", lw=0.5, ls=":", alpha=0.6)
+        axes.text(span[1], place, f" {1e3 * height:.0f} Hz", fontsize=7, va="center")
 
 
 def draw_motion(motion, path):

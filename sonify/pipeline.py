@@ -4,8 +4,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dynamics import ImpossibleContactError, Motion, simulate
-from modal import eigenmodes
-from modal.modes import Modes
+from dynamics.simulation import chosen_integrator
+from modal import Modes, eigenmodes
+from modal.solve import check, density
 from sonify.checks import Check, all_checks
 from sonify.files import claim
 from sonify.findings import Finding, all_findings
@@ -45,7 +46,7 @@ def run(
     `accuracy` (draft, standard, reference) replaces the scene's. Raises SceneError, OutputError when `out` cannot be
     written, and OSError when the disk is full. No file is ever left half written.
     """
-    scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
+    scene = solvable(scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene)
     out, stages = claim(out or Path("outputs") / scene.name), stages or Stages()
     with stages.stage("motion") as watch:
         motion = solve_motion(scene, lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}"))
@@ -68,6 +69,17 @@ def run(
     )
     write_record(result, stages)
     return result
+
+
+def solvable(scene: Scene) -> Scene:
+    """Return the scene. Raises SceneError, before any work, where its disk, support or integrator cannot be solved."""
+    try:
+        check(scene.disk, scene.support)
+        density(scene.disk)
+        chosen_integrator(scene.numerics.integrator)
+    except ValueError as error:
+        raise SceneError(str(error)) from None
+    return scene
 
 
 def solve_motion(scene: Scene, watch) -> Motion:

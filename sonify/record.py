@@ -8,9 +8,9 @@ from pathlib import Path
 from platform import platform, python_version
 
 import numpy as np
-from modal.files import write_modes
 
 from dynamics.motion import COLUMNS
+from modal import as_json, write_vtu
 from sonify.files import whole
 
 NAME = "eulers-disk-sonify"
@@ -23,7 +23,9 @@ def write_record(result, stages):
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
-        write_modes(result.modes, result.out)
+        write_json(as_json(result.modes), result.out / "modes.json")
+        with whole(result.out / "modes.vtu") as temporary:
+            write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
         pictures.draw_all(result)
     write_json(run_record(result), result.out / "run.json")
