@@ -25,15 +25,16 @@ class Console(Stages):
         )
 
     def __enter__(self):
-        self._bars.start()
         return self
 
     def __exit__(self, *_):
-        self._bars.stop()
+        if self._bars.live.is_started:
+            self._bars.stop()
 
     @contextmanager
     def stage(self, name: str):
         """Time the block as stage `name` and say how long it took."""
+        self._bars.start()
         self._task = self._bars.add_task(name, total=1.0, note="")
         with super().stage(name):
             yield self.watch

@@ -35,9 +35,9 @@ def draw_spectrogram(motion, modes, sound, path):
     """Draw pressure.wav in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
     file, delay = sound.folder / "pressure.wav", sound.source_end - motion.t[-1]
     low, high = spectrogram(file, WINDOW_RATES).band(*RATES), spectrogram(file, WINDOW_MODES)
-    spans = [(0.0, sound.duration), (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4,
-    sound.duration))] with _figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
-        for (top, bottom), span in zip(axes.T, spans, strict=True):
+    end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
+    with _figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
+        for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
             _image(top, low, 1.0)
             top.set(yscale="log", ylim=RATES, xlim=span)
             _rate_lines(top, motion, delay, 1.0)

@@ -82,7 +82,7 @@ def test_a_folder_that_cannot_be_written_ends_with_2_before_any_work(tmp_path, m
 @pytest.mark.parametrize("assignment", ["disk.shape=shell", "support.height=0.02"])
 def test_what_cannot_be_solved_ends_with_2_before_any_work(assignment, tmp_path):
     out = tmp_path / "out"
-    assert "disk." in one_line(ask("run", "--out", str(out), "--set", assignment), 2)
+    assert assignment.split("=")[0] in one_line(ask("run", "--out", str(out), "--set", assignment), 2)
     assert not out.exists()
 
 
