@@ -1,0 +1,171 @@
+"""Claim: the pressure is the sum of its causes, calibrated, without clicks of its own, and repeatable.
+
+Source: Newton's law for the heave, the equation of motion of the modes, Rayleigh's integral. Oracle: the monopole at
+the end of the chain in closed form; the frequencies and decay rates that go in; the files read back by libsndfile.
+"""
+
+import hashlib
+
+import numpy as np
+import pytest
+import soundfile
+
+from dynamics import simulate
+from modal import eigenmodes
+from sonify import load_scene
+from sonify.contact import in_patch_frame, rigid_acceleration
+from sonify.radiation import piston_strength
+from sonify.sound import FADE_IN, STEMS, Renderer
+from sonify.wav import write_sound
+
+HEAVE, TILT, SMOOTH, JUMPS = range(4)
+
+
+@pytest.fixture(scope="module")
+def scene():
+    return load_scene("published")
+
+
+@pytest.fixture(scope="module")
+def motion(scene):
+    return simulate(scene)
+
+
+@pytest.fixture(scope="module")
+def modes(scene):
+    return eigenmodes(scene, below=20e3)
+
+
+@pytest.fixture(scope="module")
+def stems(scene, motion, modes):
+    return np.vstack(list(Renderer(scene, motion, modes).blocks()))
+
+
+@pytest.fixture(scope="module")
+def short(scene):
+    return simulate(scene.replace("numerics.time_limit=0.5"))
+
+
+def rms(samples):
+    return np.sqrt(np.mean(np.square(samples), axis=0))
+
+
+def test_the_heave_is_a_monopole_moved_by_the_normal_force(scene, motion, stems):
+    rate, disk = scene.audio.sample_rate, scene.disk
+    t = np.arange(3 * rate, 5 * rate) / rate
+    heave = (motion.force(t - scene.audio.distance / 343.2)[:, 2] - disk.weight) / disk.mass
+    expected = piston_strength(disk.radius, scene.audio.distance) * heave
+    assert rms(stems[3 * rate : 5 * rate, HEAVE] - expected) < 0.02 * rms(expected)
+
+
+def test_nothing_sounds_before_the_sound_arrives_but_what_fades_in(stems, scene):
+    assert np.abs(stems[: int(FADE_IN * scene.audio.sample_rate / 4)]).max() < 0.2 * np.abs(stems[:48000]).max()
+
+
+def test_a_settled_disk_is_silent_but_for_its_ringing(scene, motion, stems):
+    after = int((motion.t[-1] + 0.01) * scene.audio.sample_rate)
+    assert np.abs(stems[after:, [HEAVE, TILT]]).max() == 0
+    ringing = stems[after:, [SMOOTH, JUMPS]].sum(axis=1)
+    seconds = [rms(ringing[i * 48000 : (i + 1) * 48000]) for i in range(8)]
+    assert np.all(np.diff(seconds) < 0)
+
+
+def test_the_end_is_no_click(scene, motion, stems):
+    """The rigid stems fall away over the last milliseconds by themselves: no sample steps more than before the end."""
+    end = int(motion.t[-1] * scene.audio.sample_rate)
+    steps = np.abs(np.diff(stems[:, [HEAVE, TILT]].sum(axis=1)))
+    assert steps[end - 100 : end + 1000].max() < steps[end - 9600 : end - 480].max()
+
+
+@pytest.mark.parametrize("rate", [8000, 22050, 48000])
+def test_the_ring_down_has_the_pitch_and_the_decay_of_its_mode_at_any_sample_rate(scene, motion, modes, stems, rate):
+    if rate != scene.audio.sample_rate:
+        stems = np.vstack(list(Renderer(scene.replace(f"audio.sample_rate={rate}"), motion, modes).blocks()))
+    start = int((motion.t[-1] + 1.0) * rate)
+    ringing = stems[start : start + 4 * rate, [SMOOTH, JUMPS]].sum(axis=1)
+    spectrum = np.abs(np.fft.rfft(ringing * np.hanning(len(ringing))))
+    mode = np.argmin(np.abs(modes.frequency - np.fft.rfftfreq(len(ringing), 1 / rate)[np.argmax(spectrum)]))
+    turning = ringing * np.exp(-2j * np.pi * modes.frequency[mode] * np.arange(len(ringing)) / rate)
+    z = turning.reshape(40, -1).mean(axis=1)
+    t = (np.arange(40) + 0.5) * len(ringing) / 40 / rate
+    offset = np.polyfit(t, np.unwrap(np.angle(z)), 1)[0] / (2 * np.pi)
+    assert abs(1200 * np.log2(1 + offset / modes.frequency[mode])) < 0.1
+    assert -np.polyfit(t, np.log(np.abs(z)), 1)[0] == pytest.approx(modes.decay_rate[mode], rel=0.01)
+
+
+def test_modes_above_half_the_sample_rate_are_left_out(scene, short, modes):
+    renderer = Renderer(scene.replace("audio.sample_rate=8000"), short, modes)
+    assert np.array_equal(renderer.modes.frequency, modes.frequency[modes.frequency < 4000])
+
+
+def test_files_hold_what_they_say(scene, short, modes, tmp_path):
+    sound = write_sound(Renderer(scene, short, modes), tmp_path)
+    pressure, rate = soundfile.read(tmp_path / "pressure.wav", dtype="float32")
+    parts = np.column_stack([soundfile.read(tmp_path / "stems" / f"{name}.wav")[0] for name in STEMS])
+    copy = soundfile.read(tmp_path / "sound.wav")[0]
+    assert rate == scene.audio.sample_rate
+    assert np.array_equal(pressure, parts.sum(axis=1).astype(np.float32))
+    assert np.abs(copy).max() == pytest.approx(10 ** (-1 / 20), abs=1e-6)
+    assert np.abs(copy * sound.full_scale - pressure).max() < sound.full_scale * 2**-23
+    assert soundfile.info(tmp_path / "sound.wav").subtype == "PCM_24"
+    assert soundfile.info(tmp_path / "pressure.wav").subtype == "FLOAT"
+    assert sound.samples == len(pressure)
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["pressure.wav", "sound.wav", "stems"]
+
+
+def test_the_same_scene_gives_the_same_bytes(scene, modes, tmp_path):
+    prints = []
+    for folder in ("a", "b"):
+        motion = simulate(scene.replace("numerics.time_limit=0.5"))
+        write_sound(Renderer(scene, motion, eigenmodes(scene, below=20e3)), tmp_path / folder)
+        files = sorted((tmp_path / folder).rglob("*.wav"))
+        prints.append([hashlib.sha256(file.read_bytes()).hexdigest() for file in files])
+    assert len(prints[0]) == 6
+    assert prints[0] == prints[1]
+
+
+def test_the_samples_do_not_depend_on_the_block(scene, short, modes):
+    whole, parts = (np.vstack(list(Renderer(scene, short, modes).blocks(size))) for size in (1 << 16, 1000))
+    assert np.abs(whole - parts).max() < 1e-12 * np.abs(whole).max()
+
+
+def test_both_integrators_sound_the_same(scene, modes):
+    """Up to where the motion amplifies rounding errors: 2 s hold four slips."""
+    taylor, dop853 = (
+        np.vstack(list(Renderer(scene, simulate(other), modes).blocks()))
+        for other in (
+            scene.replace("numerics.time_limit=2.5", f"numerics.integrator={name}") for name in ("auto", "dop853")
+        )
+    )
+    assert rms(taylor.sum(axis=1) - dop853.sum(axis=1)) < 1e-6 * rms(taylor.sum(axis=1))
+
+
+def test_the_two_contact_models_differ_and_both_sound(scene, short):
+    free = scene.replace("support.kind=free")
+    sounds = [np.vstack(list(Renderer(s, short, eigenmodes(s, below=20e3)).blocks())) for s in (scene, free)]
+    assert np.array_equal(sounds[0][:, [HEAVE, TILT]], sounds[1][:, [HEAVE, TILT]])
+    levels = [rms(sound[:, [SMOOTH, JUMPS]].sum(axis=1)) for sound in sounds]
+    assert min(levels) > 0
+    assert levels[1] != pytest.approx(levels[0], rel=0.1)
+
+
+def test_the_frame_of_the_patch_keeps_size_and_work(motion):
+    t = np.linspace(0.1, 15, 500)
+    force, inclination = motion.force(t), motion.at(t)[:, 1]
+    turned = in_patch_frame(force, inclination)
+    assert np.linalg.norm(turned, axis=1) == pytest.approx(np.linalg.norm(force, axis=1), rel=1e-13)
+    flat = in_patch_frame([[1.0, 2.0, 3.0]], np.zeros(1))[0]
+    assert flat == pytest.approx([2.0, -1.0, 3.0])  # radially out along a_2, tangentially against a_1, up
+
+
+def test_the_angular_acceleration_is_that_of_the_motion(scene, motion):
+    """About the horizontal axis, rolling: J1 w1' of the solved motion, less the gyroscopic and the resisting part."""
+    disk, t, h = scene.disk, np.linspace(1.0, 1.5, 200), 1e-5
+    state, chi = motion.at(t), disk.time_unit
+    w = state[:, 5:8]
+    rate = (motion.at(t + h)[:, 5] - motion.at(t - h)[:, 5]) / (2 * h)
+    J1, J2 = disk.mass * (disk.radius**2 / 4 + disk.thickness**2 / 12), disk.mass * disk.radius**2 / 2
+    gyroscopic = J2 * w[:, 1] * w[:, 2] - J1 * w[:, 2] ** 2 / np.tan(state[:, 1])
+    resisting = scene.friction.arm_nutation * motion.force(t)[:, 2] * np.sign(w[:, 0])
+    about_e1 = -rigid_acceleration(motion.force(t), state[:, 1], disk)[:, 4]
+    assert about_e1 == pytest.approx(rate - (gyroscopic - resisting) / J1, abs=1e-4 / chi**2)
