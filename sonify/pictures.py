@@ -9,6 +9,8 @@ from scipy.ndimage import median_filter
 
 from sonify.files import whole
 from sonify.findings import load_frequency, mean_precession, precession_rate
+from sonify.hearing import audibility
+from sonify.sound import STEMS
 from sonify.spectrogram import REFERENCE_PRESSURE, spectrogram
 
 DPI = 110
@@ -27,6 +29,7 @@ EDGE = [withStroke(linewidth=2.5, foreground="k")]
 def draw_all(result):
     """Draw every picture of a run into its folder."""
     draw_spectrogram(result.motion, result.modes, result.sound, result.out / "spectrogram.png")
+    draw_stems(result.sound, result.out / "stems.png")
     draw_motion(result.motion, result.out / "motion.png")
     draw_modes(result.modes, result.out / "modes.png")
 
@@ -72,6 +75,32 @@ def _mode_lines(axes, frequencies, span):
     for height, place in zip(heights, places, strict=True):
         axes.axhline(height, color="w", lw=0.5, ls=":", alpha=0.6)
         axes.text(span[1], place, f" {1e3 * height:.0f} Hz", fontsize=7, va="center")
+
+
+def draw_stems(sound, path):
+    """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing."""
+    styles = dict(zip(STEMS, [("k", "-"), ("k", "--"), ("0.55", "-"), ("0.55", "--")], strict=True))
+    with _figure(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
+        for name, (color, style) in styles.items():
+            heard = audibility(sound.folder / "stems" / f"{name}.wav")
+            options = {"color": color, "ls": style, "lw": 1.2, "label": name.replace("_", " ")}
+            weighted.plot(heard.time, heard.a_weighted, **options)
+            above.plot(heard.time, heard.above_threshold, **options)
+        weighted.set(
+            ylabel="A-weighted level [dB re 20 µPa]", ylim=(-20, None), title="Causes of sound at the listener"
+        )
+        above.axhspan(-30, 0, color="0.9")
+        above.text(
+            0.01, 0.03, "not heard: below the threshold of ISO 226 in every third octave", transform=above.transAxes
+        )
+        above.set(
+            ylabel="most above threshold, third octaves [dB]", xlabel="time at the listener [s]", ylim=(-30, None)
+        )
+        weighted.legend(loc="upper left")
+        for axes in (weighted, above):
+            axes.grid(alpha=0.3)
+            axes.axvline(sound.source_end, color="k", lw=0.6, ls=":")
+            axes.set_xlim(0, sound.duration)
 
 
 def draw_motion(motion, path):

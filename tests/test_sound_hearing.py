@@ -1,0 +1,73 @@
+"""Claim: levels, A-weighting, threshold and loudness are those of the standards.
+
+Source: IEC 61672-1, table 3 (A-weighting at nominal frequencies, +-0.05 dB of rounding), ISO 226:2003, table 1, ITU-R
+BS.1770. Oracle: values printed in those tables; a sine of known pressure.
+"""
+
+import numpy as np
+import pytest
+import soundfile
+
+from sonify.hearing import ISO_226, a_weighting_db, audibility, band_levels, loudness_lufs
+from sonify.spectrogram import spectrogram
+
+RATE = 48000
+
+
+def tone(path, frequency, pascal, seconds=2.0):
+    t = np.arange(int(seconds * RATE)) / RATE
+    soundfile.write(path, pascal * np.sqrt(2) * np.sin(2 * np.pi * frequency * t), RATE, "FLOAT")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("frequency", "expected"),
+    [
+        (10, -70.4),
+        (31.62, -39.4),
+        (100, -19.1),
+        (251.19, -8.6),
+        (1000, 0.0),
+        (3981.07, 1.0),
+        (10000, -2.5),
+        (19952.6, -9.3),
+    ],
+)
+def test_a_weighting(frequency, expected):
+    assert a_weighting_db(frequency) == pytest.approx(expected, abs=0.06)
+
+
+@pytest.mark.parametrize(("frequency", "threshold"), [(20, 78.5), (1000, 2.4), (3150, -6.0), (12500, 12.3)])
+def test_a_tone_at_the_threshold_is_just_heard(tmp_path, frequency, threshold):
+    assert ISO_226[frequency] == threshold
+    path = tone(tmp_path / "tone.wav", frequency, 20e-6 * 10 ** (threshold / 20))
+    heard = audibility(path)
+    assert np.median(heard.above_threshold) == pytest.approx(0, abs=1.5)
+    louder = audibility(tone(path, frequency, 20e-6 * 10 ** ((threshold + 20) / 20)))
+    assert np.median(louder.above_threshold - heard.above_threshold) == pytest.approx(20, abs=0.1)
+
+
+def test_a_pascal_is_94_db(tmp_path):
+    seen = spectrogram(tone(tmp_path / "tone.wav", 1000.0, 1.0), 0.125)
+    assert seen.level_db(20e-6).max() == pytest.approx(93.98, abs=0.02)
+    assert band_levels(seen).max(axis=0) == pytest.approx(93.98, abs=0.05)
+    assert audibility(tmp_path / "tone.wav").a_weighted == pytest.approx(93.98, abs=0.05)
+
+
+def test_loudness_of_a_full_scale_tone(tmp_path):
+    """A 997 Hz sine of peak 0 dBFS in one channel reads -3.01 LKFS (BS.1770, note to annex 1)."""
+    assert loudness_lufs(tone(tmp_path / "tone.wav", 997.0, 1 / np.sqrt(2), 5.0)) == pytest.approx(-3.01, abs=0.1)
+
+
+def test_a_long_file_is_seen_in_a_bounded_number_of_places(tmp_path):
+    path = tone(tmp_path / "long.wav", 1000.0, 1.0, 60.0)
+    seen = spectrogram(path, 0.02, columns=100)
+    assert len(seen.time) <= 100
+    assert seen.level_db(20e-6).max(axis=0) == pytest.approx(93.98, abs=0.02)
+
+
+@pytest.mark.parametrize("seconds", [1 / RATE, 0.001, 0.1])
+def test_a_file_shorter_than_the_window_is_seen_in_it(tmp_path, seconds):
+    seen = spectrogram(tone(tmp_path / "short.wav", 1000.0, 1.0, seconds), 0.2)
+    assert np.isfinite(seen.power).all()
+    assert len(seen.time) == 1
