@@ -185,8 +185,11 @@ class Motion:
     def _contact(self, y, piece, regime):
         if regime.sliding:  # at either end of a slide the direction is that of the slip which begins or ends there
             resting = np.hypot(y[V1], y[V2]) < 1e-3 * STOP_SPEED
-            first, slope = self.path.c[-1:-3:-1, piece[resting], V1 : V2 + 1].swapaxes(1, 2)
-            y[V1 : V2 + 1, resting] = 1e-3 * STOP_SPEED * np.where(first.any(axis=0), -slope, slope)
+            rest, slope, curve = self.path.c[-1:-4:-1, piece[resting], V1 : V2 + 1].swapaxes(1, 2)
+            duration = np.diff(self.path.x)[piece[resting]]
+            grazes = np.abs(slope).max(axis=0) < 0.1 * duration * np.abs(curve).max(axis=0)
+            onward = np.where(grazes, curve, slope) * np.where(rest.any(axis=0), -1.0, 1.0)
+            y[V1 : V2 + 1, resting] = 1e-3 * STOP_SPEED * onward / np.abs(onward).max(axis=0)
         branch = Branch.of(regime, self.law, self.loads)
         return ARRAY.contact(y, branch, regime.senses, self.law)
 

@@ -19,7 +19,7 @@ ROUND_OFF = 1e-12
 START = 1e-5
 """Length of the first step of a slide in units of r: its error is START cubed, below round-off."""
 
-GRAZING = 1e-3
+GRAZING = 0.05
 """A slide whose first acceleration is less than this part of friction starts with the long step of collocation.py."""
 
 
@@ -133,7 +133,8 @@ def _slip_directions(y, regime, branch, law) -> list[float]:
         contact = _along(y, nu, regime, branch, law)
         return contact.du1 * math.cos(nu) + contact.du2 * math.sin(nu)
 
-    turns = np.flatnonzero((across[:-1] > 0) != (across[1:] > 0))
+    solvable = np.broadcast_to(coarse.inertia > 0, grid.shape)
+    turns = np.flatnonzero(((across[:-1] > 0) != (across[1:] > 0)) & solvable[:-1] & solvable[1:])
     roots = [brentq(cross, grid[i], grid[i + 1], xtol=1e-15, rtol=1e-15) for i in turns]
     return [nu for speed, nu in sorted(((growth(nu), nu) for nu in roots), reverse=True) if speed > -ROUND_OFF]
 

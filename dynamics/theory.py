@@ -137,9 +137,31 @@ def steady_precession(beta, h, K):
     return brentq(excess, 0.2 * guess, 5 * guess, xtol=1e-13 * guess, rtol=1e-14)
 
 
-def rolling_friction_slope(k2, h, K):
-    """Return -d sqrt(beta)/dtau of quasi-steady motion under the moment k2 (over R) alone, as beta -> 0.
+def rolling_friction_slope(k2, beta, h, K):
+    """Return -d sqrt(beta)/dtau of quasi-steady motion under the moment k2 (over R) alone, where its centre is fixed.
 
-    Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega with Phi = (K + 4)/4 and Omega^2 beta = flat_limit.
+    The moment changes w2 and w3 by (5.3), Appell's equations by the change of a; the motion stays steady. It is less
+    than `centred_slope`: the loss of energy also sets the centre in motion.
+    """
+    rate = steady_precession(beta, h, K)
+    a, w3 = pi / 2 - beta, rate * sin(beta)
+    w2 = h * w3
+    A22, A23, A33 = K / 2 + 1, -h, K / 4 + h * h / 3 + h * h
+    weight, sense = (K + 4) / 4, 1 if w2 * cos(a) > w3 * sin(a) else -1
+    r2, r3 = -sense * k2 * weight * cos(a), sense * k2 * weight * sin(a)
+    det = A22 * A33 - A23 * A23
+    d2, d3 = (A33 * r2 - A23 * r3) / det, (A22 * r3 - A23 * r2) / det
+    step = 1e-6 * abs(w3)
+    g2, g3 = (
+        (nutation_acceleration(a, w2 + x, w3 + y, h, K) - nutation_acceleration(a, w2 - x, w3 - y, h, K)) / (2 * step)
+        for x, y in ((step, 0), (0, step))
+    )
+    return (g2 * d2 + g3 * d3) / steady_nutation_squared(a, w3, h, K, step=1e-3 * beta) / (2 * sqrt(beta))
+
+
+def centred_slope(k2, h, K):
+    """Return -d sqrt(beta)/dtau that the energy gives for small beta if the centre stayed fixed under the moment k2.
+
+    Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega beta with Phi = (K + 4)/4 and Omega^2 beta = flat_limit.
     """
     return k2 * sqrt(flat_limit(h, K)[0]) / 3

@@ -1,8 +1,11 @@
 """Scenes for the tests of the motion: the published one, with the changes a test asks for."""
 
 from dataclasses import dataclass
+from math import degrees, inf, sin
 
 from dynamics.disk import Disk, Friction, Release
+from dynamics.dissipation import Dissipation
+from dynamics.theory import steady_precession
 
 RADIUS = 0.03755
 
@@ -26,13 +29,34 @@ class Scene:
     friction: Friction
     release: Release
     numerics: Numerics
+    dissipation: Dissipation | None = None
 
 
-def scene(numerics=None, disk=None, release=None, **friction) -> Scene:
+def scene(numerics=None, disk=None, release=None, dissipation=None, **friction) -> Scene:
     """Return the published scene (7.1), (7.3), (7.4) with changes; `k1`, `k2`, `k3` are arms over the radius."""
     body = Disk(**{"radius": RADIUS, "thickness": 0.0128, "mass": 0.4387} | (disk or {}))
     law = {"mu_static": 0.5, "mu_dynamic": 0.3, "k1": 1e-4, "k2": 8e-4, "k3": 8e-3} | friction
     for arm, k in (("arm_nutation", "k1"), ("arm_rolling", "k2"), ("arm_pivoting", "k3")):
         law[arm] = law.pop(k) * body.radius
     start = {"inclination_deg": 32.70422048691768, "omega": (0.0, 0.0, -1 / body.time_unit)} | (release or {})
-    return Scene(disk=body, friction=Friction(**law), release=Release(**start), numerics=Numerics(**(numerics or {})))
+    return Scene(
+        disk=body,
+        friction=Friction(**law),
+        release=Release(**start),
+        numerics=Numerics(**(numerics or {})),
+        dissipation=Dissipation(**dissipation) if dissipation else None,
+    )
+
+
+def conservative(**changes) -> Scene:
+    """Return a disk that rolls without any loss."""
+    return scene(**{"mu_static": inf, "mu_dynamic": inf, "k1": 0.0, "k2": 0.0, "k3": 0.0} | changes)
+
+
+def whirling(inclination, disk=None, **changes) -> Scene:
+    """Return a disk released in the steady motion with a fixed centre at `inclination` [rad], without moments."""
+    body = conservative(disk=disk).disk
+    rate = steady_precession(inclination, body.aspect, body.gyration) / body.time_unit
+    in_plane = rate * sin(inclination)
+    release = {"inclination_deg": degrees(inclination), "omega": (0.0, body.aspect * in_plane, in_plane)}
+    return conservative(release=release, disk=disk, **changes)

@@ -1,0 +1,107 @@
+"""Claim: near every edge of its range the simulator is right, or stops with a named outcome; never wrong silently.
+
+Source: sections 2, 3 and 6.2 of the paper; Painleve (1895) for contacts without solution.
+Oracle: limits that are approached (vanishing start-up slip), identities (energy), hand computation of the force.
+"""
+
+from math import pi
+
+import numpy as np
+import pytest
+from scenes import conservative, scene
+
+from dynamics import ImpossibleContactError, Outcome, regime, simulate, switching
+from dynamics.equations import Law
+from dynamics.rolling import RollingDisk
+from dynamics.simulation import chosen_integrator
+
+
+def total_energy_spread(motion):
+    total = motion.energy(motion.t) + motion.state[:, 10]
+    return np.ptp(total) / total[0]
+
+
+@pytest.mark.parametrize(("name", "module", "factor"), [("START", switching, 0.3), ("STOP_SPEED", regime, 10.0)])
+def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
+    span = {"time_limit": 50 * scene().disk.time_unit, "integrator": "dop853"}
+    t = np.linspace(0, 49.9 * scene().disk.time_unit, 100)
+    before = simulate(scene(span)).at(t)
+    for owner in (module, __import__("dynamics.rolling", fromlist=["x"]), switching, regime):
+        if hasattr(owner, name):
+            monkeypatch.setattr(
+                owner, name, getattr(module, name) * factor if owner is module else getattr(module, name)
+            )
+    after = simulate(scene(span)).at(t)
+    np.testing.assert_allclose(after, before, rtol=1e-9, atol=1e-9)
+
+
+def test_upright_is_a_named_end():
+    motion = simulate(scene(release={"inclination_deg": 89.9, "omega": (-1.0, 0.0, -10.0)}))
+    assert motion.outcome is Outcome.UPRIGHT
+    assert motion.state[-1, 1] == pytest.approx(pi / 2, abs=1e-12)
+
+
+def test_lift_off_is_an_outcome_with_its_time():
+    fast = scene(release={"inclination_deg": 60.0, "omega": (0.0, 0.5 / 0.06917, -4 / 0.06917)})
+    motion = simulate(fast)
+    assert motion.outcome is Outcome.LIFTED_OFF
+    assert motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-12)
+    assert motion.normal_load(np.linspace(0, motion.t[-1] * 0.999, 500)).min() > 0
+
+
+def test_a_release_that_leaves_the_plane_at_once_is_refused():
+    with pytest.raises(ImpossibleContactError, match=r"at t = 0 s: inclination 0\.52.*leaves the plane at once"):
+        simulate(scene(release={"inclination_deg": 30.0, "omega": (40.0, 0.0, 0.0)}))
+
+
+def test_a_contact_that_jams_is_named():
+    """On a long rod that slides towards its own far end, e mu f exceeds f^2 + J: pressing lifts nothing (Painleve)."""
+    beta, law = 1.047, Law(3.0, 1.0, 2.0, 2.0, 0.0, 0.0, 0.0)
+    y = [beta**0.5, 0.0, 0.0, 0.0, 0.0, -1.0, *[0.0] * 5]
+    slide = regime.Regime(True, (False,) * 3, (1.0,) * 3)
+    contact = regime.FLOAT.contact(y, regime.Branch.of(slide, law, None), slide.senses, law)
+    assert contact.inertia < 0
+    with pytest.raises(ImpossibleContactError, match=r"inclination 1\.047 rad.*slip \(-?0, -1\.02"):
+        switching.follow(y, law, None, frozenset())
+    system = RollingDisk(law, None, 1e-5, chosen_integrator("dop853")[1], 1e-12)
+    with pytest.raises(ImpossibleContactError, match="jams"):
+        system.switch(y, slide, "jams")
+
+
+@pytest.mark.parametrize(
+    ("disk", "friction"),
+    [
+        ({}, {"mu_static": 0.0, "mu_dynamic": 0.0}),
+        ({}, {"mu_static": 0.02, "mu_dynamic": 0.01}),
+        ({}, {"k1": 0.0, "k2": 0.05, "k3": 0.0}),
+        ({"thickness": 1e-7}, {}),
+        ({"shape": "shell"}, {}),
+        ({"radius": 0.01, "thickness": 0.03, "mass": 0.07}, {}),
+    ],
+    ids=["no friction", "slippery", "rolling only", "thin", "shell", "rod"],
+)
+def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
+    motion = simulate(scene({"time_limit": 30.0}, disk=disk, **friction))
+    assert motion.outcome in Outcome
+    assert np.isfinite(motion.state).all()
+    assert total_energy_spread(motion) < 1e-10
+    lowest = motion.normal_load(np.linspace(0, motion.t[-1], 20_000)).min()
+    assert lowest > -1e-9
+
+
+def test_equal_coefficients_slide_without_a_jump_of_the_force():
+    """With mu_static = mu_dynamic a slide starts without acceleration, and the force is continuous there."""
+    motion = simulate(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))
+    starts = [s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")]
+    assert len(starts) > 10
+    jumps = motion.jumps
+    for t in starts:
+        i = np.argmin(np.abs(jumps.t - t))
+        assert jumps.after[i, 2] == pytest.approx(jumps.before[i, 2], rel=1e-9)
+    assert total_energy_spread(motion) < 1e-11
+
+
+def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
+    motion = simulate(conservative(numerics={"time_limit": 5.0}))
+    assert motion.transitions == ()
+    assert motion.state[:, 10] == pytest.approx(0, abs=1e-15)

@@ -1,0 +1,160 @@
+"""Claim: without loss, and at small inclination, the simulator follows the solutions that are known in closed form.
+
+Source: Appell and Korteweg (1900); O'Reilly (1996); Cushman, Hermans & Kemppainen (1996); (5.3) of the paper.
+Oracle: dynamics/theory.py, which does not use the simulator: hypergeometric functions, quadrature, linearisation.
+"""
+
+from dataclasses import replace
+from math import pi, radians, sqrt
+
+import numpy as np
+import pytest
+from scenes import conservative, scene, whirling
+
+from dynamics import Outcome, simulate, theory
+from dynamics.hybrid import drive
+from dynamics.regime import PRECESSION, X
+from dynamics.rolling import RollingDisk
+from dynamics.simulation import chosen_integrator, law_of, released
+
+SOLIDS = [{}, {"thickness": 1e-9, "radius": 0.03755, "mass": 0.4}, {"thickness": 0.05}, {"shape": "shell"}]
+
+
+@pytest.mark.parametrize("disk", SOLIDS, ids=["published", "thin", "thick", "shell"])
+def test_a_whole_nutation_is_hypergeometric(disk):
+    release = {"inclination_deg": 40, "omega": (0, 2, -16)}
+    wanted = conservative(numerics={"time_limit": 0.6}, disk=disk, release=release)
+    motion = simulate(wanted)
+    h, K, chi = wanted.disk.aspect, wanted.disk.gyration, wanted.disk.time_unit
+    state = motion.at(np.linspace(0, motion.t[-1], 40))
+    start = state[0, 6:8] * chi
+    for row in state[::3]:
+        exact = theory.rolling_velocities(pi / 2 - row[1], radians(50), *start, h, K)
+        np.testing.assert_allclose(row[6:8] * chi, exact, rtol=1e-10, atol=1e-11)
+
+
+def test_for_no_thickness_the_solutions_are_legendre_functions():
+    from mpmath import diff, legenp, legenq, mp, sin
+
+    order = (-1 + mp.sqrt(1 - 16 / mp.mpf(3))) / 2  # n (n + 1) = -4/(K + 2), K = 1
+    basis = [lambda a: legenp(order, 0, sin(a)), lambda a: legenq(order, 0, sin(a), type=2)]
+    values = mp.matrix([[f(1.0) for f in basis], [diff(f, 1.0) for f in basis]])
+    _, b, _ = theory.appell(0.0, 1.0)
+    weights = mp.lu_solve(values, mp.matrix([0.1, b * -1.0]))
+    expected = sum((w * f(1.2) for w, f in zip(weights, basis, strict=True)), mp.mpc(0))
+    assert theory.rolling_velocities(1.2, 1.0, 0.1, -1.0, 1e-13, 1.0)[0] == pytest.approx(
+        float(expected.real), rel=1e-10
+    )
+
+
+def test_turning_angle_and_period_of_the_published_release():
+    motion = simulate(conservative(numerics={"time_limit": 0.5}))
+    disk = motion.disk
+    turn, period = theory.nutation(1.0, 0.0, -1.0, disk.aspect, disk.gyration)
+    assert pi / 2 - turn == pytest.approx(0.44837097707011868, abs=1e-13)
+    assert period == pytest.approx(2.8739671849286171, abs=1e-9)
+    after = motion.at(np.array([0.5, 1.0]) * period * disk.time_unit)
+    np.testing.assert_allclose(after[:, 1], [pi / 2 - turn, pi / 2 - 1], rtol=1e-9)
+    np.testing.assert_allclose(after[:, 5] * disk.time_unit, 0, atol=1e-9)
+
+
+def test_energy_is_conserved_for_a_thousand_nutations():
+    motion = simulate(conservative(numerics={"time_limit": 200.0}))
+    energy = motion.energy(motion.t)
+    assert motion.outcome is Outcome.TIME_LIMIT
+    assert np.ptp(energy) < 1e-12 * energy[0]
+
+
+@pytest.mark.parametrize("disk", SOLIDS, ids=["published", "thin", "thick", "shell"])
+@pytest.mark.parametrize("inclination", [0.01, 0.3, 1.0])
+def test_steady_motion_stays_and_its_nutation_has_the_linear_frequency(disk, inclination):
+    steady = whirling(inclination, disk=disk, numerics={"time_limit": 0.2})
+    h, K, chi = steady.disk.aspect, steady.disk.gyration, steady.disk.time_unit
+    in_plane = steady.release.omega[2] * chi
+    square = theory.steady_nutation_squared(pi / 2 - inclination, in_plane, h, K)
+    state = simulate(steady).at(np.linspace(0, 0.05, 50))
+    if square > 0:
+        np.testing.assert_allclose(state[:, 1], inclination, rtol=1e-9)
+    kick = 1e-6 * inclination
+    nudged = simulate(replace_omega(steady, kick / chi))
+    t = np.linspace(0, 0.05, 4000)
+    deviation = nudged.at(t)[:, 1] - inclination
+    size = kick / sqrt(abs(square))
+    tau = t / chi
+    exact = -size * (np.sin(sqrt(square) * tau) if square > 0 else np.sinh(sqrt(-square) * tau))
+    small = np.abs(exact) < 20 * size
+    np.testing.assert_allclose(deviation[small], exact[small], atol=1e-2 * size)
+
+
+def replace_omega(wanted, nutation_rate):
+    """Return the scene with another angular velocity along e_1."""
+    omega = (nutation_rate, *wanted.release.omega[1:])
+    return replace(wanted, release=replace(wanted.release, omega=omega))
+
+
+def test_flat_limits_of_precession_and_nutation():
+    square, ratio = theory.flat_limit(128 / 751, 1.0)
+    assert (square, ratio) == (pytest.approx(4.8135582, abs=2e-6), pytest.approx(0.791865, abs=2e-6))
+    square, ratio = theory.flat_limit(1e-9, 1.0)
+    assert (square, ratio) == (pytest.approx(5, abs=2e-6), pytest.approx(sqrt(3 / 5), abs=2e-6))
+
+
+def test_a_thin_disk_that_spins_upright_is_stable_above_the_critical_rate():
+    """With a and w2 small, (5.3) and dw2/da = -2 w3/(K + 2) leave a'' = (1 - w3^2) a: Omega^2 > 4 g/((K + 4) R)."""
+    for w3 in (0.5, 0.99, 1.01, 3.0):
+        assert theory.steady_nutation_squared(1e-3, w3, 1e-9, 1.0) == pytest.approx(w3**2 - 1, abs=1e-4)
+
+
+@pytest.mark.parametrize("inclination", [0.02, 0.005])
+def test_slope_of_the_root_of_the_inclination_under_rolling_friction(inclination):
+    k2 = 1e-6
+    steady = whirling(inclination, k2=k2, numerics={"time_limit": 10.0})
+    disk = steady.disk
+    motion = simulate(steady)
+    t = np.linspace(0, motion.t[-1], 4000)
+    fitted = -np.polyfit(t / disk.time_unit, np.sqrt(motion.at(t)[:, 1]), 1)[0]
+    assert fitted == pytest.approx(theory.rolling_friction_slope(k2, inclination, disk.aspect, disk.gyration), rel=2e-3)
+    centred = theory.centred_slope(k2, disk.aspect, disk.gyration)
+    assert fitted / centred == pytest.approx(0.94, abs=0.01), "the centre does not stay fixed under rolling friction"
+
+
+def test_the_self_similar_end():
+    """The intervals of the last slips form a geometric sequence, and the inclination falls with the square of time."""
+    motion = simulate(scene())
+    slips = np.array([s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")])
+    gaps = np.diff(slips)
+    ratios = gaps[-60:] / gaps[-61:-1]
+    np.testing.assert_allclose(ratios, 0.94432, atol=5e-6)
+    end = slips[-1] + gaps[-1] * ratios[-1] / (1 - ratios[-1])
+    exponent = np.polyfit(np.log(end - slips[-80:]), np.log(motion.at(slips[-80:])[:, 1]), 1)[0]
+    assert exponent == pytest.approx(2, abs=1e-5)
+    assert motion.t_end == pytest.approx(end, abs=1e-5)
+
+
+@pytest.mark.parametrize("turn", [0.5, -2.0])
+def test_turning_the_release_about_the_vertical_turns_the_path(turn):
+    start = scene()
+    straight, _ = drive(system_of(start), released(start.disk, start.release), 20.0)
+    y = released(start.disk, start.release)
+    y[PRECESSION] = turn
+    turned, _ = drive(system_of(start), y, 20.0)
+    a, b = (np.concatenate([block[:, 0] for block in path.coefficients]) for path in (straight, turned))
+    rotation = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    np.testing.assert_allclose(b[:, X : X + 2], a[:, X : X + 2] @ rotation, atol=1e-12)
+    np.testing.assert_allclose(b[:, PRECESSION] - turn, a[:, PRECESSION], atol=1e-9)
+    np.testing.assert_allclose(b[:, :PRECESSION], a[:, :PRECESSION], rtol=1e-9, atol=1e-12)
+
+
+def system_of(wanted):
+    """Return the hybrid system of a scene, as `simulate` makes it."""
+    integrate = chosen_integrator("auto")[1]
+    return RollingDisk(law_of(wanted.disk, wanted.friction), None, 1e-5, integrate, 1e-16)
+
+
+def test_the_mirror_image_of_a_motion_is_a_motion():
+    right = scene(numerics={"time_limit": 6.0})
+    left = replace(right, release=replace(right.release, omega=(0.0, 0.0, -right.release.omega[2])))
+    t = np.linspace(0, 6, 500)
+    a, b = simulate(right).at(t), simulate(left).at(t)
+    signs = [-1, 1, -1, -1, 1, 1, -1, -1, -1, 1, 1]
+    np.testing.assert_allclose(a, b * signs, rtol=1e-7, atol=1e-7)
