@@ -20,7 +20,7 @@ LAWS = {
     "b = 2": ({"power_coefficient": 3e-9, "power_exponent": 2.0}, 2.0),
     "b = 3": ({"power_coefficient": 1e-11, "power_exponent": 3.0}, 3.0),
     "Moffatt": ({"air_viscosity": 1.8e-7}, 4.0),
-    "Bildsten": ({"boundary_layer_viscosity": 1.5e-8}, 2.5),
+    "Bildsten": ({"boundary_layer_viscosity": 1.5e-5}, 2.5),
     "contour": ({"contour_moment": 1e-7}, 1.0),
 }
 
@@ -70,6 +70,18 @@ def test_moffatts_coefficient():
     ((c, b),) = power_laws(Dissipation(air_viscosity=mu), disk)
     omega = (4 * GRAVITY / (disk.radius * beta)) ** 0.5
     assert c * omega**b == pytest.approx(pi * mu * GRAVITY * disk.radius**2 / beta**2, rel=1e-12)
+
+
+def test_the_boundary_layers_coefficient():
+    """The flow under the face, from the equation of continuity, squared and integrated numerically."""
+    a, omega, nu, rho = 0.03755, 200.0, 1.5e-5, 1.2
+    r, phi = (np.arange(2000) + 0.5) * a / 2000, (np.arange(200) + 0.5) * 2 * pi / 200
+    along = omega / (8 * a) * (a * a - 3 * r**2)[:, None] * np.sin(phi)
+    around = omega / (8 * a) * (a * a - r**2)[:, None] * np.cos(phi)
+    mean_square = np.sum((along**2 + around**2) * r[:, None]) / np.sum(r[:, None] * np.ones(200))
+    stokes = 2 * pi * a * a * rho * (nu * omega / 2) ** 0.5 * mean_square
+    ((c, b),) = power_laws(Dissipation(boundary_layer_viscosity=nu, air_density=rho), scene().disk)
+    assert c * omega**b == pytest.approx(stokes, rel=1e-5)
 
 
 def test_a_power_law_can_end_in_a_fall_with_energy_left():

@@ -1,0 +1,61 @@
+"""Claim: the packages keep their order, the oracles stay apart from what they judge, and starting up costs nothing.
+
+Source: the tree itself: scene -> motion -> modes -> force -> sound -> findings.
+Oracle: the import statements of every file, and the modules that a fresh interpreter has loaded.
+"""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import modal
+
+ROOT = Path(__file__).parent.parent
+FILES = sorted(f for package in ("dynamics", "modal", "sonify") for f in (ROOT / package).rglob("*.py"))
+DRAWING = {"pictures", "report", "hearing", "spectrogram", "record", "chart", "charts", "animation"}
+
+
+def imported(file):
+    """Return the names of the modules that a file imports, with its own package put before relative ones."""
+    package, names = file.relative_to(ROOT).parts[0], set()
+    for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            base = f"{package}.{node.module or ''}".rstrip(".") if node.level else node.module
+            names |= {base} | {f"{base}.{alias.name}" for alias in node.names}
+    return names
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda f: str(f.relative_to(ROOT)))
+def test_who_imports_whom(file):
+    package, tops = file.relative_to(ROOT).parts[0], {name.split(".")[0] for name in imported(file)}
+    others = {"dynamics": {"modal", "sonify"}, "modal": {"dynamics", "sonify"}, "sonify": set()}[package]
+    assert not tops & others
+    if file.stem == "theory":
+        own = {name for name in imported(file) if name.split(".")[0] == package}
+        assert not own, "an oracle must not use what it judges"
+    if "matplotlib" in tops:
+        assert file.stem in DRAWING or "pictures" in file.parts
+
+
+def test_modal_is_ours():
+    assert Path(modal.__file__).parent == ROOT / "modal"
+
+
+@pytest.mark.parametrize("command", [["--help"], ["run", "--help"]])
+def test_help_loads_nothing_heavy(command):
+    code = (
+        "import sys; sys.argv = ['sonify', *{0!r}]\n"
+        "import runpy\n"
+        "try: runpy.run_module('sonify', run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        "heavy = {{'numpy', 'scipy', 'matplotlib', 'numba', 'heyoka', 'skfem', 'pydantic', 'soundfile', 'meshio'}}\n"
+        "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"
+    ).format(command)
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True)
+    assert done.stderr.strip().splitlines()[-1] == "[]"
+    assert done.stdout
