@@ -13,6 +13,7 @@ import pytest
 from scenes import scene
 
 from dynamics import Outcome, simulate
+from sonify import load_scene
 
 REFERENCE = json.loads((Path(__file__).parent / "references" / "motion.json").read_text())
 taylor = pytest.param("taylor", marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed"))
@@ -75,6 +76,16 @@ def test_end(motion):
     assert motion.t[-1] / chi == pytest.approx(280.226, abs=0.03)
     assert motion.t_end / chi == pytest.approx(REFERENCE["t_end"], abs=0.03)
     assert motion.state[-1, 1] == pytest.approx(1e-10, rel=1e-9)
+
+
+def test_the_shipped_scene_is_the_published_case():
+    shipped, ours = load_scene("published"), scene()
+    assert shipped.disk == ours.disk
+    assert shipped.release == ours.release
+    k = [shipped.friction.arm_nutation, shipped.friction.arm_rolling, shipped.friction.arm_pivoting]
+    np.testing.assert_allclose(np.array(k) / shipped.disk.radius, [1e-4, 8e-4, 8e-3], rtol=1e-15)
+    state = simulate(shipped.replace("numerics.time_limit=9.0")).at(100 * shipped.disk.time_unit)
+    assert state[0, 1] == pytest.approx(next(s["beta"] for s in REFERENCE["samples"] if s["tau"] == 100), rel=1e-8)
 
 
 def test_first_load(motion):
