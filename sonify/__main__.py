@@ -14,11 +14,11 @@ class OneLine(click.Group):
     def invoke(self, context):
         """Run the command. Exit status: 1 full disk, 2 wrong input, 130 interrupted."""
         from sonify.files import OutputError
-        from sonify.scene_errors import SceneError
+        from sonify.scene_errors import InputError
 
         try:
             return super().invoke(context)
-        except (SceneError, OutputError) as error:
+        except (InputError, OutputError) as error:
             _stop(error, 2)
         except KeyboardInterrupt:
             _stop("interrupted", 130)
@@ -58,6 +58,19 @@ def run(scene, out, accuracy, assignments):
         result = solve(scene, out, accuracy, stages)
     say(result)
     sys.exit(0 if result.passed else 1)
+
+
+@main.command()
+@click.argument("recording", type=click.Path())
+@click.option(
+    "--out", type=click.Path(), help="Folder for picture and numbers; default outputs/listen/<name of the file>."
+)
+def listen(recording, out):
+    """Seek the rising tone, its end and exponent, and the steady carriers in RECORDING, a sound file of your own."""
+    from sonify.hearsay import tell
+
+    for line in tell(recording, out):
+        click.echo(line)
 
 
 @main.command()

@@ -54,9 +54,27 @@ def draw_spectrogram(motion, modes, sound, path):
         figure.colorbar(image, ax=axes, pad=0.01, label="level of a sine in the window [dB re 20 µPa]")
 
 
-def _image(axes, seen, unit):
-    level, options = seen.level_db(REFERENCE_PRESSURE), {"cmap": "magma", "shading": "nearest", "rasterized": True}
-    return axes.pcolormesh(seen.time, seen.frequency / unit, level, vmin=FLOOR_DB, vmax=FLOOR_DB + RANGE_DB, **options)
+def draw_recording(recording, heard, path):
+    """Draw a sound file in two bands, relative to full scale, with the rising tone that was heard over it."""
+    low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
+    top = 5 * np.ceil(max(low.level_db(1.0).max(), high.level_db(1.0).max()) / 5)
+    with _figure(path, 2, 1, (11, 9)) as (figure, axes):
+        for panel, seen, unit in zip(axes, (low, high), (1.0, 1e3), strict=True):
+            image = _image(panel, seen, unit, 1.0, top - RANGE_DB)
+            panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
+            if heard.tone is not None:
+                left = np.geomspace(0.01, 8.0, 400)
+                options = {"color": "w", "lw": 1.0, "ls": "--", "label": "rising tone, fitted", "path_effects": EDGE}
+                panel.plot(heard.tone.end - left, heard.tone.at(heard.tone.end - left) / unit, **options)
+                panel.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
+        axes[0].set(yscale="log", ylabel="frequency [Hz]", title="Contact rates")
+        axes[1].set(ylabel="frequency [kHz]", title="Modes", xlabel="time [s]")
+        figure.colorbar(image, ax=axes, pad=0.01, label="level of a sine in the window [dB re full scale, RMS]")
+
+
+def _image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
+    level, options = seen.level_db(reference), {"cmap": "magma", "shading": "nearest", "rasterized": True}
+    return axes.pcolormesh(seen.time, seen.frequency / unit, level, vmin=floor, vmax=floor + RANGE_DB, **options)
 
 
 def _rate_lines(axes, motion, delay, unit):

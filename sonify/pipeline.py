@@ -10,11 +10,13 @@ from modal.solve import check, density
 from sonify.checks import Check, all_checks
 from sonify.files import claim
 from sonify.findings import Finding, all_findings
+from sonify.listen import Heard, RecordingError, listen
 from sonify.plan import Plan, plan_of
 from sonify.progress import Stages
 from sonify.record import write_record
 from sonify.scene import Scene, SceneError
 from sonify.sound import Renderer, Sound
+from sonify.verdict import all_verdicts
 from sonify.wav import write_sound
 
 
@@ -27,6 +29,7 @@ class Result:
     motion: Motion
     modes: Modes
     sound: Sound
+    heard: Heard | None
     findings: list[Finding]
     checks: list[Check]
     seconds: dict[str, float]
@@ -55,13 +58,16 @@ def run(
     with stages.stage("sound") as watch:
         sound = write_sound(Renderer(scene, motion, modes), out, watch)
     with stages.stage("findings"):
-        checks, findings = all_checks(scene, motion, modes, sound), all_findings(motion, modes)
+        heard, silence = hear(sound)
+        checks = all_checks(scene, motion, modes, sound)
+        findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound)
     result = Result(
         scene=scene,
-        plan=plan_of(scene, motion),
+        plan=plan_of(scene, motion, silence),
         motion=motion,
         modes=modes,
         sound=sound,
+        heard=heard,
         findings=findings,
         checks=checks,
         seconds=stages.seconds,
@@ -80,6 +86,14 @@ def solvable(scene: Scene) -> Scene:
     except ValueError as error:
         raise SceneError(str(error)) from None
     return scene
+
+
+def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
+    """Return what the rendered sound tells by itself, or None and why it tells nothing."""
+    try:
+        return listen(sound.folder / "pressure.wav"), []
+    except RecordingError as error:
+        return None, [f"A verdict by ear: {error}."]
 
 
 def solve_motion(scene: Scene, watch) -> Motion:

@@ -15,13 +15,13 @@ class Plan:
     highest_mode: float
 
 
-def plan_of(scene, motion=None) -> Plan:
-    """Return the plan of a scene; with the motion it also says how that ended."""
+def plan_of(scene, motion=None, silence=()) -> Plan:
+    """Return the plan of a scene; with the motion it also says how that ended, and why a sound tells nothing."""
     highest = min(HEARING_LIMIT, scene.audio.sample_rate / 2)
     ending = [] if motion is None else [f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."]
     return Plan(
         modelled=["A rigid disk rolls and slides on a rigid plane.", CONTACT[scene.support.kind], *RADIATION, *ending],
-        left_out=[*LEFT_OUT, f"Modes above {highest:g} Hz.", *unsettled(motion)],
+        left_out=[*LEFT_OUT, f"Modes above {highest:g} Hz.", *unsettled(motion), *silence],
         highest_mode=highest,
     )
 

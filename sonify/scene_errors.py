@@ -7,7 +7,11 @@ from typing import get_args, get_origin
 UNKNOWN = {"unexpected_keyword_argument", "extra_forbidden"}
 
 
-class SceneError(ValueError):
+class InputError(ValueError):
+    """What the user gave is wrong; the message is one line."""
+
+
+class SceneError(InputError):
     """The scene is wrong; the message is one line naming the key, its value and what is allowed."""
 
 

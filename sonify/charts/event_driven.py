@@ -1,0 +1,79 @@
+"""Event by event with the regimes of `dynamics`: our own integrators, and scipy's solve_ivp with terminal events."""
+
+import numpy as np
+from scipy.integrate import solve_ivp
+
+from dynamics.dop853 import fastest_clock
+from dynamics.hybrid import Arc, drive
+from dynamics.regime import FLOAT, Branch
+from dynamics.rolling import RollingDisk
+from dynamics.simulation import chosen_integrator
+from sonify.charts.motion_case import RELEASED, Case, answer_of_scaled, scaled
+from sonify.charts.records import Answer, Failure
+
+SMALLEST = 1e-9
+"""sqrt(inclination) at which a motion counts as over, which none of the cases reaches."""
+
+
+def follow_events(case: Case, integrate, tolerance: float) -> Answer:
+    """Solve a case with the flow `integrate` between events."""
+    last = []
+
+    def watch(_, y):
+        last[:] = y
+
+    path, ended = drive(RollingDisk(case.law, None, SMALLEST, integrate, tolerance), scaled(RELEASED), case.span, watch)
+    if ended:
+        raise Failure(f"ended at tau = {path.t:.4g}: {ended}")
+    return answer_of_scaled(last, case.law, sum(len(times) for times in path.times) - 1)
+
+
+def ours(case: Case, name: str, tolerance: float) -> Answer:
+    """Solve a case with the integrator 'taylor' or 'dop853' of `dynamics`."""
+    return follow_events(case, chosen_integrator(name)[1], tolerance)
+
+
+def with_solve_ivp(case: Case, method: str, tolerance: float) -> Answer:
+    """Solve a case with `method` of scipy.integrate.solve_ivp, whose terminal events are the guards."""
+    steps = [0]
+
+    def integrate(y, regime, law, loads, r_end, span, tolerance):
+        solution = _until_an_event(y, regime, law, r_end, span, method, tolerance)
+        steps[0] += len(solution.t) - 1
+        fired = [name for name, times in zip(solution.names, solution.t_events, strict=True) if len(times)]
+        end = solution.y[:, -1]
+        return Arc(solution.t[-1:], end[None, None].copy(), end.tolist(), fired[0] if fired else None)
+
+    return follow_events(case, integrate, tolerance)._replace(steps=steps[0])
+
+
+def _until_an_event(y, regime, law, r_end, span, method, tolerance):
+    branch = Branch.of(regime, law, None)
+    known = [None, None]
+
+    def guards(y):
+        """The guards are asked for one at a time; all are solved together, once a state."""
+        if known[0] is not y:
+            values = y.tolist()
+            contact = FLOAT.contact(values, branch, regime.senses, law)
+            known[:] = y, FLOAT.guards(values, contact, branch, regime.senses, law, r_end)
+        return known[1]
+
+    def rates(_, y):
+        y = y.tolist()
+        return FLOAT.rates(y, FLOAT.contact(y, branch, regime.senses, law), branch, law)
+
+    def event(name):
+        def value(_, y):
+            return guards(y)[name]
+
+        value.terminal, value.direction = True, -1
+        return value
+
+    names = tuple(guards(np.array(y)))
+    options = {"rtol": tolerance, "atol": tolerance, "max_step": 2 * fastest_clock(y)}
+    solution = solve_ivp(rates, (0.0, span), y, method, events=[event(name) for name in names], **options)
+    if solution.status < 0:
+        raise Failure(f"{method} stopped: {solution.message}")
+    solution.names = names
+    return solution

@@ -1,0 +1,91 @@
+"""What a chart is made of: one record per run, timed by the median of repeated runs."""
+
+import csv
+import math
+from collections.abc import Callable
+from dataclasses import asdict, dataclass, fields
+from pathlib import Path
+from statistics import median
+from time import perf_counter
+from typing import NamedTuple
+
+from sonify.files import whole
+
+REPEATS = 5
+"""How often a run is timed, as long as that takes less than PATIENCE."""
+PATIENCE = 2.0
+"""Seconds that the repetitions of one run may take; a longer run is timed once."""
+
+
+class Failure(Exception):
+    """The method gave up or gave nonsense; the message names the way in a few words."""
+
+
+class Answer(NamedTuple):
+    """What a method found: numbers to compare, and the steps it took."""
+
+    values: tuple[float, ...]
+    steps: int
+
+
+@dataclass(frozen=True, kw_only=True)
+class Record:
+    """One run: `error` relative to the reference, `seconds` (median of `repeats`), or the way it failed."""
+
+    family: str
+    method: str
+    setting: str
+    case: str
+    error: float = math.nan
+    steps: int = 0
+    seconds: float = math.nan
+    repeats: int = 0
+    failure: str = ""
+
+
+class Work(NamedTuple):
+    """A run to be made: family, method and setting for the legend, the case, and the call that makes it."""
+
+    family: str
+    method: str
+    setting: str
+    case: str
+    call: Callable[[], Answer]
+    error: Callable[[tuple], float]
+
+
+WRONG = 1e-2
+"""A relative error above this is a failure: the answer is not the motion asked for."""
+
+
+def measure(work: Work, warm: bool = False) -> Record:
+    """Run `work` and return its record; with `warm` one run before the first counts for nothing (it compiles)."""
+    about = {"family": work.family, "method": work.method, "setting": work.setting, "case": work.case}
+    began = perf_counter()
+    try:
+        answer = work.call()
+    except Failure as failure:
+        return Record(**about, seconds=perf_counter() - began, repeats=1, failure=str(failure))
+    seconds = [] if warm else [perf_counter() - began]
+    while not seconds or (len(seconds) < REPEATS and sum(seconds) + seconds[-1] < PATIENCE):
+        began = perf_counter()
+        work.call()
+        seconds.append(perf_counter() - began)
+    error = work.error(answer.values)
+    wrong = "" if error <= WRONG else f"wrong by {100 * error:.2g} %"
+    return Record(
+        **about, error=error, steps=answer.steps, seconds=median(seconds), repeats=len(seconds), failure=wrong
+    )
+
+
+def relative(reference) -> Callable[[tuple], float]:
+    """Return the largest relative error against the values `reference`."""
+    return lambda values: max(abs(a / b - 1) for a, b in zip(values, reference, strict=True))
+
+
+def write_csv(records: list[Record], path: Path):
+    """Write one line per record."""
+    with whole(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, [f.name for f in fields(Record)])
+        writer.writeheader()
+        writer.writerows(asdict(record) for record in records)

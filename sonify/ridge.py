@@ -1,0 +1,224 @@
+"""SOUND -> RISING TONE: finds f(t) = a (t_end - t)^-p in a sound that is known by nothing but its samples."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numba import njit
+from numpy.lib.stride_tricks import sliding_window_view
+from scipy.ndimage import map_coordinates
+from scipy.optimize import least_squares
+from scipy.signal import resample_poly
+
+HOP = 0.005
+"""Spacing of the frames [s]."""
+STEPS_PER_OCTAVE = 48
+"""Of the logarithmic frequency axis."""
+BANDS = ((8.0, 40.0, 0.5), (40.0, 120.0, 0.2), (120.0, 400.0, 0.07), (400.0, 1500.0, 0.025), (1500.0, 8000.0, 0.01))
+"""From, to [Hz], and the window there [s]: a tone that goes as 1/(t_end - t) stays within a line of it."""
+TIME_LEFT = (0.02, 8.0)
+"""The stretch before the end in which the tone is sought [s]."""
+EXPONENTS = np.arange(0.25, 1.6, 0.125)
+DEEPEST_DB, LEAST_DB, MOST_DB = 60.0, -6.0, 20.0
+"""What is so far below the loudest is as good as silence; bounds of the level that a frame contributes [dB]."""
+STAND_OUT_DB = 6.0
+"""A frame counts where the ridge is so far above what is usual at its frequency."""
+FAINTEST_DB = 4.0
+"""A ridge that stands out by less than this on the mean is none: noise alone gives about 2.5 dB."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class RisingTone:
+    """A tone f(t) = a (t_end - t)^-p: its end [s], exponent p, their standard errors, and the ridge itself.
+
+    `time`, `frequency`, `level` (r,) [s, Hz, dB above what is usual at the frequency] are the frames that show it;
+    `strength` [dB] is the mean level along the fitted curve.
+    """
+
+    end: float
+    end_error: float
+    exponent: float
+    exponent_error: float
+    scale: float
+    strength: float
+    time: np.ndarray
+    frequency: np.ndarray
+    level: np.ndarray
+
+    def at(self, t) -> np.ndarray:
+        """Return the fitted frequency [Hz] at times t < end [s]."""
+        return self.scale * (self.end - np.asarray(t)) ** -self.exponent
+
+    @property
+    def factor(self) -> float:
+        """By how much the pitch rises over the ridge: median of its last tenth over that of its first."""
+        tenth = max(len(self.frequency) // 10, 1)
+        return float(np.median(self.frequency[-tenth:]) / np.median(self.frequency[:tenth]))
+
+
+@dataclass(frozen=True, kw_only=True)
+class LogMap:
+    """Level (t, f) [dB] above the median over time, at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm.
+
+    Between LEAST_DB and MOST_DB, so that no frame decides alone, and MOST_DB only for the strongest of a frame.
+    """
+
+    time: np.ndarray
+    frequency: np.ndarray
+    level: np.ndarray
+
+    def read(self, t, frequency) -> np.ndarray:
+        """Return the level at times t and frequencies (any shape); outside it is 0."""
+        row = (t - self.time[0]) / HOP
+        column = np.log2(frequency / self.frequency[0]) * STEPS_PER_OCTAVE
+        return map_coordinates(self.level, [row, column], order=1, mode="constant", cval=0.0)
+
+
+def log_map(samples: np.ndarray, rate: float) -> LogMap:
+    """Return the map of samples (n,), with a window for every band that suits a tone rising as 1/(t_end - t)."""
+    time = np.arange(0, len(samples) / rate, HOP)
+    bands = [band for band in BANDS if band[0] < rate / 2]
+    frequency = BANDS[0][0] * 2 ** (np.arange(0, np.log2(bands[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE))
+    frequency = frequency[frequency < 0.45 * rate]
+    level = np.zeros((len(time), len(frequency)))
+    for low, high, window in bands:
+        here = (frequency >= low) & (frequency < high)
+        level[:, here] = _levels(samples, rate, time, frequency[here], window)
+    level = np.maximum(level, level.max() - DEEPEST_DB)
+    level -= np.median(level, axis=0)
+    below_strongest = level - level.max(axis=1, keepdims=True)
+    return LogMap(
+        time=time, frequency=frequency, level=np.clip(np.minimum(level, MOST_DB + below_strongest), LEAST_DB, MOST_DB)
+    )
+
+
+def _levels(samples, rate, time, frequency, window):
+    """Levels (t, f) [dB] of short spectra, after leaving out the samples that these frequencies do not need."""
+    down = max(int(rate / (4 * frequency[-1])), 1)
+    samples = resample_poly(samples, 1, down) if down > 1 else samples
+    size = max(int(window * rate / down), 16)
+    padded = np.pad(samples, size)
+    start = np.round(time * rate / down).astype(int) + size - size // 2
+    frames = sliding_window_view(padded, size)[np.minimum(start, len(padded) - size)] * np.hanning(size)
+    padding = 4 * size
+    power = np.abs(np.fft.rfft(frames, padding, axis=1)) ** 2
+    at = frequency * padding * down / rate
+    low = np.minimum(at.astype(int), power.shape[1] - 2)
+    power = power[:, low] * (1 - (at - low)) + power[:, low + 1] * (at - low)
+    return 10 * np.log10(power + 1e-12 * power.max() + 1e-300)
+
+
+def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
+    """Return the strongest rising tone in samples (n,) at `rate` [Hz], or None where nothing stands out.
+
+    Every end, exponent and pitch is tried on points that are even in the logarithm of the time left; the best is
+    refined by a robust fit to the ridge beside it. tests/test_sound_listen.py gives its errors, in noise and in a room.
+    """
+    if not np.any(samples):
+        return None
+    seen = log_map(samples / np.abs(samples).max(), rate)
+    if seen.time[-1] < 4 * TIME_LEFT[0]:
+        return None
+    guess = _search(seen)
+    for width in (0.5, 0.25, 0.15):
+        ridge = _ridge(seen, guess, width)
+        if len(ridge[0]) < 8:
+            return None
+        guess, errors = _fit(ridge, guess)
+    strength = _strength(seen, guess)
+    if strength < FAINTEST_DB:
+        return None
+    end, exponent, log_scale = guess
+    return RisingTone(
+        end=float(end),
+        end_error=float(errors[0]),
+        exponent=float(exponent),
+        exponent_error=float(errors[1]),
+        scale=float(2**log_scale),
+        strength=float(strength),
+        time=ridge[0],
+        frequency=ridge[1],
+        level=ridge[2],
+    )
+
+
+def _left():
+    return np.geomspace(*TIME_LEFT, 100)
+
+
+def _search(seen):
+    """The (end, exponent, log2 scale) whose curve has the highest mean level; every other bin is tried as beginning."""
+    left, last = _left(), len(seen.time)
+    shape = np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE
+    ends = np.arange(int(0.3 / HOP), last + int(0.2 / HOP), 2)
+    score = _scores(seen.level, ends, np.round(left / HOP).astype(int), np.round(shape).astype(int))
+    i, j, k = np.unravel_index(np.argmax(score), score.shape)
+    beginning = np.log2(seen.frequency[0]) + 2 * k / STEPS_PER_OCTAVE
+    return np.array([ends[i] * HOP, EXPONENTS[j], beginning + EXPONENTS[j] * np.log2(TIME_LEFT[1])])
+
+
+@njit(cache=True)
+def _scores(level, ends, left, shape):
+    """Mean level on the curves that begin at every other bin, by end (frames), exponent and beginning."""
+    frames, bins = level.shape
+    score = np.zeros((len(ends), len(shape), bins // 2))
+    for i in range(len(ends)):
+        for l in range(len(left)):
+            row = ends[i] - left[l]
+            if 0 <= row < frames:
+                for j in range(len(shape)):
+                    for k in range(min(score.shape[2], (bins - shape[j, l] + 1) // 2)):
+                        score[i, j, k] += level[row, 2 * k + shape[j, l]]
+    return score / len(left)
+
+
+def _ridge(seen, guess, width):
+    """Times, frequencies and levels of the strongest bins within `width` octaves of the curve, where they stand out."""
+    end, exponent, log_scale = guess
+    inside = (seen.time < end - TIME_LEFT[0]) & (seen.time > end - TIME_LEFT[1])
+    time = seen.time[inside]
+    curve = (log_scale - exponent * np.log2(end - time) - np.log2(seen.frequency[0])) * STEPS_PER_OCTAVE
+    offsets = np.arange(-int(width * STEPS_PER_OCTAVE), int(width * STEPS_PER_OCTAVE) + 1)
+    column = np.round(curve).astype(int)[:, None] + offsets
+    valid = (column >= 1) & (column < len(seen.frequency) - 1)
+    level = np.where(
+        valid, seen.level[inside][np.arange(len(time))[:, None], np.clip(column, 0, len(seen.frequency) - 1)], -99
+    )
+    best = np.argmax(level, axis=1)
+    rows = np.arange(len(time))
+    level, column = level[rows, best], column[rows, best]
+    keep = (level > STAND_OUT_DB) & (best > 0) & (best < len(offsets) - 1)
+    frequency = seen.frequency[0] * 2 ** ((column + _vertex(seen.level[inside], rows, column)) / STEPS_PER_OCTAVE)
+    return time[keep], frequency[keep], level[keep]
+
+
+def _vertex(level, rows, column):
+    """Where between bins the parabola through a peak and its neighbours has its vertex, within half a bin."""
+    column = np.clip(column, 1, level.shape[1] - 2)
+    below, peak, above = (level[rows, column + i] for i in (-1, 0, 1))
+    bend = below - 2 * peak + above
+    return np.clip(np.where(bend < 0, (below - above) / (2 * np.minimum(bend, -1e-9)), 0), -0.5, 0.5)
+
+
+def _fit(ridge, guess):
+    """Robust least squares of log f against log(t_end - t), every octave of the time left counting the same."""
+    time, frequency, _ = ridge
+    latest = time[-1] + 1e-4
+
+    def residual(x):
+        left = np.maximum(x[0] - time, 1e-4)
+        return (np.log2(frequency) - x[2] + x[1] * np.log2(left)) / np.sqrt(left)
+
+    bounds = ([latest, 0.02, -np.inf], [max(guess[0], latest) + 0.5, 4.0, np.inf])
+    start = np.clip(guess, np.add(bounds[0], 1e-6), np.subtract(bounds[1], 1e-6))
+    solved = least_squares(residual, start, bounds=bounds, loss="soft_l1", f_scale=0.05, x_scale=[0.01, 0.1, 0.1])
+    independent = max(len(time) * HOP / 0.1, 4.0)  # overlapping windows are not independent
+    spread = np.median(np.abs(residual(solved.x))) * 1.48
+    covariance = np.linalg.pinv(solved.jac.T @ solved.jac) * spread**2 * len(time) / independent
+    return solved.x, np.sqrt(np.diag(covariance))
+
+
+def _strength(seen, guess):
+    end, exponent, log_scale = guess
+    left = _left()
+    pitch = 2 ** (log_scale - exponent * np.log2(left))
+    return np.mean(seen.read(end - left, pitch))
