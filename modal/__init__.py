@@ -8,6 +8,9 @@ _HOME = {
     "Support": "modes",
     "Modes": "modes",
     "Body": "modes",
+    "Plate": "spectral",
+    "plate_modes": "axisymmetric",
+    "draw_modes": "pictures",
     "write_vtu": "export",
     "as_json": "export",
 }

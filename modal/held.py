@@ -77,7 +77,7 @@ def without_rigid(solved, shift):
     ]
 
 
-def modes(disk, material, support, density, below, accuracy) -> Modes:
+def held_modes(disk, material, support, density, below, accuracy) -> Modes:
     """The `Modes` below `below` [Hz] of a solid disk at one of `LEVELS`."""
     fine, coarse = LEVELS[accuracy]
     limit = (2 * pi * below) ** 2

@@ -58,7 +58,8 @@ class Modes:
 
     frequency, decay_rate (m,) -- [Hz] and [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency t).
     order (m,)          -- number of waves around the circumference; of a held disk the strongest one.
-    family (m,)         -- "flexural" (axial motion), "extensional" (in the plane), "torsional" (in the plane, order 0).
+    family (m,)         -- "flexural" (axial motion), "extensional" (in the plane), "torsional" (order 0 of a disk
+                           that is not held, u_theta alone).
     parity (m,)         -- "even": symmetric about the plane y = 0, u_r, u_z ~ cos n theta; "odd": the sine partner.
     partner (m,)        -- index of the other mode of a degenerate pair of an axisymmetric disk; -1 if there is none.
     participation (m, 6) -- phi^T M r for the translations along x, y, z [kg^1/2] and the rotations about x, y, z

@@ -2,8 +2,9 @@
 
 from math import pi
 
-from . import held
+from . import axisymmetric, held
 from .modes import Modes
+from .spectral import Plate
 
 BELOW = 24000.0
 """Modes at or above this frequency [Hz] are left out unless asked for."""
@@ -31,4 +32,8 @@ def eigenmodes(scene, below=BELOW) -> Modes:
     """
     check(scene.disk, scene.support)
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
-    return held.modes(scene.disk, scene.material, scene.support, density(scene.disk), below, accuracy)
+    disk, rho = scene.disk, density(scene.disk)
+    if scene.support.kind == "free":
+        plate = Plate(radius=disk.radius, thickness=disk.thickness, material=scene.material, density=rho)
+        return axisymmetric.plate_modes(plate, below, accuracy)
+    return held.held_modes(disk, scene.material, scene.support, rho, below, accuracy)

@@ -60,10 +60,12 @@ def participation(solid, quarter, c):
     return c.shapes.reshape(len(c.shapes), 3 * len(solid.points)) @ (solid.mass @ gathered.T)
 
 
-def axial_share(solid, part, c):
-    """Share (k,) of the kinetic energy in axial motion."""
+def flexural(solid, part, c):
+    """Whether each mode (k,) of a class bends the disk: by its symmetry in z, else if most of its energy is axial."""
+    if c.mirror.z:
+        return np.full(len(c.shapes), c.mirror.z < 0)
     axial = (c.shapes * [0, 0, 1]).reshape(len(c.shapes), 3 * len(solid.points))
-    return part.copies * np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T)
+    return part.copies * np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T) > 0.5
 
 
 def face_matrix(solid, part, points, side):
@@ -91,13 +93,6 @@ def on_faces(matrices, points, quarter, c):
     return np.stack(values, axis=1) * np.array(signs)[:, (points[:, 1] < 0).astype(int)]
 
 
-def family_of(c, order, axial):
-    """Names (k,) of the families: by the class where it decides, else by the larger share of the energy."""
-    flexural = np.full(len(order), c.mirror.z < 0) if c.mirror.z else axial > 0.5
-    torsion = (order == 0) & (c.mirror.y < 0)
-    return np.where(flexural, "flexural", np.where(torsion, "torsional", "extensional"))
-
-
 def grids(radius):
     """Points (n, 2) of the rim and (a b, 2) of the polar grid on a face."""
     angle = sample.rim_angles()
@@ -109,13 +104,12 @@ def grids(radius):
 def unfold_class(solid, part, c, rim, face):
     """The columns of `Modes` that one class contributes, arrays (k, ...); rim, face: (matrices, points)."""
     rim_shape = sample.polar_components(on_faces(*rim, part.quarter, c)[:, 0], sample.rim_angles())
-    order = sample.strongest_order(rim_shape)
     axial = on_faces(*face, part.quarter, c)[..., 2]
     return {
         "frequency": np.sqrt(c.values) / (2 * pi),
-        "order": order,
-        "family": family_of(c, order, axial_share(solid, part, c)),
-        "parity": np.full(len(order), "even" if c.mirror.y > 0 else "odd"),
+        "order": sample.strongest_order(rim_shape),
+        "family": np.where(flexural(solid, part, c), "flexural", "extensional"),
+        "parity": np.full(len(c.shapes), "even" if c.mirror.y > 0 else "odd"),
         "participation": participation(solid, part.quarter, c),
         "rim_shape": rim_shape,
         "face_shape": axial.reshape(-1, 2, sample.FACE_RADII, sample.FACE_ANGLES),

@@ -1,0 +1,142 @@
+"""The record of the modes of an axisymmetric plate: every order n >= 1 gives a degenerate (cosine, sine) pair."""
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from . import sample
+from .mesh import sector
+from .modes import Body, Modes, Support
+from .plane import Blocks
+from .spectral import Pairs, Plate, all_pairs, amplitudes, gauss
+from .unfold import whole_mesh
+
+TOLERANCES = {"draft": 1e-4, "standard": 3e-6, "reference": 1e-8}
+"""Accuracy -> estimated relative error of the frequencies; the true one is several times smaller."""
+
+
+def turned(amplitude, n, angle, odd):
+    """Displacement (..., 3) (cylindrical) at angles (q,) from amplitudes (3, ..., q), or of the sine partner."""
+    c, s = np.cos(n * angle), np.sin(n * angle)
+    factors = (s, -c, s) if odd else (c, s, c)
+    return np.stack([a * f for a, f in zip(amplitude, factors, strict=True)], axis=-1)
+
+
+def cartesian(shape, angle):
+    """x, y, z components from cylindrical ones (..., q, 3) at angles (q,)."""
+    return sample.polar_components(shape, -angle)
+
+
+def parities(pairs: Pairs):
+    """For each member of a pair whether it is the sine partner, as torsion with its u_theta even in theta always is."""
+    return (False, True) if pairs.problem.n else (pairs.problem.family == "torsional",)
+
+
+def family_of(p):
+    """The name of the family of a problem."""
+    if p.family == "torsional":
+        return "torsional"
+    return "extensional" if p.even > 0 else "flexural"
+
+
+def participation_of(plate, pairs):
+    """Participation (k, 6) of the cosine member, see `Modes`."""
+    n = pairs.problem.n
+    rho, zeta, along, through = gauss(plate, n, pairs.size)
+    a, b, w = amplitudes(plate, pairs, rho, zeta)
+    weight = plate.density * np.outer(along, through)
+    r, h, zero = rho[:, None] * plate.radius, zeta * plate.thickness / 2, 0 * a
+    if n == 0:
+        work = [zero, zero, w, zero, zero, r * b]
+    else:
+        work = [a - b, zero, zero, zero, h * (a - b) - r * w, zero] if n == 1 else [zero] * 6
+    return np.einsum("fkrz,rz->kf", work, weight)
+
+
+def columns(plate, pairs, odd, body):
+    """The columns of `Modes` that one problem contributes, arrays (k, ...)."""
+    n, k = pairs.problem.n, len(pairs.values)
+    participation = participation_of(plate, pairs)
+    if odd:
+        participation = participation[:, [1, 0, 2, 4, 3, 5]] * [1, 1, 1, -1, 1, -1]
+    angle = sample.rim_angles()
+    rim = amplitudes(plate, pairs, np.ones(1), -np.ones(1))[..., 0]
+    r, _, theta = sample.face_grid(1.0)
+    faces = amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[2].transpose(0, 2, 1)
+    around = np.sin(n * theta) if odd else np.cos(n * theta)
+    inside = amplitudes(plate, pairs, body.rho, body.zeta)[..., body.which_rho, body.which_zeta]
+    return {
+        "frequency": np.sqrt(pairs.values) / (2 * pi),
+        "order": np.full(k, n),
+        "family": np.full(k, family_of(pairs.problem)),
+        "parity": np.full(k, "odd" if odd else "even"),
+        "pair": np.arange(k),
+        "participation": participation,
+        "rim_shape": turned(np.broadcast_to(rim, (3, k, len(angle))), n, angle, odd),
+        "face_shape": faces[..., None] * around,
+        "residual": pairs.residual,
+        "error": pairs.error.sum(axis=0),
+        "displacement": cartesian(turned(inside, n, body.angle, odd), body.angle),
+    }
+
+
+@dataclass(frozen=True, kw_only=True)
+class Points:
+    """The nodes (p,) of a mesh of the plate as angles and as indices into their distinct radii and heights."""
+
+    angle: np.ndarray
+    rho: np.ndarray
+    which_rho: np.ndarray
+    zeta: np.ndarray
+    which_zeta: np.ndarray
+
+
+def body_mesh(plate, highest):
+    """Nodes (p, 3), cells and `Points` of the whole plate, fine enough to draw waves of the highest order."""
+    size = Blocks(width=pi / 8, depth=0.38, rings=1, split=1 + highest // 6)
+    part = sector(plate.radius, plate.thickness, Support(kind="free"), size)
+    points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
+    x, y, z = points.T
+    rho, which_rho = np.unique(np.minimum(np.hypot(x, y) / plate.radius, 1).round(12), return_inverse=True)
+    zeta, which_zeta = np.unique(np.clip(2 * z / plate.thickness, -1, 1).round(12), return_inverse=True)
+    angle = np.arctan2(y, x)
+    return points, cells, Points(angle=angle, rho=rho, which_rho=which_rho, zeta=zeta, which_zeta=which_zeta)
+
+
+def partners(pair):
+    """Index (m,) of the mode with the same entry of pair (m,), -1 if there is none."""
+    same = pair[:, None] == pair[None, :]
+    np.fill_diagonal(same, False)
+    return np.where(same.any(axis=1), same.argmax(axis=1), -1)
+
+
+def plate_modes(plate: Plate, below, accuracy="standard") -> Modes:
+    """The `Modes` below `below` [Hz] of an axisymmetric plate; ValueError if there is none."""
+    found = all_pairs(plate, below, TOLERANCES[accuracy])
+    if not found:
+        raise ValueError(f"the plate has no elastic mode below {below:g} Hz")
+    points, cells, body = body_mesh(plate, max(pairs.problem.n for pairs in found))
+    parts = []
+    for number, pairs in enumerate(found):
+        for odd in parities(pairs):
+            part = columns(plate, pairs, odd, body)
+            parts.append(part | {"pair": 1000 * number + part["pair"]})
+    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    ascending = np.lexsort((whole["parity"] == "odd", whole["frequency"]))
+    whole = {name: value[ascending] for name, value in whole.items()}
+    displacement, pair = whole.pop("displacement"), whole.pop("pair")
+    r, weight, theta = sample.face_grid(plate.radius)
+    return Modes(
+        **whole | {"family": tuple(whole["family"].tolist()), "parity": tuple(whole["parity"].tolist())},
+        decay_rate=pi * whole["frequency"] * plate.material.loss_factor,
+        partner=partners(pair),
+        rim_angle=sample.rim_angles(),
+        face_radius=r,
+        face_weight=weight,
+        face_angle=theta,
+        mass=plate.mass,
+        method="Fourier and polynomials",
+        unknowns=sum(len(pairs.vectors) for pairs in found),
+        body=Body(points=points, cells=cells, cell_type="hexahedron27", displacement=displacement),
+    )
