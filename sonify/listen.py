@@ -59,7 +59,9 @@ def listen(path: str | Path) -> Heard:
         sample_rate=rate,
         start=start,
         tone=_later(rising_tone(samples, rate), start),
-        repetition=_later(rising_tone(*envelope(samples, rate)), start) if rate > 2 * ENVELOPE_FROM else None,
+        repetition=_later(rising_tone(*envelope(samples, rate), fundamental=True), start)
+        if rate > 2 * ENVELOPE_FROM
+        else None,
         carriers=steady_carriers(samples, rate),
     )
 

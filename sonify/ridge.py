@@ -107,8 +107,10 @@ def _levels(samples, rate, time, frequency, window):
     return 10 * np.log10(power + 1e-12 * power.max() + 1e-300)
 
 
-def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
+def rising_tone(samples: np.ndarray, rate: float, fundamental: bool = False) -> RisingTone | None:
     """Return the strongest rising tone in samples (n,) at `rate` [Hz], or None where nothing stands out.
+
+    With `fundamental`, return the lowest of its octaves that stands out too: what repeats, not its strongest harmonic.
 
     Every end, exponent and pitch is tried on points that are even in the logarithm of the time left; the best is
     refined by a robust fit to the ridge beside it. tests/test_sound_listen.py gives its errors, in noise and in a room.
@@ -118,7 +120,7 @@ def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
     seen = log_map(samples / np.abs(samples).max(), rate)
     if seen.time[-1] < 4 * TIME_LEFT[0]:
         return None
-    guess = _search(seen)
+    guess = _lowest_octave(seen, _search(seen)) if fundamental else _search(seen)
     for width in (0.5, 0.25, 0.15):
         ridge = _ridge(seen, guess, width)
         if len(ridge[0]) < 8:
@@ -169,6 +171,11 @@ def _scores(level, ends, left, shape):
                     for k in range(min(score.shape[2], (bins - shape[j, l] + 1) // 2)):
                         score[i, j, k] += level[row, 2 * k + shape[j, l]]
     return score / len(left)
+
+
+def _lowest_octave(seen, guess):
+    below = guess - [0, 0, 1]
+    return _lowest_octave(seen, below) if _strength(seen, below) > 0.5 * _strength(seen, guess) > 0 else guess
 
 
 def _ridge(seen, guess, width):

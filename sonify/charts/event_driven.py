@@ -70,7 +70,8 @@ def _until_an_event(y, regime, law, r_end, span, method, tolerance):
         value.terminal, value.direction = True, -1
         return value
 
-    names = tuple(guards(np.array(y)))
+    y = np.array(y)
+    names = tuple(guards(y))
     options = {"rtol": tolerance, "atol": tolerance, "max_step": 2 * fastest_clock(y)}
     solution = solve_ivp(rates, (0.0, span), y, method, events=[event(name) for name in names], **options)
     if solution.status < 0:
