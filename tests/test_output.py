@@ -1,0 +1,135 @@
+"""Claim: a run of the published scene writes every file of the contract, proves itself, and judges the paper's claims.
+
+Source: the README's table of outputs; the claims of Kessler & O'Reilly (2002), sections 1, 7 and 8. Oracle: reading the
+files back with other readers; the verdicts that the corrected model is known to give.
+"""
+
+import json
+import re
+
+import meshio
+import numpy as np
+import pytest
+import soundfile
+
+from sonify import load_scene, run
+from sonify.checks import Check
+from sonify.findings import Finding, load_frequency, slips
+
+FILES = {"sound.wav", "pressure.wav", "stems", "spectrogram.png", "stems.png", "motion.png", "modes.png"}
+FILES |= {"motion.npz", "modes.json", "modes.vtu", "run.json", "report.html"}
+STANDS = {
+    "The disk goes from rolling to sliding again and again": True,
+    "The normal force is never zero": True,
+    "The frequency of the normal force rises as the disk declines": True,
+    "The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)": True,
+    "The energy falls monotonically": True,
+    "Sliding dissipates more than rolling": True,
+    "The motion of the centre diminishes until it is almost negligible": True,
+    "There is no finite-time singularity: the precession rate stays finite": False,
+    "At least four modes of vibration are in the audible range": True,
+    "The pitch rises sharply towards the end": True,
+    "In the last second the rising tone is the precession of the contact": True,
+    "Until four seconds before the end the tone is the nutation, the frequency of the normal force": True,
+    "The rising tone can be heard": True,
+    "The vibration of the modes is what is heard in the last second": False,
+    "The tone heard runs to the end of the motion": True,
+    "The strongest carrier keeps its pitch: no mode rises": True,
+    "The strongest carrier is a mode of the disk": True,
+}
+"""What of the paper, and of what is heard, stands in the corrected model."""
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory):
+    return run(load_scene("published"), out=tmp_path_factory.mktemp("run") / "published")
+
+
+@pytest.fixture(scope="module")
+def record(result):
+    def refuse(value):
+        raise AssertionError(f"{value} is not JSON")
+
+    return json.loads((result.out / "run.json").read_text(), parse_constant=refuse)
+
+
+def test_every_file_is_there_and_no_other(result):
+    assert {p.name for p in result.out.iterdir()} == FILES
+    stems = sorted(p.name for p in (result.out / "stems").iterdir())
+    assert stems == ["heave.wav", "ringing_jumps.wav", "ringing_smooth.wav", "tilt.wav"]
+
+
+def test_every_self_check_passes(result):
+    assert len(result.checks) == 6
+    assert [check.name for check in result.checks if not check.passed] == []
+
+
+def test_what_stands(result):
+    assert {finding.claim: finding.holds for finding in result.findings} == STANDS
+
+
+def test_the_normal_force_reaches_36_hz_when_the_paper_says(result):
+    """Figure 4 (b): f = 2.5 at tau = 214.6, found in quadruple precision."""
+    time, frequency = load_frequency(result.motion)
+    chi = result.scene.disk.time_unit
+    assert time[np.argmax(frequency * chi >= 2.5)] / chi == pytest.approx(214.6, abs=0.5)
+    assert np.searchsorted(slips(result.motion) / chi, [50, 100, 150]).tolist() == [3, 6, 11]
+
+
+def test_run_json_says_what_was_done(result, record):
+    assert record["scene"]["disk"]["mass"] == 0.4387
+    assert record["outcome"]["name"] == "SETTLED"
+    assert len(record["findings"]) == len(STANDS)
+    assert all(check["passed"] for check in record["checks"])
+    assert {"motion", "modes", "sound"} <= record["seconds"].keys()
+    assert record["versions"]["numpy"] == np.__version__
+    assert record["plan"]["modelled"]
+    assert record["plan"]["left_out"]
+    copy, rate = soundfile.read(result.out / "sound.wav")
+    pressure, _ = soundfile.read(result.out / "pressure.wav")
+    assert rate == record["sound"]["sample_rate"]
+    assert np.abs(copy).max() == pytest.approx(np.abs(pressure).max() / record["sound"]["full_scale_pascal"], rel=1e-6)
+    assert 20 * np.log10(copy.std() / pressure.std()) == pytest.approx(record["sound"]["gain_db"], abs=1e-3)
+
+
+def test_the_files_are_read_by_others(result):
+    motion = np.load(result.out / "motion.npz", allow_pickle=False)
+    assert np.array_equal(motion["t"], result.motion.t)
+    assert motion["state"].shape == (len(motion["t"]), len(motion["columns"]))
+    assert len(motion["regime"]) == len(motion["t"])
+    assert len(motion["transition_time"]) == len(result.motion.transitions)
+    mesh = meshio.read(result.out / "modes.vtu")
+    assert len(mesh.point_data) == len(result.modes.frequency)
+    modes = json.loads((result.out / "modes.json").read_text())
+    assert [mode["frequency"] for mode in modes["modes"]] == pytest.approx(result.modes.frequency.tolist())
+
+
+def test_the_page_needs_no_other_file(result):
+    page = (result.out / "report.html").read_text()
+    assert re.findall(r'(?:src|href)="(?!data:)', page) == []
+    assert page.count("data:image/png") == 4
+    assert page.count("data:audio/wav") == 1
+    assert all(f"{finding.claim[:30]}" in page.replace("&#39;", "'") for finding in result.findings)
+
+
+@pytest.mark.parametrize(
+    ("value", "passed"), [(1.0, True), (1.1, True), (1.11, False), (float("nan"), False), (float("inf"), False)]
+)
+def test_a_check_can_fail(value, passed):
+    assert Check(name="x", value=value, expected=1.0, tolerance=0.1 + 1e-12, source="-").passed == passed
+
+
+@pytest.mark.parametrize(("value", "holds"), [(1.9, False), (2, True), (3, True), (3.1, False), (float("nan"), False)])
+def test_a_finding_can_be_no(value, holds):
+    finding = Finding(claim="x", value=value, unit="1", at_least=2.0, at_most=3.0, source="-")
+    assert finding.holds == holds
+    assert finding.expectation == "at least 2 and at most 3"
+
+
+def test_a_motion_that_is_cut_off_says_so(tmp_path):
+    scene = load_scene("published").replace("numerics.time_limit=0.6", "name=cut")
+    cut = run(scene, out=tmp_path / "cut")
+    assert cut.passed
+    assert cut.motion.outcome.name == "TIME_LIMIT"
+    assert any("time limit" in line for line in cut.plan.left_out)
+    assert cut.sound.duration == pytest.approx(0.6, abs=0.01)
