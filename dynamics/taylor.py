@@ -18,8 +18,8 @@ MOST_STEPS = 1000
 def compiled(branch: Branch, tolerance: float):
     """Compile the integrator of one branch, once a process; the numbers of a scene are its runtime parameters.
 
-    Compact mode at optimisation level 2 compiles six times faster than heyoka's default and runs a third slower: for the
-    published case 0.8 s and 0.7 s instead of 4.9 s and 0.5 s.
+    Compact mode at optimisation level 2 compiles six times faster than heyoka's default and runs a third slower: for
+    the published case 0.8 s and 0.7 s instead of 4.9 s and 0.5 s.
     """
     y = heyoka.make_vars(*STATE)
     law = Law(*(heyoka.par[i] for i in range(len(Law._fields))))

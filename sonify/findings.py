@@ -4,14 +4,11 @@ from dataclasses import dataclass
 from math import inf
 
 import numpy as np
-from scipy.ndimage import median_filter
-from scipy.signal import find_peaks
+
+from dynamics.rates import nutation_frequency, precession_rate, slips
 
 HEARING = (20.0, 20e3)
 """What is called audible [Hz]."""
-PROMINENCE, SHARE, NEIGHBOURS = 0.005, 0.5, 11
-"""A peak of the normal force counts if its prominence is this part of the weight, and this share of the median of so
-many neighbours: more than the corners that the resisting moment makes (1e-4), more than most of the steps at slips."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,37 +35,6 @@ class Finding:
         return " and ".join(f"{word} {bound:g}" for word, bound in bounds.items() if np.isfinite(bound))
 
 
-def slips(motion) -> np.ndarray:
-    """Return the times (j,) [s] at which rolling turns into sliding."""
-    return np.array([e.t for e in motion.transitions if e.before.startswith("roll") and e.after.startswith("slide")])
-
-
-def load_peaks(motion) -> np.ndarray:
-    """Return the times (p,) [s] of the peaks of the normal force, found by prominence on two points a piece."""
-    t = np.sort(np.concatenate([motion.t[:-1], (motion.t[:-1] + motion.t[1:]) / 2]))
-    peaks, found = find_peaks(motion.force(t)[:, 2] / motion.disk.weight, prominence=PROMINENCE)
-    prominence = found["prominences"]
-    return t[peaks[prominence >= SHARE * median_filter(prominence, NEIGHBOURS)]]
-
-
-def load_frequency(motion) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (q,) [s] and f (q,) [Hz] of footnote 3: 2/T, T the time between three successive peaks of Phi."""
-    peaks = load_peaks(motion)
-    return peaks[1:-1], 2 / (peaks[2:] - peaks[:-2])
-
-
-def mean_precession(motion) -> np.ndarray:
-    """Return the turns a second (q,) [Hz] of the contact about the vertical, at the times of `load_frequency`."""
-    peaks = load_peaks(motion)
-    turned = motion.at(peaks)[:, 0] / (2 * np.pi)
-    return np.abs(turned[2:] - turned[:-2]) / (peaks[2:] - peaks[:-2])
-
-
-def precession_rate(state) -> np.ndarray:
-    """Return d theta/dt = omega_3 sec(alpha) (2.3), (k,) [rad/s], of states (k, 11)."""
-    return state[:, 7] / np.sin(state[:, 1])
-
-
 def repeated_slips(motion) -> Finding:
     return Finding(
         claim="The disk goes from rolling to sliding again and again",
@@ -91,7 +57,7 @@ def contact_kept(motion) -> Finding:
 
 
 def load_frequency_rises(motion) -> Finding:
-    frequency = load_frequency(motion)[1]
+    frequency = nutation_frequency(motion)[1]
     tenth = max(len(frequency) // 10, 1)
     return Finding(
         claim="The frequency of the normal force rises as the disk declines",
@@ -106,7 +72,7 @@ def load_frequency_reached(motion) -> Finding:
     chi = motion.disk.time_unit
     return Finding(
         claim="The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
-        value=float(chi * load_frequency(motion)[1].max(initial=0.0)),
+        value=float(chi * nutation_frequency(motion)[1].max(initial=0.0)),
         unit="1/chi",
         at_least=2.5,
         source="figure 4 (b)",

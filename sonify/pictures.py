@@ -7,8 +7,8 @@ from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
 from scipy.ndimage import median_filter
 
+from dynamics.rates import nutation_frequency, precession_frequency, precession_rate
 from sonify.files import whole
-from sonify.findings import load_frequency, mean_precession, precession_rate
 from sonify.hearing import audibility
 from sonify.sound import STEMS
 from sonify.spectrogram import REFERENCE_PRESSURE, spectrogram
@@ -41,8 +41,8 @@ def draw_spectrogram(motion, modes, sound, path):
     end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
     with _figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
-            _image(top, low, 1.0)
             top.set(yscale="log", ylim=RATES, xlim=span)
+            _image(top, low, 1.0)
             _rate_lines(top, motion, delay, 1.0)
             image = _image(bottom, high, 1e3)
             bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
@@ -59,6 +59,7 @@ def draw_recording(recording, heard, path):
     low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
     top = 5 * np.ceil(max(low.level_db(1.0).max(), high.level_db(1.0).max()) / 5)
     with _figure(path, 2, 1, (11, 9)) as (figure, axes):
+        axes[0].set(yscale="log", ylabel="frequency [Hz]", title="Contact rates")
         for panel, seen, unit in zip(axes, (low, high), (1.0, 1e3), strict=True):
             image = _image(panel, seen, unit, 1.0, top - RANGE_DB)
             panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
@@ -67,19 +68,23 @@ def draw_recording(recording, heard, path):
                 options = {"color": "w", "lw": 1.0, "ls": "--", "label": "rising tone, fitted", "path_effects": EDGE}
                 panel.plot(heard.tone.end - left, heard.tone.at(heard.tone.end - left) / unit, **options)
                 panel.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
-        axes[0].set(yscale="log", ylabel="frequency [Hz]", title="Contact rates")
         axes[1].set(ylabel="frequency [kHz]", title="Modes", xlabel="time [s]")
         figure.colorbar(image, ax=axes, pad=0.01, label="level of a sine in the window [dB re full scale, RMS]")
 
 
 def _image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
-    level, options = seen.level_db(reference), {"cmap": "magma", "shading": "nearest", "rasterized": True}
-    return axes.pcolormesh(seen.time, seen.frequency / unit, level, vmin=floor, vmax=floor + RANGE_DB, **options)
+    level, options = seen.level_db(reference), {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
+    time, frequency = seen.time, seen.frequency / unit
+    if axes.get_yscale() == "log":
+        return axes.pcolormesh(time, frequency, level, shading="nearest", rasterized=True, **options)
+    half = (np.diff(time[:2], append=time[0] + 1)[0] / 2, np.diff(frequency[:2])[0] / 2)
+    extent = (time[0] - half[0], time[-1] + half[0], frequency[0] - half[1], frequency[-1] + half[1])
+    return axes.imshow(level, origin="lower", aspect="auto", interpolation="nearest", extent=extent, **options)
 
 
 def _rate_lines(axes, motion, delay, unit):
-    peaks, nutation = load_frequency(motion)
-    for rate, style, name in ((mean_precession(motion), "-", "precession"), (nutation, "--", "nutation")):
+    (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
+    for rate, style, name in ((precession, "-", "precession"), (nutation, "--", "nutation")):
         smooth = median_filter(rate, 5) / unit
         axes.plot(peaks + delay, smooth, color="w", lw=1.0, ls=style, label=f"{name}, solved", path_effects=EDGE)
     axes.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
@@ -126,7 +131,7 @@ def draw_motion(motion, path):
     chi, weight = motion.disk.time_unit, motion.disk.weight
     t = np.linspace(0, motion.t[-1], 12000)
     state, tau = motion.at(t), t / chi
-    peaks, frequency = load_frequency(motion)
+    peaks, frequency = nutation_frequency(motion)
     energy = motion.energy(t) * chi**2 / (motion.disk.mass * motion.disk.radius**2)
     with _figure(path, 3, 2, (11, 11)) as (_, axes):
         curves = [
@@ -154,21 +159,20 @@ def draw_modes(modes, path):
     """Draw the normal displacement of the top face of every mode, with the patch to the right where there is one."""
     count = max(len(modes.frequency), 1)
     columns = min(count, 5)
-    rows = -(-count // columns)
     angle = np.append(modes.face_angle, modes.face_angle[0] + 2 * np.pi)
-    with _figure(
-        path, rows, columns, (2.3 * columns, 2.6 * rows), subplot_kw={"projection": "polar"}, squeeze=False
-    ) as (_, axes):
+    x, y = np.outer(modes.face_radius, np.cos(angle)), np.outer(modes.face_radius, np.sin(angle))
+    rows = -(-count // columns)
+    with _figure(path, rows, columns, (2.3 * columns, 2.7 * rows), squeeze=False) as (_, axes):
         for panel in axes.flat:
             panel.set_axis_off()
-        for panel, frequency, shape, family, order in zip(
-            axes.flat, modes.frequency, modes.face_shape[:, 1], modes.family, modes.order, strict=False
-        ):
-            closed = np.concatenate([shape, shape[:, :1]], axis=1)
-            size = np.abs(closed).max() or 1.0
-            panel.contourf(angle, modes.face_radius, closed / size, np.linspace(-1, 1, 17), cmap="RdGy")
-            panel.contour(angle, modes.face_radius, closed / size, [0.0], colors="k", linewidths=0.8)
-            panel.set_title(f"{frequency:.0f} Hz\n{family}, order {order}", fontsize=8)
+        for i, panel in zip(range(len(modes.frequency)), axes.flat, strict=False):
+            shape = modes.face_shape[i, 1][:, np.arange(len(angle)) % len(modes.face_angle)]
+            shape = shape / (np.abs(shape).max() or 1.0)
+            panel.contourf(x, y, shape, np.linspace(-1, 1, 17), cmap="RdGy")
+            panel.contour(x, y, shape, [0.0], colors="k", linewidths=0.8)
+            panel.plot(x[-1], y[-1], color="0.6", lw=0.5)
+            panel.set(aspect="equal")
+            panel.set_title(f"{modes.frequency[i]:.0f} Hz\n{modes.family[i]}, order {modes.order[i]}", fontsize=8)
 
 
 @contextmanager

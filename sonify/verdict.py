@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from sonify.findings import Finding, load_frequency, mean_precession
+from dynamics.rates import nutation_frequency, precession_frequency
+from sonify.findings import Finding
 from sonify.hearing import HANN_BANDWIDTH, ISO_226, THRESHOLD_DB, WINDOW, a_weighting_db, band_levels, level_db
 from sonify.listen import Heard
 from sonify.sound import STEMS
@@ -46,7 +47,7 @@ def tone_is_precession(tone, motion, sound) -> Finding:
     last = tone.time > sound.source_end - LAST
     return Finding(
         claim="In the last second the rising tone is the precession of the contact",
-        value=_ratio(tone, last, motion, sound, mean_precession(motion)),
+        value=_ratio(tone, last, motion, sound, precession_frequency(motion)[1]),
         unit="tone heard / precession solved, median",
         at_least=0.97,
         at_most=1.03,
@@ -58,7 +59,7 @@ def tone_was_nutation(tone, motion, sound) -> Finding:
     early = tone.time < sound.source_end - 4 * LAST
     return Finding(
         claim="Until four seconds before the end the tone is the nutation, the frequency of the normal force",
-        value=_ratio(tone, early, motion, sound, load_frequency(motion)[1]),
+        value=_ratio(tone, early, motion, sound, nutation_frequency(motion)[1]),
         unit="tone heard / nutation solved, median",
         at_least=0.97,
         at_most=1.03,
@@ -134,7 +135,7 @@ def _ratio(tone, here, motion, sound, solved):
     if not here.any():
         return 0.0
     delay = sound.source_end - motion.t[-1]
-    rate = np.interp(tone.time[here] - delay, load_frequency(motion)[0], solved)
+    rate = np.interp(tone.time[here] - delay, nutation_frequency(motion)[0], solved)
     return float(np.median(tone.frequency[here] / rate))
 
 

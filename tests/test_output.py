@@ -12,9 +12,10 @@ import numpy as np
 import pytest
 import soundfile
 
+from dynamics.rates import nutation_frequency, slips
 from sonify import load_scene, run
 from sonify.checks import Check
-from sonify.findings import Finding, load_frequency, slips
+from sonify.findings import Finding
 
 FILES = {"sound.wav", "pressure.wav", "stems", "spectrogram.png", "stems.png", "motion.png", "modes.png"}
 FILES |= {"motion.npz", "modes.json", "modes.vtu", "run.json", "report.html"}
@@ -70,7 +71,7 @@ def test_what_stands(result):
 
 def test_the_normal_force_reaches_36_hz_when_the_paper_says(result):
     """Figure 4 (b): f = 2.5 at tau = 214.6, found in quadruple precision."""
-    time, frequency = load_frequency(result.motion)
+    time, frequency = nutation_frequency(result.motion)
     chi = result.scene.disk.time_unit
     assert time[np.argmax(frequency * chi >= 2.5)] / chi == pytest.approx(214.6, abs=0.5)
     assert np.searchsorted(slips(result.motion) / chi, [50, 100, 150]).tolist() == [3, 6, 11]
