@@ -78,6 +78,8 @@ class ForceSampler:
         n = np.arange(first, first + count + 1)
         t = self._times(n)
         inside = slice(*np.searchsorted(self.jump_time, t[[0, -1]], side="right"))
+        if t[0] > self.end + HALF_WIDTH / self.sample_rate:
+            return self._at_rest(t)
         state = self.motion.at(self._within(t))
         slow = (self._crowd(state) == 1) | (t > self.end + HALF_WIDTH / self.sample_rate)
         smooth = self._smooth(t, state)
@@ -90,6 +92,11 @@ class ForceSampler:
             jump=self.jump[inside],
             bend=self._bends(t, slow, smooth, inside),
         )
+
+    def _at_rest(self, t):
+        steps = np.broadcast_to(self._levels[-1], (len(t), len(self.rest)))
+        none = np.zeros((0, len(self.rest)))
+        return ContactForce(t=t, smooth=self.rest - steps, steps=steps, jump_time=np.zeros(0), jump=none, bend=none)
 
     def _prepare_jumps(self, jumps):
         self.jump_time = np.asarray(jumps.t)

@@ -25,6 +25,9 @@ STAND_OUT_DB = 6.0
 FAINTEST_DB = 4.0
 """A ridge that stands out by less than this on the mean is none: noise alone gives about 2.5 dB."""
 
+LEAST_SPAN = 1.0
+"""A ridge over fewer octaves does not count as rising."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class RisingTone:
@@ -127,7 +130,8 @@ def rising_tone(samples: np.ndarray, rate: float, fundamental: bool = False) -> 
             return None
         guess, errors = _fit(ridge, guess)
     strength = _strength(seen, guess)
-    if strength < FAINTEST_DB:
+    span = guess[1] * np.log2((guess[0] - ridge[0][0]) / (guess[0] - ridge[0][-1]))
+    if strength < FAINTEST_DB or span < LEAST_SPAN:
         return None
     end, exponent, log_scale = guess
     return RisingTone(

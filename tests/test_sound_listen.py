@@ -13,7 +13,6 @@ import soundfile
 from click.testing import CliRunner
 from scipy.signal import fftconvolve
 
-from sonify import ridge
 from sonify.__main__ import main
 from sonify.listen import LONGEST, RecordingError, listen, read
 from sonify.ridge import rising_tone
@@ -89,8 +88,7 @@ def test_noise_alone_has_no_rising_tone(seed):
 def test_a_steady_tone_does_not_rise():
     t = np.arange(8 * RATE) / RATE
     noise = 1e-3 * np.random.default_rng(0).normal(size=len(t))
-    tone = rising_tone(np.sin(2 * np.pi * 440 * t) + noise, RATE)
-    assert tone is None or tone.strength < 2 * ridge.FAINTEST_DB
+    assert rising_tone(np.sin(2 * np.pi * 440 * t) + noise, RATE) is None
 
 
 @pytest.mark.parametrize("rate", [8000, 44100, 96000])
