@@ -23,8 +23,8 @@ LENGTH = 0.1
 SHORTEST = 1e-12
 COMPLEX_STEP = 1e-30
 ACCURACY = 1e-12
-SLOW, LAZY_GAIN, LAZY_LOSS = 0.02, 0.002, 0.05
-"""A slide is stiff below the slip speed SLOW r while it gains or loses speed at less than these parts of friction.
+SLOW, LAZY_GAIN, LAZY_LOSS = 0.05, 0.002, 0.05
+"""A slide is stiff while its speed over r, and what it gains or loses, are less than these parts of friction.
 
 Explicit steps are many times cheaper, but as a slide comes to rest their number has no bound.
 """
@@ -34,8 +34,9 @@ MOST_STEPS = 100
 def is_stiff(y, contact, law) -> bool:
     """Tell whether the slide at state y is slow, and slow to change."""
     speed = math.hypot(y[V1], y[V2])
-    gain = (contact.du1 * y[V1] + contact.du2 * y[V2]) / (speed * law.mu_dynamic * contact.Phi)
-    return speed < SLOW and -LAZY_LOSS < gain < LAZY_GAIN
+    friction = law.mu_dynamic * contact.Phi
+    gain = (contact.du1 * y[V1] + contact.du2 * y[V2]) / (speed * friction)
+    return speed < SLOW * friction and -LAZY_LOSS < gain < LAZY_GAIN
 
 
 def grazing_step(y, nu, first, regime, branch, law) -> Step:
