@@ -116,6 +116,8 @@ class OscillatorBank:
     def _kicks(self, knots):
         """What knots add to the state at the next sample, beyond the line between the samples around them: (2, j,
         m)."""
+        if not len(knots.interval):
+            return np.zeros((2, 0, len(self.omega)))
         since, until = np.maximum(knots.since[:, None], 1e-6 * self.h), np.maximum(knots.until[:, None], 1e-6 * self.h)
         step, ramp = responses(self.omega, self.decay, until)
         rate = free_response(self.omega, self.decay, until)[1]

@@ -12,6 +12,7 @@ import numpy as np
 from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
 from sonify.files import whole
+from sonify.hearing import loudness_lufs
 
 NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
@@ -67,6 +68,7 @@ def run_record(result) -> dict:
             "peak_pascal": sound.peak,
             "full_scale_pascal": sound.full_scale,
             "gain_db": float(sound.gain_db),
+            "loudness_lufs": loudness(sound),
             "stem_peak_pascal": sound.stem_peak,
         },
         "checks": [asdict(check) | {"passed": check.passed} for check in result.checks],
@@ -74,6 +76,14 @@ def run_record(result) -> dict:
         "seconds": {name: round(seconds, 3) for name, seconds in result.seconds.items()},
         "versions": versions(),
     }
+
+
+def loudness(sound) -> float | str:
+    """Return the loudness of sound.wav by BS.1770 [LUFS], or why there is none."""
+    try:
+        return finite(loudness_lufs(sound.folder / "sound.wav"))
+    except ValueError as error:
+        return str(error)
 
 
 def finite(value):
