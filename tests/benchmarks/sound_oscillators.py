@@ -2,8 +2,8 @@
 
 Run as `python -m tests.benchmarks.sound_oscillators`. Each competitor is first shown to compute the same samples: scipy
 and Faust run the very recursion of the bank; Csound's `mode` opcode has its own, a difference scheme whose samples
-scipy reproduces; its pitch is off by (w/fs)^2/24, and it bends modes near and above fs/pi (15 kHz at 48 kHz). Csound and
-Faust are skipped where absent.
+scipy reproduces; its pitch is off by (w/fs)^2/24, and it bends modes near fs/pi (15 kHz at 48 kHz) and above. Csound
+and Faust are skipped where absent.
 """
 
 import re
