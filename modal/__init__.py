@@ -9,6 +9,7 @@ _HOME = {
     "Modes": "modes",
     "Body": "modes",
     "Plate": "spectral",
+    "FreeDisk": "synthesis",
     "plate_modes": "axisymmetric",
     "draw_modes": "pictures",
     "write_vtu": "export",

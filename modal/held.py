@@ -10,8 +10,8 @@ from .elastic import assemble, lowest, residuals
 from .mesh import sector
 from .modes import Modes
 from .plane import Blocks
-from .symmetry import Mirror, classes, free_unknowns, on_patch
-from .unfold import unfolded
+from .symmetry import Mirror, check_held, classes, free_unknowns, on_patch
+from .unfold import flips, mirror_of, unfolded
 
 COARSE = Blocks(width=pi / 4, depth=0.5, rings=2)
 ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
@@ -42,11 +42,18 @@ def shift_for(disk, material, support, density):
     return -((0.4 * speed * min(disk.thickness, disk.radius) / disk.radius**2) ** 2)
 
 
-def solve_class(solid, part, mirror, disk, support, shift, **which):
+def held_nodes(solid, part, disk, support):
+    """Which nodes (p,) lie on the patch; ValueError if holding them leaves a rigid body free to move."""
+    if not part.patch:
+        return np.zeros(len(solid.points), bool)
+    held = on_patch(solid.points, disk.radius, np.deg2rad(support.half_angle_deg), part.patch)
+    images = np.concatenate([solid.points[held] * mirror_of(flip) for flip in flips(part.quarter)])
+    check_held(images, np.ones(len(images), bool), support.held)
+    return held
+
+
+def solve_class(solid, part, mirror, disk, support, held, shift, **which):
     """The pairs of one class; `which` is passed to `lowest`."""
-    held = np.zeros(len(solid.points), bool)
-    if part.patch:
-        held = on_patch(solid.points, disk.radius, np.deg2rad(support.half_angle_deg), part.patch)
     free = free_unknowns(solid.points, held, support.held, mirror, disk.radius)
     k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
     values, vectors = lowest(k, m, shift=shift, **which)
@@ -59,10 +66,10 @@ def solve(disk, material, support, density, size, which):
     part = sector(disk.radius, disk.thickness, support, size)
     solid = assemble(part.mesh, ElementHex2(), material, density, intorder=4)
     shift = shift_for(disk, material, support, density)
-    mirrors = classes(part.quarter)
+    mirrors, held = classes(part.quarter), held_nodes(solid, part, disk, support)
     if isinstance(which, dict):
         which = [which] * len(mirrors)
-    solved = [solve_class(solid, part, m, disk, support, shift, **w) for m, w in zip(mirrors, which, strict=True)]
+    solved = [solve_class(solid, part, m, disk, support, held, shift, **w) for m, w in zip(mirrors, which, strict=True)]
     return part, solid, solved
 
 

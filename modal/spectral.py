@@ -108,11 +108,14 @@ def strain_of(term, n):
 
 
 def gauss(plate, n, size):
-    """Gauss points rho in [0, 1] and zeta in [-1, 1], exact for the products of the basis, weights [m^2] and [m]."""
-    x, wx = np.polynomial.legendre.leggauss(2 * size[0] + n + 3)
+    """Gauss points rho in [0, 1] and zeta in [-1, 1], weights [m^2] and [m]; exact for the basis.
+
+    In the radius they are Gauss points of rho^2, of which the integrands are polynomials.
+    """
+    x, wx = np.polynomial.legendre.leggauss(size[0] + n // 2 + 4)
     zeta, wz = np.polynomial.legendre.leggauss(2 * size[1] + 2)
-    rho, around = (x + 1) / 2, 2 * pi if n == 0 else pi
-    return rho, zeta, around * wx / 2 * rho * plate.radius**2, wz * plate.thickness / 2
+    rho, around = ((x + 1) / 2) ** 0.5, 2 * pi if n == 0 else pi
+    return rho, zeta, around * wx / 4 * plate.radius**2, wz * plate.thickness / 2
 
 
 def on_grid(plate, term, size, rho, zeta):

@@ -71,3 +71,16 @@ def turned(points, where):
     blocks[where, 0, 0] = blocks[where, 1, 1] = np.cos(angle)
     blocks[where, 1, 0], blocks[where, 0, 1] = np.sin(angle), -np.sin(angle)
     return sp.bsr_matrix((blocks, np.arange(len(points)), np.arange(len(points) + 1))).tocsc()
+
+
+def check_held(points, where, components):
+    """ValueError if holding the named components at the marked points leaves a rigid body free to move."""
+    frame = turned(points, where)
+    fields = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), np.cross(np.eye(3), points[:, None])], axis=1)
+    motion = (frame.T @ fields.transpose(0, 2, 1).reshape(-1, 6)).reshape(-1, 3, 6)[where]
+    seen = motion[:, [COMPONENTS.index(c) for c in components]].reshape(-1, 6)
+    size = np.linalg.norm(motion.reshape(-1, 6), axis=0)
+    strain = np.linalg.svd(seen / size, compute_uv=False)
+    free = 6 - np.count_nonzero(strain > 1e-9 * strain[0])
+    if free:
+        raise ValueError(f"support.held = {list(components)} leaves the disk {free} rigid-body motion(s)")

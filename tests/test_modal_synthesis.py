@@ -1,0 +1,71 @@
+"""Claim: two methods that share no mesh and no boundary condition agree on the disk held on a patch.
+
+Source: free modes with residual flexibility (component mode synthesis after MacNeal and Rubin) against finite elements.
+Oracle: each is the other's; for +-5 degrees also frequencies converged to 3e-5.
+"""
+
+from math import pi
+
+import numpy as np
+import pytest
+
+from modal import FreeDisk, Material, Plate, Support
+from modal.held import held_modes
+from modal.synthesis import Richness
+
+RADIUS, THICKNESS, DENSITY = 0.03755, 0.0128, 0.4387 / (pi * 0.03755**2 * 0.0128)
+STEEL = Material(young=195e9, poisson=0.28)
+DISK = Plate(radius=RADIUS, thickness=THICKNESS, material=STEEL, density=DENSITY)
+REFERENCE = np.array([800.52, 1080.07, 2261.27, 7266.64, 9654.68, 11629.46, 14611.68, 15235.32, 18788.95])
+
+
+@pytest.fixture(scope="module")
+def free_disk():
+    return FreeDisk(plate=DISK)
+
+
+def test_synthesis_is_within_a_thousandth(free_disk):
+    frequency = free_disk.frequencies(Support(), below=20e3)
+    assert len(frequency) == 9
+    assert frequency == pytest.approx(REFERENCE, rel=5e-4)
+
+
+def test_synthesis_converges_with_its_richness():
+    error = []
+    for around, through in ((2, 1), (3, 2), (5, 4)):
+        richness = Richness(size=(10, 6), around=around, through=through)
+        frequency = FreeDisk(plate=DISK, richness=richness).frequencies(Support(), below=20e3)
+        error.append(np.abs(frequency / REFERENCE - 1).max())
+    assert error[0] > 2 * error[1] > 4 * error[2]
+
+
+@pytest.mark.parametrize("half_angle_deg", [0.5, 2, 10, 25, 45, 90, 130])
+def test_finite_elements_lie_above_synthesis_within_their_own_estimate(free_disk, half_angle_deg):
+    support = Support(half_angle_deg=half_angle_deg)
+    frequency = free_disk.frequencies(support, below=20e3)
+    elements = held_modes(DISK, STEEL, support, DENSITY, 21e3, "standard")
+    error = elements.frequency[: len(frequency)] / frequency - 1
+    assert error.min() > -1e-3
+    assert error.max() < 0.02
+    assert (error <= elements.error[: len(frequency)]).mean() >= 0.9
+
+
+def test_holding_two_components_agrees_too(free_disk):
+    support = Support(half_angle_deg=30, held=("tangential", "axial"))
+    frequency = free_disk.frequencies(support, below=20e3)
+    elements = held_modes(DISK, STEEL, support, DENSITY, 20.5e3, "standard").frequency[: len(frequency)]
+    assert elements == pytest.approx(frequency, rel=0.025)
+    assert frequency[0] < 0.95 * free_disk.frequencies(Support(half_angle_deg=30), below=20e3)[0]
+
+
+@pytest.mark.parametrize(("held", "motions"), [(("radial",), 2), (("axial",), 3), (("radial", "axial"), 1)])
+def test_components_that_leave_the_disk_loose_are_refused(held, motions):
+    support = Support(held=held)
+    with pytest.raises(ValueError, match=f"{motions} rigid-body"):
+        held_modes(DISK, STEEL, support, DENSITY, 20e3, "standard")
+
+
+def test_what_synthesis_cannot_do_it_refuses(free_disk):
+    for support in (Support(height=0.006), Support(kind="free"), Support(half_angle_deg=179)):
+        with pytest.raises(ValueError, match="synthesis is for"):
+            free_disk.frequencies(support, below=20e3)
