@@ -6,6 +6,7 @@ import sys
 import click
 
 ACCURACIES = ("draft", "standard", "reference")
+CHARTS = ("motion",)
 
 
 class OneLine(click.Group):
@@ -80,6 +81,22 @@ def scenes():
 
     for name, summary in shipped_scenes().items():
         click.echo(f"{name:16} {summary}")
+
+
+@main.command()
+@click.argument("name", type=click.Choice([*CHARTS, "all"]), default="all")
+@click.option("--quick", is_flag=True, help="Fewer settings of every method, in under two minutes.")
+@click.option("--out", type=click.Path(), default="outputs/charts", show_default=True, help="Folder for the files.")
+def chart(name, quick, out):
+    """Measure speed against accuracy, and where methods fail; write a table, a picture and a page."""
+    from sonify.console import Console
+
+    with Console() as stages:
+        from sonify.charts.command import make
+
+        for one in CHARTS if name == "all" else [name]:
+            make(one, quick, out, stages)
+            click.echo(f"{out}/{one}.md")
 
 
 if __name__ == "__main__":

@@ -9,23 +9,34 @@ from dynamics.regime import FLOAT, Branch
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 from sonify.charts.motion_case import RELEASED, Case, answer_of_scaled, scaled
+from sonify.charts.naive import BUDGET
 from sonify.charts.records import Answer, Failure
 
 SMALLEST = 1e-9
 """sqrt(inclination) at which a motion counts as over, which none of the cases reaches."""
+MOST_STEPS = 10_000
+"""Steps after which a run is given up; the finest of those that succeed need a fifth of it."""
 
 
 def follow_events(case: Case, integrate, tolerance: float) -> Answer:
     """Solve a case with the flow `integrate` between events."""
-    last = []
+    last, steps = [], 0
 
     def watch(_, y):
         last[:] = y
 
-    path, ended = drive(RollingDisk(case.law, None, SMALLEST, integrate, tolerance), scaled(RELEASED), case.span, watch)
+    def counted(*arguments):
+        nonlocal steps
+        arc = integrate(*arguments)
+        steps += len(arc.times)
+        if steps > MOST_STEPS:
+            raise Failure(f"never grips again: {steps} steps without reaching tau = {case.span:g}")
+        return arc
+
+    path, ended = drive(RollingDisk(case.law, None, SMALLEST, counted, tolerance), scaled(RELEASED), case.span, watch)
     if ended:
         raise Failure(f"ended at tau = {path.t:.4g}: {ended}")
-    return answer_of_scaled(last, case.law, sum(len(times) for times in path.times) - 1)
+    return answer_of_scaled(last, case.law, steps)
 
 
 def ours(case: Case, name: str, tolerance: float) -> Answer:
@@ -49,7 +60,7 @@ def with_solve_ivp(case: Case, method: str, tolerance: float) -> Answer:
 
 def _until_an_event(y, regime, law, r_end, span, method, tolerance):
     branch = Branch.of(regime, law, None)
-    known = [None, None]
+    known, spent = [None, None], [0]
 
     def guards(y):
         """The guards are asked for one at a time; all are solved together, once a state."""
@@ -60,6 +71,9 @@ def _until_an_event(y, regime, law, r_end, span, method, tolerance):
         return known[1]
 
     def rates(_, y):
+        spent[0] += 1
+        if spent[0] > BUDGET:
+            raise Failure(f"never grips again: {BUDGET} evaluations within one {regime}")
         y = y.tolist()
         return FLOAT.rates(y, FLOAT.contact(y, branch, regime.senses, law), branch, law)
 

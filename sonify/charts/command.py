@@ -1,0 +1,37 @@
+"""`python -m sonify chart`: which charts there are, and the files they become."""
+
+from importlib import import_module
+from pathlib import Path
+from typing import NamedTuple
+
+from sonify.charts.records import Record, write_csv
+from sonify.files import claim
+from sonify.progress import Stages
+
+
+class Chart(NamedTuple):
+    """A chart: its title and the label of its error axis."""
+
+    title: str
+    error_label: str
+
+
+CHARTS = {
+    "motion": Chart("Motion: accuracy against speed", "relative error of inclination or energy, the larger"),
+}
+"""By name; the runs are made by the module of the same name."""
+
+
+def make(name: str, quick: bool, out: str | Path, stages: Stages) -> list[Record]:
+    """Run chart `name` and write <name>.csv, .png and .md into `out`; return the records."""
+    out, chart = claim(out), CHARTS[name]
+    module = import_module(f"sonify.charts.{name}")
+    with stages.stage(f"chart {name}") as watch:
+        records = module.run(quick, watch)
+    from sonify.charts.chart import draw
+    from sonify.charts.page import write_page
+
+    write_csv(records, out / f"{name}.csv")
+    draw(records, chart.title, chart.error_label, out / f"{name}.png")
+    write_page(name, chart.title, module.conclusion(records), records, out / f"{name}.md")
+    return records

@@ -1,0 +1,67 @@
+"""Naive sign(): the right-hand side jumps wherever a velocity changes sign, and the integrator is not told.
+
+Below a slip speed TOLERANCE the contact rolls while the cone allows it, and is pushed along -F_f where it does not.
+"""
+
+import math
+
+from scipy.integrate import solve_ivp
+
+from dynamics.equations import Law
+from sonify.charts.motion_case import RELEASED, Case, answer_of
+from sonify.charts.records import Answer, Failure
+from sonify.charts.smooth_state import ROLLING, SLIDING, contact, rates, turnings
+
+TOLERANCE = 1e-6
+"""Slip speed, over R/chi, below which the contact is taken to roll."""
+BUDGET = 60_000
+"""Evaluations of the right-hand side after which a run is given up; the event-driven runs need a tenth of it."""
+
+
+def sign(x: float) -> float:
+    """The naive sign: sign(0) = 0."""
+    return (x > 0) - (x < 0)
+
+
+def forces(state, law: Law):
+    """Solve the contact as the naive right-hand side sees it."""
+    senses = [sign(turning) for turning in turnings(state)]
+    speed = math.hypot(state[4], state[5])
+    if speed > TOLERANCE:
+        return contact(state, SLIDING, (state[4] / speed, state[5] / speed), senses, law)
+    rolling = contact(state, ROLLING, (0.0, 0.0), senses, law)
+    demand = math.hypot(rolling.F1, rolling.F2)
+    if demand <= law.mu_static * rolling.Phi:
+        return rolling
+    return contact(state, SLIDING, (-rolling.F1 / demand, -rolling.F2 / demand), senses, law)
+
+
+class OutOfBudget(Exception):
+    """Raised from within the right-hand side."""
+
+
+def integrate(rhs, case: Case, method: str, tolerance: float, budget: int = BUDGET) -> Answer:
+    """Integrate `rhs(state)` over a case by solve_ivp; raise Failure where it stops, or takes more than `budget`."""
+    spent, reached = 0, 0.0
+
+    def counted(tau, state):
+        nonlocal spent, reached
+        spent, reached = spent + 1, max(reached, tau)
+        if spent > budget:
+            raise OutOfBudget
+        if not 0 < state[0] < math.pi / 2:
+            raise Failure(f"left the table or the model at tau = {tau:.4g}")
+        return rhs(state.tolist())
+
+    try:
+        solution = solve_ivp(counted, (0.0, case.span), RELEASED, method, rtol=tolerance, atol=tolerance)
+    except OutOfBudget:
+        raise Failure(f"chatters: {budget} evaluations and only tau = {reached:.4g}") from None
+    if solution.status < 0:
+        raise Failure(f"step underflow at tau = {solution.t[-1]:.4g}")
+    return answer_of(solution.y[:, -1], case.law, len(solution.t) - 1)
+
+
+def naive_sign(case: Case, method: str, tolerance: float) -> Answer:
+    """Solve a case with sign() taken at its word."""
+    return integrate(lambda state: rates(state, forces(state, case.law)), case, method, tolerance)

@@ -1,0 +1,83 @@
+"""Makes the sticking part of sonify/charts/references/motion.json: python tests/benchmarks/motion_reference.py
+
+The flow between events in 80-bit arithmetic (machines without it cannot run this), tolerance 1e-19; the events
+themselves are decided in double precision. The published part is taken from tests/references/motion.json, an
+independent simulation in quadruple precision, on which the same 80-bit flow is checked here before anything is written.
+"""
+
+import functools
+import json
+from pathlib import Path
+
+import heyoka
+import numpy as np
+
+from dynamics.hybrid import Arc, drive
+from dynamics.regime import Branch
+from dynamics.rolling import RollingDisk
+from dynamics.taylor import STATE, SYMBOLIC
+from sonify.charts.motion_case import PUBLISHED, RELEASED, answer_of_scaled, scaled
+
+ROOT = Path(__file__).parents[2]
+LONG = np.longdouble
+SPANS = {"published": (1, 5, 10, 50, 100, 150), "sticking": (5, 20, 40)}
+LAWS = {"published": PUBLISHED, "sticking": PUBLISHED._replace(k1=0.01)}
+ABOUT = (
+    "Inclination [rad] and dimensionless energy (6.1) of the release (7.4) at times tau. published: constants (7.1), "
+    "(7.3); independent event-driven simulation in quadruple precision. sticking: k1/R = 0.01; event-driven Taylor "
+    "series in 80-bit arithmetic, tolerance 1e-19, made by tests/benchmarks/motion_reference.py."
+)
+
+
+@functools.cache
+def compiled(branch, senses, law):
+    """Compile the 80-bit integrator of one branch."""
+    y = heyoka.make_vars(*STATE)
+    law = type(law)(*(heyoka.expression(LONG(x)) for x in law))
+    contact = SYMBOLIC.contact(y, branch, senses, law)
+    rates = [heyoka.expression(r) if isinstance(r, float) else r for r in SYMBOLIC.rates(y, contact, branch, law)]
+    guards = SYMBOLIC.guards(y, contact, branch, senses, law, heyoka.expression(LONG(1e-9)))
+    falling = {"direction": heyoka.event_direction.negative, "fp_type": LONG}
+    events = [heyoka.t_event(g, **falling) for g in guards.values()]
+    options = {"tol": LONG(1e-19), "t_events": events, "fp_type": LONG}
+    return heyoka.taylor_adaptive(list(zip(y, rates, strict=True)), [LONG(1)] * len(y), **options), tuple(guards)
+
+
+def advance(y, regime, law, loads, r_end, span, tolerance):
+    """The flow of `dynamics.taylor` with more digits."""
+    integrator, names = compiled(Branch.of(regime, law, loads), regime.senses, law)
+    integrator.state[:] = y
+    integrator.time = LONG(0)
+    integrator.reset_cooldowns()
+    outcome = heyoka.taylor_outcome.success
+    while outcome == heyoka.taylor_outcome.success:
+        outcome, _ = integrator.step(max_delta_t=LONG(span) - integrator.time)
+    fired = None if outcome == heyoka.taylor_outcome.time_limit else names[-int(outcome) - 1]
+    end = integrator.state.copy()
+    return Arc(np.array([float(integrator.time)]), end[None, None].copy(), end.tolist(), fired)
+
+
+def solved(law, span):
+    """Return inclination and energy at the end of a span."""
+    last = []
+    system = RollingDisk(law, None, 1e-9, advance, 0.0)
+    drive(system, scaled(RELEASED), float(span), lambda _, y: last.append(y))
+    return list(answer_of_scaled(last[-1], law, 0).values)
+
+
+def main():
+    """Check the 80-bit flow on the published case, then write both cases."""
+    samples = json.loads((ROOT / "tests/references/motion.json").read_text("utf-8"))["samples"]
+    published = {f"{s['tau']:g}": [s["beta"], s["E"]] for s in samples if s["tau"] in SPANS["published"]}
+    for span in (50, 100):
+        error = np.abs(np.array(solved(LAWS["published"], span)) / published[str(span)] - 1).max()
+        print(f"published, tau = {span}: {error:.1e}")
+        assert error < 1e-9
+    sticking = {str(span): solved(LAWS["sticking"], span) for span in SPANS["sticking"]}
+    document = {"about": ABOUT, "cases": {"published": published, "sticking": sticking}}
+    target = ROOT / "sonify/charts/references/motion.json"
+    target.write_text(json.dumps(document, indent=1) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

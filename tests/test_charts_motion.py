@@ -1,0 +1,98 @@
+"""Claim: the ways in which simpler methods fail on the rolling disk are real, and our own method shows none of them.
+
+Source: Kessler & O'Reilly (2002), section 6.2, for the slip tolerance; (3.3) read as Filippov's inclusion.
+Oracle: quadruple precision (published case), 80-bit arithmetic (sticking case). Speed is never asserted.
+"""
+
+import csv
+import json
+from importlib.util import find_spec
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sonify.__main__ import main
+from sonify.charts import motion
+from sonify.charts.event_driven import ours, with_solve_ivp
+from sonify.charts.motion_case import published, references, sticking
+from sonify.charts.moreau import moreau
+from sonify.charts.naive import naive_sign
+from sonify.charts.records import WRONG, Failure
+from sonify.charts.regularised import tanh_regularised
+from sonify.charts.slip_tolerance import slip_tolerance
+
+OURS = [
+    pytest.param("taylor", 1e-16, marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")),
+    ("dop853", 1e-12),
+]
+
+
+def test_the_shipped_reference_is_that_of_the_tests():
+    samples = json.loads((Path(__file__).parent / "references" / "motion.json").read_text("utf-8"))["samples"]
+    known = {f"{s['tau']:g}": [s["beta"], s["E"]] for s in samples}
+    for span, values in references()["published"].items():
+        assert values == known[span]
+
+
+@pytest.mark.parametrize(("name", "tolerance"), OURS)
+@pytest.mark.parametrize("case", [published(10.0), published(50.0), sticking(20.0), sticking(40.0)], ids=str)
+def test_ours_is_right_on_both_cases(name, tolerance, case):
+    assert case.error(ours(case, name, tolerance).values) < 1e-10
+
+
+@pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+def test_every_competitor_computes_the_same_motion_where_it_is_easy():
+    assert len(motion.prove()) == len(motion.proofs())
+
+
+@pytest.mark.parametrize("method", ["RK45", "DOP853", "LSODA"])
+def test_naive_sign_chatters_to_a_stop_where_the_nutation_sticks(method):
+    with pytest.raises(Failure, match=r"chatters: .* only tau = 2[78]"):
+        naive_sign(sticking(), method, 1e-8)
+
+
+@pytest.mark.parametrize("method", ["Radau", "BDF"])
+def test_naive_sign_is_wrong_at_once_with_difference_quotients_of_its_jumps(method):
+    case = published(1.0)
+    assert case.error(naive_sign(case, method, 1e-8).values) > 10 * WRONG / 2
+
+
+def test_a_slip_tolerance_that_is_too_tight_never_rolls_again():
+    case = published(10.0)
+    with pytest.raises(Failure, match="stays in sliding|chatters"):
+        slip_tolerance(case, 1e-5, 1e-12, 0.1, 1e-6)
+
+
+def test_a_slip_tolerance_chatters_where_the_nutation_sticks():
+    with pytest.raises(Failure, match="chatters"):
+        slip_tolerance(sticking(), 1e-3, 1e-3, 0.1, 1e-9)
+
+
+def test_a_wide_tanh_is_another_motion():
+    case = published(10.0)
+    wide, narrow = (case.error(tanh_regularised(case, "LSODA", width, 1e-9).values) for width in (1e-2, 1e-5))
+    assert wide > WRONG > narrow
+
+
+def test_moreau_is_of_first_order_through_slips():
+    case = published(10.0)
+    coarse, fine = (case.error(moreau(case, step).values) for step in (1e-2, 1e-4))
+    assert 20 < coarse / fine < 1000
+
+
+def test_an_explicit_method_looser_than_the_slip_speed_that_ends_a_slide_never_grips():
+    with pytest.raises(Failure, match="never grips again"):
+        with_solve_ivp(published(10.0), "DOP853", 1e-6)
+
+
+@pytest.mark.slow
+def test_the_quick_chart_is_written(tmp_path):
+    done = CliRunner().invoke(main, ["chart", "motion", "--quick", "--out", str(tmp_path)])
+    assert done.exit_code == 0, done.output
+    rows = list(csv.DictReader((tmp_path / "motion.csv").open(encoding="utf-8")))
+    assert {row["family"] for row in rows} >= {"event-driven", "naive sign()", "slip tolerance", "tanh", "Moreau"}
+    page = (tmp_path / "motion.md").read_text("utf-8")
+    assert "times faster" in page
+    assert all(row["failure"] in page for row in rows)
+    assert (tmp_path / "motion.png").stat().st_size > 20_000
