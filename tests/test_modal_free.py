@@ -112,10 +112,10 @@ def test_modal_mass_is_one_on_the_face_grid_of_a_thin_plate():
 def test_a_stiff_ring_under_the_rim_is_a_simple_support():
     """An elastic ring raises frequencies monotonically, up to those of the simply supported plate."""
     plate = {"radius": 0.12, "thickness": 0.004, "material": STEEL, "density": DENSITY}
-    first = [plate_modes(Plate(**plate, ring_radius=0.12, ring_stiffness=k), 1000.0, "draft").frequency for k in (2e4, 1e8)]
-    lowest = np.array([f[0] for f in first])
+    rings = [Plate(**plate, ring_radius=0.12, ring_stiffness=k) for k in (2e4, 1e6, 1e10)]
+    lowest = np.array([plate_modes(ring, 1000.0, "draft").frequency[0] for ring in rings])
     assert (np.diff(lowest) > 0).all()
     supported = plate_modes(Plate(**plate, edge="supported"), 1000.0, "draft").frequency
-    assert first[-1][0] == pytest.approx(supported[0], rel=0.01)
+    assert lowest[-1] == pytest.approx(supported[0], rel=0.01)
     heave = (2e4 * 2 * pi * 0.12 / Plate(**plate).mass) ** 0.5 / (2 * pi)
     assert lowest[0] == pytest.approx(heave, rel=0.02)
