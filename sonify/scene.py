@@ -41,13 +41,13 @@ class Audio:
 class Numerics:
     """How exactly to solve; None leaves the choice to `accuracy`.
 
-    `tolerance` is the integrator's relative one, `final_inclination` [rad] is where the motion counts as settled and
-    `time_limit` [s] ends a motion that does not settle.
+    `tolerance` is the integrator's relative one, at most the slip speed at which a slide counts as at rest;
+    `final_inclination` [rad] is where the motion counts as settled; `time_limit` [s] ends one that does not settle.
     """
 
     accuracy: Literal["draft", "standard", "reference"] = "standard"
     integrator: Literal["auto", "taylor", "dop853"] = "auto"
-    tolerance: Annotated[float, Gt(0), Le(1e-3)] | None = None
+    tolerance: Annotated[float, Gt(0), Le(1e-9)] | None = None
     final_inclination: Annotated[float, Gt(0), Le(0.1)] | None = None
     time_limit: Annotated[float, Gt(0)] = 600.0
 
