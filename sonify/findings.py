@@ -130,7 +130,8 @@ def centre_comes_to_rest(motion) -> Finding:
 
 
 def no_singularity(motion) -> Finding:
-    left = np.geomspace(motion.t_end / 20, max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4), 400)
+    least = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)
+    left = np.geomspace(least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400)
     rate = np.abs(precession_rate(motion.at(motion.t_end - left)))
     return Finding(
         claim="There is no finite-time singularity: the precession rate stays finite",

@@ -152,7 +152,8 @@ def draw_motion(motion, path):
         )
         axes[1, 1].set(ylim=(0, 4))
         axes[2, 0].set(xlabel="x/R", aspect="equal")
-        axes[2, 1].set(ylim=(1.1 * np.percentile(precession_rate(state) * chi, 1), 0))
+        lowest, highest = np.percentile(precession_rate(state) * chi, [1, 99])
+        axes[2, 1].set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
 
 
 def draw_modes(modes, path):

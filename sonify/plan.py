@@ -17,12 +17,12 @@ class Plan:
 
 def plan_of(scene, motion=None, silence=()) -> Plan:
     """Return the plan of a scene; with the motion it also says how that ended, and why a sound tells nothing."""
-    highest = min(HEARING_LIMIT, scene.audio.sample_rate / 2)
+    heard = min(HEARING_LIMIT, scene.audio.sample_rate / 2)
     ending = [] if motion is None else [f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."]
     return Plan(
         modelled=["A rigid disk rolls and slides on a rigid plane.", CONTACT[scene.support.kind], *RADIATION, *ending],
-        left_out=[*LEFT_OUT, f"Modes above {highest:g} Hz.", *unsettled(motion), *silence],
-        highest_mode=highest,
+        left_out=[*LEFT_OUT, f"The sound of modes above {heard:g} Hz.", *unsettled(motion), *silence],
+        highest_mode=HEARING_LIMIT,
     )
 
 

@@ -19,6 +19,8 @@ BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
 FADE_IN, FADE_OUT = 0.02, 0.05
 """Raised cosines [s] at the ends: what held the disk before the release is not modelled, nor what follows the file."""
+ENERGY_WINDOW = 0.002
+"""The energy of the modes is noted so often [s]: a swing of the lowest of them."""
 RING_DOWN_DB, LONGEST_TAIL = 60.0, 10.0
 """A settled disk is heard until its slowest mode has fallen so far [dB], but not longer than this [s]."""
 
@@ -29,7 +31,8 @@ class Sound:
     sound.wav.
 
     pressure.wav and the stems hold pascal. `stem_peak` [Pa] by name; `modes_heard` is the number of modes below half
-    the sample rate; `source_end` [s] is when the end of the motion reaches the listener.
+    the sample rate; `source_end` [s] is when the end of the motion reaches the listener. `energy` (e,) [J] is that of
+    the modes at `energy_time` (e,) [s], in the time of the motion.
     """
 
     sample_rate: int
@@ -40,6 +43,8 @@ class Sound:
     stem_peak: dict[str, float]
     modes_heard: int
     source_end: float
+    energy_time: np.ndarray
+    energy: np.ndarray
     folder: Path
 
     @property
@@ -64,6 +69,7 @@ class Renderer:
         self.scene, self.sample_rate, self.h = scene, scene.audio.sample_rate, 1 / scene.audio.sample_rate
         self.listener = Listener(distance=scene.audio.distance, elevation=np.radians(scene.audio.elevation_deg))
         self.modes = audible(modes, self.sample_rate)
+        self.energy_time, self.energy = [], []
         self._prepare_rigid(scene.disk)
         self._drive = modal_drive(self.modes, scene)
         start = self.reach * self.h - self.listener.delay
@@ -126,7 +132,15 @@ class Renderer:
             self._banks[0].advance(smooth, Knots(*force.knots, 0 * bend, bend)),
             self._banks[1].advance(steps, Knots(*force.knots, jump, 0 * bend)),
         ]
+        self._note_energy(force.t, ringing[0] + ringing[1])
         return self._radiate(np.array(ringing), force.samples[:-1, 2:4])
+
+    def _note_energy(self, t, acceleration):
+        """Keep the greatest energy of the modes in each ENERGY_WINDOW: q''^2/(2 w^2) at the turn of a swing, mass 1."""
+        energy = np.square(acceleration / (2 * np.pi * self.modes.frequency)).sum(axis=1) / 2
+        starts = np.arange(0, len(energy), max(int(ENERGY_WINDOW * self.sample_rate), 1))
+        self.energy_time.append(t[starts])
+        self.energy.append(np.maximum.reduceat(energy, starts))
 
     def _radiate(self, ringing, direction):
         count = len(direction)

@@ -15,10 +15,12 @@ LAST = 1.0
 
 def all_verdicts(heard: Heard | None, motion, modes, sound) -> list[Finding]:
     """Every claim on the sound that this run can judge: those on the end only where the motion settled."""
+    energy = [modes_take_little(motion, sound)]
     if heard is None:
-        return []
+        return energy
     found = [carriers_are_steady(heard)] if heard.carriers else []
     found += [carriers_are_modes(heard, modes)] if heard.carriers and len(modes.frequency) else []
+    found += energy
     if motion.outcome.name != "SETTLED" or heard.tone is None:
         return found
     tone = heard.tone
@@ -106,6 +108,20 @@ def modes_carry_the_end(sound) -> Finding:
         unit="dB(A), ringing of the modes over rigid motion of the disk",
         at_least=0.0,
         source="section 8: this is not the primary sound source; the forcing excites modes",
+    )
+
+
+def modes_take_little(motion, sound) -> Finding:
+    """The one-way coupling holds while the modes own less than the disk: when do they first own as much?"""
+    inside = (sound.energy_time >= 0) & (sound.energy_time <= motion.t[-1])
+    t, energy = sound.energy_time[inside], sound.energy[inside]
+    more = np.flatnonzero(energy > motion.energy(t))
+    return Finding(
+        claim="The modes take too little energy to act back on the motion",
+        value=float(motion.t[-1] - t[more[0]]) if len(more) else 0.0,
+        unit="s before the end when the modes first hold as much energy as the disk",
+        at_most=0.0,
+        source="section 8: the vibrations will result in a loss of contact; here they do not act back",
     )
 
 

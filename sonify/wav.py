@@ -41,6 +41,8 @@ def write_sound(renderer: Renderer, folder: str | Path, watch=lambda done: None)
         stem_peak=dict(zip(STEMS, peaks[1:].tolist(), strict=True)),
         modes_heard=len(renderer.modes.frequency),
         source_end=renderer.source_end,
+        energy_time=np.concatenate(renderer.energy_time),
+        energy=np.concatenate(renderer.energy),
         folder=folder,
     )
     _write_listening_copy(sound)

@@ -37,6 +37,7 @@ STANDS = {
     "The tone heard runs to the end of the motion": True,
     "The strongest carrier keeps its pitch: no mode rises": True,
     "The strongest carrier is a mode of the disk": True,
+    "The modes take too little energy to act back on the motion": False,
 }
 """What of the paper, and of what is heard, stands in the corrected model."""
 

@@ -93,6 +93,17 @@ def test_the_ring_down_has_the_pitch_and_the_decay_of_its_mode_at_any_sample_rat
     assert -np.polyfit(t, np.log(np.abs(z)), 1)[0] == pytest.approx(modes.decay_rate[mode], rel=0.01)
 
 
+def test_the_energy_of_the_modes_falls_at_twice_the_decay_rate(scene, motion, modes):
+    """After the halt, when the slowest audible mode is left; its energy is exp(-2 d t)."""
+    renderer = Renderer(scene, motion, modes)
+    for _ in renderer.blocks():
+        pass
+    t, energy = np.concatenate(renderer.energy_time), np.concatenate(renderer.energy)
+    late = t > motion.t[-1] + 2.0
+    rate = -np.polyfit(t[late], np.log(energy[late]), 1)[0] / 2
+    assert np.abs(rate / modes.decay_rate - 1).min() < 0.02
+
+
 def test_modes_above_half_the_sample_rate_are_left_out(scene, short, modes):
     renderer = Renderer(scene.replace("audio.sample_rate=8000"), short, modes)
     assert np.array_equal(renderer.modes.frequency, modes.frequency[modes.frequency < 4000])
