@@ -64,7 +64,7 @@ class Jumps(NamedTuple):
     after: np.ndarray
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Motion:
     """A solved motion: piecewise polynomials of the state, the regime of each piece, the transitions and the outcome.
 

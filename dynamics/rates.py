@@ -1,5 +1,7 @@
 """RATES of a motion as functions of time: nutation, precession, and changes from rolling to sliding."""
 
+from functools import lru_cache
+
 import numpy as np
 from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
@@ -9,6 +11,7 @@ PROMINENCE, SHARE, NEIGHBOURS = 0.005, 0.5, 11
 many neighbours: more than the corners that the resisting moment makes (1e-4), more than most of the steps at slips."""
 
 
+@lru_cache(maxsize=1)
 def load_peaks(motion) -> np.ndarray:
     """Return the times (p,) [s] of the peaks of the normal force, found by prominence on two points a piece."""
     t = np.sort(np.concatenate([motion.t[:-1], (motion.t[:-1] + motion.t[1:]) / 2]))
