@@ -6,7 +6,7 @@ import sys
 import click
 
 ACCURACIES = ("draft", "standard", "reference")
-CHARTS = ("motion",)
+CHARTS = ("motion", "sound")
 
 
 class OneLine(click.Group):

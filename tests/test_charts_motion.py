@@ -15,8 +15,8 @@ from click.testing import CliRunner
 from sonify.__main__ import main
 from sonify.charts import motion
 from sonify.charts.event_driven import ours, with_solve_ivp
-from sonify.charts.motion_case import published, references, sticking
 from sonify.charts.moreau import moreau
+from sonify.charts.motion_case import published, references, sticking
 from sonify.charts.naive import naive_sign
 from sonify.charts.records import WRONG, Failure
 from sonify.charts.regularised import tanh_regularised
@@ -60,7 +60,7 @@ def test_naive_sign_is_wrong_at_once_with_difference_quotients_of_its_jumps(meth
 
 def test_a_slip_tolerance_that_is_too_tight_never_rolls_again():
     case = published(10.0)
-    with pytest.raises(Failure, match="stays in sliding|chatters"):
+    with pytest.raises(Failure, match=r"stays in sliding|chatters"):
         slip_tolerance(case, 1e-5, 1e-12, 0.1, 1e-6)
 
 

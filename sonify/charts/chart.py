@@ -32,7 +32,7 @@ def _panel(axes, records, case, error_label):
     bottom = 5 * max(errors)
     for i, method in enumerate(methods):
         rank = families.index(method[0])
-        runs = sorted((r for r in records if (r.family, r.method) == method), key=lambda r: r.seconds)
+        runs = [r for r in records if (r.family, r.method) == method]
         good, bad = [r for r in runs if not r.failure], [r for r in runs if r.failure]
         tone = str(round(0.6 * rank / max(1, len(families) - 1), 2))
         style = {"color": tone, "marker": MARKERS[i % len(MARKERS)], "ms": 7}
@@ -40,13 +40,13 @@ def _panel(axes, records, case, error_label):
         axes.plot(
             [r.seconds for r in good], [max(r.error, FLOOR) for r in good], LINES[rank % 4], lw=1, label=label, **style
         )
-        axes.plot([r.seconds for r in bad], [bottom * ROW ** (i + 1)] * len(bad), "", ls="", mfc="w", **style)
+        axes.plot([r.seconds for r in bad], [bottom * ROW ** (i + 1)] * len(bad), ls="", mfc="w", **style)
     top = bottom * ROW ** (len(methods) + 3)
     axes.axhspan(bottom, top, color="0.93", zorder=0)
     axes.text(0.01, 0.99, "failed (hollow; one row per method)", transform=axes.transAxes, va="top", style="italic")
-    axes.set(xscale="log", yscale="log", xlabel="seconds (median)", ylabel=error_label, title=case)
+    axes.set(xscale="log", yscale="log", xlabel="processor time [s], median", ylabel=error_label, title=case)
     axes.set_ylim(min(errors) / 3, top)
     axes.set_yticks([tick for tick in axes.get_yticks() if min(errors) / 3 <= tick <= bottom])
-    axes.minorticks_off()
+    axes.tick_params(axis="y", which="minor", length=0)
     axes.grid(alpha=0.3)
     axes.legend(fontsize=7, loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=3)

@@ -18,6 +18,7 @@ class Chart(NamedTuple):
 
 CHARTS = {
     "motion": Chart("Motion: accuracy against speed", "relative error of inclination or energy, the larger"),
+    "sound": Chart("Sound: accuracy against speed", "rms error of the pressure over its rms"),
 }
 """By name; the runs are made by the module of the same name."""
 

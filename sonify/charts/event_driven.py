@@ -1,5 +1,7 @@
 """Event by event with the regimes of `dynamics`: our own integrators, and scipy's solve_ivp with terminal events."""
 
+from importlib.util import find_spec
+
 import numpy as np
 from scipy.integrate import solve_ivp
 
@@ -12,6 +14,7 @@ from sonify.charts.motion_case import RELEASED, Case, answer_of_scaled, scaled
 from sonify.charts.naive import BUDGET
 from sonify.charts.records import Answer, Failure
 
+LEFT_OUT = "left out: heyoka is not installed"
 SMALLEST = 1e-9
 """sqrt(inclination) at which a motion counts as over, which none of the cases reaches."""
 MOST_STEPS = 10_000
@@ -41,6 +44,8 @@ def follow_events(case: Case, integrate, tolerance: float) -> Answer:
 
 def ours(case: Case, name: str, tolerance: float) -> Answer:
     """Solve a case with the integrator 'taylor' or 'dop853' of `dynamics`."""
+    if name == "taylor" and not find_spec("heyoka"):
+        raise Failure(LEFT_OUT)
     return follow_events(case, chosen_integrator(name)[1], tolerance)
 
 

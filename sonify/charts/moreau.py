@@ -1,8 +1,8 @@
 """Moreau's time-stepping: fixed steps, no events; the set-valued laws hold for the velocities at the end of each step.
 
-In one step the friction, as a share p of mu_dynamic Phi, and the moments, as shares s_i of k_i Phi, are sought such that
-the end velocities satisfy p in the disk, s_i in [-1, 1], each in the direction of its velocity unless that is zero
-(Jean 1999). They are found by projection; compiled, since there are many steps.
+In one step the friction, as a share p of mu_dynamic Phi, and the moments, as shares s_i of k_i Phi, are sought such
+that the end velocities satisfy p in the disk, s_i in [-1, 1], each in the direction of its velocity unless that is
+zero (Jean 1999). They are found by projection; compiled, since there are many steps.
 """
 
 import functools
@@ -53,7 +53,7 @@ def stepper():
         inertia = law.K / 4 + law.h**2 / 3
         for _ in range(count):
             new = state
-            for n in range(ITERATIONS):
+            for _n in range(ITERATIONS):
                 middle = (
                     state[0] - h / 4 * (state[1] + new[1]),
                     (state[1] + new[1]) / 2,

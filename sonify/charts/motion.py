@@ -79,7 +79,8 @@ def proofs() -> list[Work]:
 def prove() -> list[Record]:
     """Run the proofs. Raises ArithmeticError where a method does not compute the same motion."""
     records = [measure(work) for work in proofs()]
-    wrong = [f"{r.family} {r.method}: {r.failure or f'{r.error:.2g}'}" for r in records if not r.error <= PROOF]
+    judged = [r for r in records if r.failure != event_driven.LEFT_OUT]
+    wrong = [f"{r.family} {r.method}: {r.failure or f'{r.error:.2g}'}" for r in judged if not r.error <= PROOF]
     if wrong:
         raise ArithmeticError(f"not the same motion on the easy stretch: {'; '.join(wrong)}")
     return records

@@ -1,4 +1,7 @@
-"""What a chart is made of: one record per run, timed by the median of repeated runs."""
+"""What a chart is made of: one record per run, timed by the median of repeated runs.
+
+Seconds are those of the processor, so that what else the machine does counts less.
+"""
 
 import csv
 import math
@@ -6,8 +9,8 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from statistics import median
-from time import perf_counter
-from typing import NamedTuple
+from time import process_time
+from typing import Any, NamedTuple
 
 from sonify.files import whole
 
@@ -24,13 +27,13 @@ class Failure(Exception):
 class Answer(NamedTuple):
     """What a method found: numbers to compare, and the steps it took."""
 
-    values: tuple[float, ...]
+    values: Any
     steps: int
 
 
 @dataclass(frozen=True, kw_only=True)
 class Record:
-    """One run: `error` relative to the reference, `seconds` (median of `repeats`), or the way it failed."""
+    """One run: `error` relative to the reference, processor `seconds` (median of `repeats`), or the way it failed."""
 
     family: str
     method: str
@@ -43,8 +46,12 @@ class Record:
     failure: str = ""
 
 
+WRONG = 1e-2
+"""A relative error above this is a failure: the answer is not what was asked for."""
+
+
 class Work(NamedTuple):
-    """A run to be made: family, method and setting for the legend, the case, and the call that makes it."""
+    """A run to be made: family, method and setting for the legend, the case, the call that makes it, and its judge."""
 
     family: str
     method: str
@@ -52,27 +59,24 @@ class Work(NamedTuple):
     case: str
     call: Callable[[], Answer]
     error: Callable[[tuple], float]
-
-
-WRONG = 1e-2
-"""A relative error above this is a failure: the answer is not the motion asked for."""
+    wrong: float = WRONG
 
 
 def measure(work: Work, warm: bool = False) -> Record:
     """Run `work` and return its record; with `warm` one run before the first counts for nothing (it compiles)."""
     about = {"family": work.family, "method": work.method, "setting": work.setting, "case": work.case}
-    began = perf_counter()
+    began = process_time()
     try:
         answer = work.call()
     except Failure as failure:
-        return Record(**about, seconds=perf_counter() - began, repeats=1, failure=str(failure))
-    seconds = [] if warm else [perf_counter() - began]
+        return Record(**about, seconds=process_time() - began, repeats=1, failure=str(failure))
+    seconds = [] if warm else [process_time() - began]
     while not seconds or (len(seconds) < REPEATS and sum(seconds) + seconds[-1] < PATIENCE):
-        began = perf_counter()
+        began = process_time()
         work.call()
-        seconds.append(perf_counter() - began)
+        seconds.append(process_time() - began)
     error = work.error(answer.values)
-    wrong = "" if error <= WRONG else f"wrong by {100 * error:.2g} %"
+    wrong = "" if error <= work.wrong else f"wrong by {100 * error:.2g} %"
     return Record(
         **about, error=error, steps=answer.steps, seconds=median(seconds), repeats=len(seconds), failure=wrong
     )
