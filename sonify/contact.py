@@ -15,13 +15,12 @@ def in_patch_frame(force, inclination) -> np.ndarray:
     return np.stack([c * across - s * normal, -along, s * across + c * normal], axis=1)
 
 
-def rigid_acceleration(force, inclination, disk) -> np.ndarray:
-    """Return the acceleration (k, 6) that a contact force (k, 3) [N] causes: of the centre [m/s^2], angular [rad/s^2].
+def rigid_acceleration(push, disk) -> np.ndarray:
+    """Return the acceleration (k, 6) that contact forces (k, 3) [N] cause: of the centre [m/s^2], angular [rad/s^2].
 
-    In the frame of the patch; inertia by (2.4), force at (R, 0, -L/2). The resisting moments (3.3), below 1 % of the
-    moment of the force, and the centrifugal and gyroscopic loads, slow and soon gone, are left out.
+    Both in the frame of the patch; inertia by (2.4), force at (R, 0, -L/2). The resisting moments (3.3), below 1 % of
+    the moment of the force, and the centrifugal and gyroscopic loads, slow and soon gone, are left out.
     """
-    push = in_patch_frame(force, inclination)
     turn = np.cross([disk.radius, 0.0, -disk.thickness / 2], push)
     about_diameter = disk.mass * (disk.radius**2 * disk.gyration / 4 + disk.thickness**2 / 12)
     about_axis = disk.mass * disk.radius**2 * disk.gyration / 2
@@ -33,7 +32,7 @@ def rigid_sources(force, attitude, disk) -> np.ndarray:
 
     At rest the force is the weight and the heave is 0. `force` (k, 3) [N], `attitude` (k, 3) [rad].
     """
-    turn = rigid_acceleration(force, attitude[:, 1], disk)[:, 3:]
+    turn = in_patch_frame(force, attitude[:, 1]) @ rigid_acceleration(np.eye(3), disk)[:, 3:]
     azimuth = listener_azimuth(attitude, turning_with_body=False)
     tilt = turn[:, 0] * np.sin(azimuth) - turn[:, 1] * np.cos(azimuth)
     return np.stack([(force[:, 2] - disk.weight) / disk.mass, disk.radius * tilt], axis=1)
@@ -56,7 +55,8 @@ def modal_drive(modes, scene):
     """
     disk = scene.disk
     if scene.support.kind == "patch":
-        return lambda force, attitude: -rigid_acceleration(force, attitude[:, 1], disk) @ modes.participation.T
+        per_newton = -rigid_acceleration(np.eye(3), disk) @ modes.participation.T
+        return lambda force, attitude: np.einsum("kc,cm->km", in_patch_frame(force, attitude[:, 1]), per_newton)
     shape = _rim(modes)
     return lambda force, attitude: np.einsum(
         "kmc,kc->km", shape(-attitude[:, 2]), in_patch_frame(force, attitude[:, 1]), optimize=True

@@ -6,6 +6,7 @@ files back with other readers; the verdicts that the corrected model is known to
 
 import json
 import re
+import signal
 
 import meshio
 import numpy as np
@@ -135,3 +136,18 @@ def test_a_motion_that_is_cut_off_says_so(tmp_path):
     assert cut.motion.outcome.name == "TIME_LIMIT"
     assert any("time limit" in line for line in cut.plan.left_out)
     assert cut.sound.duration == pytest.approx(0.6, abs=0.01)
+
+
+def test_a_full_disk_leaves_no_half_wav(tmp_path):
+    """A limit on the size of files stands for the full disk: the write falls short in the same way."""
+    resource = pytest.importorskip("resource", reason="this system cannot limit the size of files")
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    scene = load_scene("published").replace("numerics.time_limit=2.0", "name=full")
+    resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, before[1]))
+    try:
+        with pytest.raises(OSError, match="could not be written in full"):
+            run(scene, out=tmp_path)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert [p.name for p in tmp_path.rglob("*") if p.is_file()] == []

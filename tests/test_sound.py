@@ -178,5 +178,5 @@ def test_the_angular_acceleration_is_that_of_the_motion(scene, motion):
     J1, J2 = disk.mass * (disk.radius**2 / 4 + disk.thickness**2 / 12), disk.mass * disk.radius**2 / 2
     gyroscopic = J2 * w[:, 1] * w[:, 2] - J1 * w[:, 2] ** 2 / np.tan(state[:, 1])
     resisting = scene.friction.arm_nutation * motion.force(t)[:, 2] * np.sign(w[:, 0])
-    about_e1 = -rigid_acceleration(motion.force(t), state[:, 1], disk)[:, 4]
+    about_e1 = -rigid_acceleration(in_patch_frame(motion.force(t), state[:, 1]), disk)[:, 4]
     assert about_e1 == pytest.approx(rate - (gyroscopic - resisting) / J1, abs=1e-4 / chi**2)
