@@ -155,7 +155,7 @@ def _search(seen):
     """The (end, exponent, log2 scale) whose curve has the highest mean level; every other bin is tried as beginning."""
     left, last = _left(), len(seen.time)
     shape = np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE
-    ends = np.arange(int(0.3 / HOP), last + int(0.2 / HOP), 2)
+    ends = np.arange(int(0.3 / HOP), last + int(0.2 / HOP), 4)
     score = _scores(seen.level, ends, np.round(left / HOP).astype(int), np.round(shape).astype(int))
     i, j, k = np.unravel_index(np.argmax(score), score.shape)
     beginning = np.log2(seen.frequency[0]) + 2 * k / STEPS_PER_OCTAVE

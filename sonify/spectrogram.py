@@ -1,14 +1,18 @@
 """WAV -> SPECTROGRAM: levels over time and frequency, read block by block from a file of any length."""
 
 from dataclasses import dataclass
+from math import inf
 from pathlib import Path
 
 import numpy as np
 import soundfile
+from numpy.lib.stride_tricks import sliding_window_view
 from scipy.signal import get_window
 
 MOST_COLUMNS = 1600
 """A longer file is looked at in as many places, with gaps between them."""
+GROUP = 64
+"""So many windows are read and transformed at once."""
 REFERENCE_PRESSURE = 20e-6
 """0 dB of sound pressure level [Pa]."""
 
@@ -32,29 +36,30 @@ class Spectrogram:
         return Spectrogram(time=self.time, frequency=self.frequency[keep], power=self.power[keep])
 
 
-def spectrogram(path: str | Path, window: float, columns: int = MOST_COLUMNS) -> Spectrogram:
+def spectrogram(path: str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)) -> Spectrogram:
     """Return the spectrogram of a sound file with Hann windows of `window` [s], channels averaged.
 
-    Windows overlap by three quarters, in a long file by less: there are at most `columns`. A file shorter than the
-    window is padded with silence. Memory does not grow with the length.
+    Windows overlap by three quarters, in a long file by less: there are at most `columns`. Only the part within `span`
+    [s] is read. A part shorter than the window is padded with silence. Memory does not grow with the length.
     """
     with soundfile.SoundFile(path) as file:
-        size = max(int(window * file.samplerate), 16)
-        hop = max(size // 4, -(-file.frames // columns))
-        starts = np.arange(0, max(file.frames - size, 0) + 1, hop)
+        rate, size = file.samplerate, max(int(window * file.samplerate), 16)
+        first, last = int(span[0] * rate), int(min(span[1] * rate, file.frames))
+        hop = max(size // 4, -(-(last - first) // columns))
+        starts = np.arange(first, max(last - size, first) + 1, hop)
         shape = get_window("hann", size)
-        power = np.array([_power(_read(file, start, size) * shape) for start in starts]).T
-        frequency = np.fft.rfftfreq(size, 1 / file.samplerate)
-        return Spectrogram(
-            time=(starts + size / 2) / file.samplerate, frequency=frequency, power=power * 2 / shape.sum() ** 2
-        )
+        groups = np.array_split(starts, -(-len(starts) // GROUP))
+        power = np.vstack([_power(_frames(file, group, size, hop) * shape) for group in groups]).T
+    frequency = np.fft.rfftfreq(size, 1 / rate)
+    return Spectrogram(time=(starts + size / 2) / rate, frequency=frequency, power=power * 2 / shape.sum() ** 2)
 
 
-def _power(samples):
-    return np.abs(np.fft.rfft(samples)) ** 2
+def _power(frames):
+    return np.abs(np.fft.rfft(frames, axis=1)) ** 2
 
 
-def _read(file, start, size):
-    file.seek(start)
-    samples = file.read(size, always_2d=True, fill_value=0.0)
-    return samples.mean(axis=1)
+def _frames(file, starts, size, hop):
+    """The windows (t, size) that begin at `starts` (t,), `hop` apart, read at once; zeros after the end of the file."""
+    file.seek(starts[0])
+    samples = file.read(starts[-1] - starts[0] + size, always_2d=True, fill_value=0.0).mean(axis=1)
+    return sliding_window_view(samples, size)[::hop]

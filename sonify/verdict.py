@@ -157,7 +157,7 @@ def _ratio(tone, here, motion, sound, solved):
 
 def _weighted_power(sound, stem):
     """Mean square of a stem over the last second of the motion, A-weighted [Pa^2]."""
-    seen = spectrogram(sound.folder / "stems" / f"{stem}.wav", 0.1)
-    last = (seen.time > sound.source_end - LAST) & (seen.time < sound.source_end)
+    span = (max(sound.source_end - LAST, 0.0), sound.source_end)
+    seen = spectrogram(sound.folder / "stems" / f"{stem}.wav", 0.1, span=span)
     weight = 10 ** (a_weighting_db(seen.frequency) / 10)
-    return np.mean(weight @ seen.power[:, last]) / HANN_BANDWIDTH
+    return np.mean(weight @ seen.power) / HANN_BANDWIDTH
