@@ -13,7 +13,7 @@ import soundfile
 from dynamics import simulate
 from modal import eigenmodes
 from sonify import load_scene
-from sonify.contact import in_patch_frame, rigid_acceleration
+from sonify.contact import in_patch_frame, modal_drive, rigid_acceleration
 from sonify.radiation import piston_strength
 from sonify.sound import FADE_IN, STEMS, Renderer
 from sonify.wav import write_sound
@@ -180,3 +180,14 @@ def test_the_angular_acceleration_is_that_of_the_motion(scene, motion):
     resisting = scene.friction.arm_nutation * motion.force(t)[:, 2] * np.sign(w[:, 0])
     about_e1 = -rigid_acceleration(in_patch_frame(motion.force(t), state[:, 1]), disk)[:, 4]
     assert about_e1 == pytest.approx(rate - (gyroscopic - resisting) / J1, abs=1e-4 / chi**2)
+
+
+def test_a_load_that_travels_round_a_free_disk_drives_order_n_at_n_times_its_rate(scene):
+    free = scene.replace("support.kind=free")
+    modes, rate = eigenmodes(free, below=24e3), 50.0
+    t = np.arange(4000) / 4000
+    attitude = np.column_stack([0 * t, np.full(len(t), 1e-6), -2 * np.pi * rate * t])
+    drive = modal_drive(modes, free)(np.tile([0.0, 0.0, 4.3], (len(t), 1)), attitude)
+    spectrum = np.abs(np.fft.rfft(drive, axis=0))
+    assert (spectrum.argmax(axis=0) / t.size * 4000).tolist() == (modes.order * rate).tolist()
+    assert {2, 3} <= set(modes.order.tolist())
