@@ -1,6 +1,6 @@
 """Isoparametric Q2 hexahedra for the part of the disk that its symmetries leave, as a scikit-fem mesh."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import ceil
 
 import numpy as np
@@ -37,7 +37,7 @@ def layer_heights(bottom, top, edges, size, radius):
     if len(marks) == 2:
         longest = 1.2 * size.width * radius / size.split
         return np.linspace(bottom, top, max(size.split, ceil((top - bottom) / longest)) + 1)
-    shrink = np.append(size.ratio ** np.arange(1, size.rings), 0.0)
+    shrink = np.append(size.ratio ** np.arange(1, size.strips + 1), 0.0)
     pieces = [marks]
     for edge in marks[1:-1]:
         pieces += [edge - (edge - max(m for m in marks if m < edge)) * shrink]
@@ -66,6 +66,12 @@ def hexahedra(nodes):
     return mesh
 
 
+def for_edges_inside(size):
+    """The `Blocks` for a patch that ends within the thickness: fewer, steeper gradings, as each meets all others."""
+    rings = max(1, size.rings - 1)
+    return replace(size, rings=rings, ratio=0.15, split=1, strips=rings - 1)
+
+
 def sector(radius, thickness, support, size):
     """The `Sector` of a disk [m] on a `Support`, graded to the patch edge as the `Blocks` size says."""
     half = thickness / 2
@@ -75,8 +81,9 @@ def sector(radius, thickness, support, size):
     free = support.kind == "free"
     quarter = free or middle
     angle = np.pi if free else np.deg2rad(support.half_angle_deg)
-    plane = half_disk(angle, size) * radius
     edges = () if free or height == thickness else patch
+    size = for_edges_inside(size) if edges else size
+    plane = half_disk(angle, size) * radius
     heights = layer_heights(0.0 if quarter else -half, half, edges, size, radius)
     mesh = hexahedra(extrude(plane, heights))
     return Sector(mesh=mesh, layers=len(heights) - 1, quarter=quarter, patch=None if free else patch)

@@ -18,13 +18,15 @@ LEAD = 0.5
 @dataclass(frozen=True, kw_only=True)
 class Blocks:
     """How coarse: angular `width` [rad] of a block, `depth` of the rim ring over the radius, `rings` boxes of ratio
-    `ratio` nested about the patch edge, and every block in `split` x `split` cells."""
+    `ratio` nested about the patch edge, every block in `split` x `split` cells. Blocks
+    on the rim have `strips` more cells in depth, of that ratio, for a patch that ends within the thickness."""
 
     width: float
     depth: float
     rings: int
     ratio: float = 0.25
     split: int = 1
+    strips: int = 0
 
 
 def bilinear(corners):
@@ -132,6 +134,13 @@ def part(block, u0, u1, v0, v1):
     return lambda u, v: block(u0 + u * (u1 - u0), v0 + v * (v1 - v0))
 
 
+def stripped(block, size):
+    """The block, or if it touches the rim at v = 0 its strips."""
+    touches = np.hypot(*block(np.array(0.5), np.array(0.0))) > 1 - 1e-12
+    ends = [0.0, *size.ratio ** np.arange(size.strips, -1.0, -1.0)] if touches else [0.0, 1.0]
+    return [part(block, 0, 1, a, b) for a, b in pairwise(ends)]
+
+
 def half_disk(half_angle, size):
     """Nine points (q, 3, 3, 2) of each biquadratic cell of the half disk; `size` is a `Blocks`.
 
@@ -144,7 +153,7 @@ def half_disk(half_angle, size):
         ring = columns(angles, size.depth)
     else:
         ring, angles = rim_ring(edge, size)
-    blocks = ring + core(angles, size.depth)
+    blocks = [strip for block in ring for strip in stripped(block, size)] + core(angles, size.depth)
     u, v = np.meshgrid(*[np.linspace(0, 1, 2 * size.split + 1)] * 2, indexing="ij")
     grids = np.array([block(u, v) for block in blocks])
     starts = range(0, 2 * size.split, 2)

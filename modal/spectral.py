@@ -214,9 +214,9 @@ def solve(plate, p, size, below) -> Pairs:
 
 
 def spectrum(k, m, index, skip, count):
-    """The `count` eigenvalues after the first `skip` of the sub-problem of the given unknowns."""
-    if not count:
-        return np.zeros(0)
+    """The `count` eigenvalues after the first `skip` of the sub-problem of the given unknowns; inf if it has fewer."""
+    if not count or skip + count > len(index):
+        return np.full(count, np.inf)
     part = np.ix_(index, index)
     return eigh(k[part], m[part], eigvals_only=True, subset_by_index=(skip, skip + count - 1))
 

@@ -1,0 +1,118 @@
+"""Claim: the solver converges as theory says, holds static limits, and a disk on points has no modes worth the name.
+
+Source: eigenvalues of smooth problems converge with twice the degree of the elements; u ~ r^(1/2) at a patch edge
+gives order 1 on uniform meshes; in three dimensions u ~ 1/r at a point load, so a held point resists as its size.
+Oracles: fitted slopes; static deflections computed by another program.
+"""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from scipy.sparse.linalg import spsolve
+from skfem import ElementHex2
+
+from modal import Material, Plate, Support, eigenmodes
+from modal.elastic import assemble, lowest
+from modal.held import MIDDLE, held_nodes, solve
+from modal.mesh import extrude, hexahedra
+from modal.plane import Blocks, half_disk
+from modal.spectral import all_pairs, amplitudes
+from modal.symmetry import Mirror, free_unknowns
+
+STEEL = Material(young=195e9, poisson=0.28)
+DISK = SimpleNamespace(radius=0.03755, thickness=0.0128, mass=0.4387, shape="solid")
+DENSITY = DISK.mass / (np.pi * DISK.radius**2 * DISK.thickness)
+
+
+def scene(**support):
+    return SimpleNamespace(disk=DISK, material=STEEL, support=Support(**support))
+
+
+def slope(x, y):
+    return np.polyfit(np.log(x), np.log(y), 1)[0]
+
+
+def first_frequencies(support, sizes, below=12e3):
+    """Lowest frequency [Hz] of the classes on meshes of the given split."""
+    found = []
+    for size in sizes:
+        _, _, solved = solve(DISK, STEEL, support, DENSITY, size, {"below": (2 * np.pi * below) ** 2})
+        elastic = np.concatenate([c.values[c.values > 1e6] for c in solved])
+        found.append(np.sqrt(elastic.min()) / (2 * np.pi))
+    return np.array(found)
+
+
+def test_order_4_without_a_patch():
+    """Quadratic elements without singularity: eigenvalues converge as h^4."""
+    splits = np.array([1, 2, 3])
+    sizes = [Blocks(width=np.pi / 4, depth=0.5, rings=1, split=s) for s in splits]
+    frequency = first_frequencies(Support(kind="free"), sizes)
+    exact = eigenmodes(scene(kind="free")).frequency[0]
+    assert slope(1 / splits, frequency / exact - 1) == pytest.approx(4, abs=0.4)
+
+
+def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
+    splits = np.array([1, 2, 3])
+    sizes = [Blocks(width=np.pi / 4, depth=0.5, rings=0, split=s) for s in splits]
+    frequency = first_frequencies(Support(half_angle_deg=45), sizes)
+    exact = eigenmodes(
+        SimpleNamespace(**vars(scene(half_angle_deg=45)), numerics=SimpleNamespace(accuracy="reference"))
+    )
+    assert slope(1 / splits, frequency / (exact.frequency[0] * 0.9999) - 1) == pytest.approx(1, abs=0.25)
+
+
+def on_neighbouring_points(size, mirror):
+    """Lowest frequency [Hz] of a class of the quarter disk held at the nodes within 0.6 size R of (R, 0, 0)."""
+    plane = half_disk(size, Blocks(width=np.pi / 8, depth=0.38, rings=0))
+    heights = np.append(0.0, size * 2.0 ** np.arange(20))
+    heights = np.append(heights[heights < 0.7 * DISK.thickness / 2 / DISK.radius], DISK.thickness / 2 / DISK.radius)
+    mesh = hexahedra(extrude(plane * DISK.radius, heights * DISK.radius))
+    solid = assemble(mesh, ElementHex2(), STEEL, DENSITY, 4)
+    held = np.linalg.norm(solid.points - [DISK.radius, 0, 0], axis=1) < 0.6 * size * DISK.radius
+    free = free_unknowns(solid.points, held, ("radial", "tangential", "axial"), mirror, DISK.radius)
+    values, _ = lowest(free.T @ solid.stiffness @ free, free.T @ solid.mass @ free, np.inf, exactly=1)
+    return np.sqrt(values[0]) / (2 * np.pi)
+
+
+@pytest.mark.parametrize(("y", "exponent"), [(1, 0.5), (-1, 1.5)])
+def test_held_points_never_converge(y, exponent):
+    """A held translation falls as h^(1/2), a held rotation as h^(3/2): points hold nothing in the limit."""
+    sizes = 0.02 * 0.5 ** np.arange(4)
+    frequency = [on_neighbouring_points(size, Mirror(y=y, z=1)) for size in sizes]
+    assert slope(sizes, frequency) == pytest.approx(exponent, abs=0.06)
+
+
+def static_far_rim(component, mirror):
+    """Displacement [m] of the far rim under a base acceleration of 1 m/s^2, by a static solve on the standard mesh."""
+    part, solid, _ = solve(DISK, STEEL, Support(), DENSITY, MIDDLE, {"below": 0.0, "exactly": 1})
+    held = held_nodes(solid, part, DISK, Support())
+    free = free_unknowns(solid.points, held, Support().held, mirror, DISK.radius)
+    load = np.zeros((len(solid.points), 3))
+    load[:, component] = 1.0
+    answer = spsolve((free.T @ solid.stiffness @ free).tocsc(), free.T @ (solid.mass @ load.ravel()))
+    far = np.argmin(np.linalg.norm(solid.points - [-DISK.radius, 0, DISK.thickness / 2], axis=1))
+    return (free @ answer).reshape(-1, 3)[far, component]
+
+
+@pytest.mark.parametrize(("component", "mirror", "expected"), [(1, (-1, 1), 5.19e-8), (2, (1, -1), 3.50e-8)])
+def test_static_deflection_under_base_acceleration(component, mirror, expected):
+    """sum_k phi_k Gamma_k / w_k^2 is the static solution, so shapes, participation and frequencies fit together."""
+    modes = eigenmodes(scene(), below=60e3)
+    far = modes.at_rim([np.pi])[:, 0, component] * (1 if component == 2 else -1)
+    by_modes = (far * modes.participation[:, component] / (2 * np.pi * modes.frequency) ** 2).sum()
+    by_solve = static_far_rim(component, Mirror(y=mirror[0], z=mirror[1]))
+    assert by_modes == pytest.approx(by_solve, rel=2e-3)
+    assert by_solve == pytest.approx(expected, rel=0.02)
+
+
+def test_static_deflection_of_the_free_disk():
+    """1 N spread over the +-5 degree arc of a free disk moves the far rim by 2.303e-9 m beyond its rigid motion."""
+    plate = Plate(radius=DISK.radius, thickness=DISK.thickness, material=STEEL, density=DENSITY)
+    zeta, weight = np.polynomial.legendre.leggauss(10)
+    moved, arc = 0.0, np.deg2rad(5)
+    for pairs in all_pairs(plate, 200e3, 1e-4):
+        n = pairs.problem.n
+        axial = amplitudes(plate, pairs, np.ones(1), zeta)[2, :, 0] @ weight / 2
+        moved += (-1) ** n * np.sinc(n * arc / np.pi) * (axial**2 / pairs.values).sum()
+    assert moved == pytest.approx(2.3030e-9, rel=5e-3)
