@@ -19,6 +19,7 @@ class Chart(NamedTuple):
 CHARTS = {
     "motion": Chart("Motion: accuracy against speed", "relative error of inclination or energy, the larger"),
     "sound": Chart("Sound: accuracy against speed", "rms error of the pressure over its rms"),
+    "stability": Chart("Stability: where methods fail", ""),
 }
 """By name; the runs are made by the module of the same name."""
 
@@ -29,10 +30,19 @@ def make(name: str, quick: bool, out: str | Path, stages: Stages) -> list[Record
     module = import_module(f"sonify.charts.{name}")
     with stages.stage(f"chart {name}") as watch:
         records = module.run(quick, watch)
-    from sonify.charts.chart import draw
     from sonify.charts.page import write_page
 
     write_csv(records, out / f"{name}.csv")
-    draw(records, chart.title, chart.error_label, out / f"{name}.png")
+    _draw(name, chart, records, out / f"{name}.png")
     write_page(name, chart.title, module.conclusion(records), records, out / f"{name}.md")
     return records
+
+
+def _draw(name, chart, records, path):
+    if name == "stability":
+        from sonify.charts.pictures import draw_map
+
+        return draw_map(records, chart.title, path)
+    from sonify.charts.chart import draw
+
+    return draw(records, chart.title, chart.error_label, path)

@@ -17,23 +17,24 @@ from sonify.charts.records import Answer, Failure
 LEFT_OUT = "left out: heyoka is not installed"
 SMALLEST = 1e-9
 """sqrt(inclination) at which a motion counts as over, which none of the cases reaches."""
-MOST_STEPS = 10_000
-"""Steps after which a run is given up; the finest of those that succeed need a fifth of it."""
+MOST_STEPS = 3000
+"""Steps within one regime after which a run is given up; those that succeed need a tenth of it."""
 
 
 def follow_events(case: Case, integrate, tolerance: float) -> Answer:
     """Solve a case with the flow `integrate` between events."""
-    last, steps = [], 0
+    last, steps, lasting = [], 0, 0
 
     def watch(_, y):
         last[:] = y
 
     def counted(*arguments):
-        nonlocal steps
+        nonlocal steps, lasting
         arc = integrate(*arguments)
-        steps += len(arc.times)
-        if steps > MOST_STEPS:
-            raise Failure(f"never grips again: {steps} steps without reaching tau = {case.span:g}")
+        steps, lasting = steps + len(arc.times), lasting + len(arc.times)
+        if lasting > MOST_STEPS:
+            raise Failure(f"never grips again: {lasting} steps within one {arguments[1]}")
+        lasting = lasting if arc.guard is None else 0
         return arc
 
     path, ended = drive(RollingDisk(case.law, None, SMALLEST, counted, tolerance), scaled(RELEASED), case.span, watch)
@@ -51,16 +52,22 @@ def ours(case: Case, name: str, tolerance: float) -> Answer:
 
 def with_solve_ivp(case: Case, method: str, tolerance: float) -> Answer:
     """Solve a case with `method` of scipy.integrate.solve_ivp, whose terminal events are the guards."""
-    steps = [0]
+    counter = [0]
+    return follow_events(case, integrator_of(method, counter), tolerance)._replace(steps=counter[0])
+
+
+def integrator_of(method: str, counter=None):
+    """Return the flow of `dynamics.hybrid` by solve_ivp; it adds its steps to counter[0]."""
+    counter = counter if counter is not None else [0]
 
     def integrate(y, regime, law, loads, r_end, span, tolerance):
-        solution = _until_an_event(y, regime, law, r_end, span, method, tolerance)
-        steps[0] += len(solution.t) - 1
-        fired = [name for name, times in zip(solution.names, solution.t_events, strict=True) if len(times)]
+        solution, names = _until_an_event(y, regime, law, r_end, span, method, tolerance)
+        counter[0] += len(solution.t) - 1
+        fired = [name for name, times in zip(names, solution.t_events, strict=True) if len(times)]
         end = solution.y[:, -1]
         return Arc(solution.t[-1:], end[None, None].copy(), end.tolist(), fired[0] if fired else None)
 
-    return follow_events(case, integrate, tolerance)._replace(steps=steps[0])
+    return integrate
 
 
 def _until_an_event(y, regime, law, r_end, span, method, tolerance):
@@ -95,5 +102,4 @@ def _until_an_event(y, regime, law, r_end, span, method, tolerance):
     solution = solve_ivp(rates, (0.0, span), y, method, events=[event(name) for name in names], **options)
     if solution.status < 0:
         raise Failure(f"{method} stopped: {solution.message}")
-    solution.names = names
-    return solution
+    return solution, names

@@ -54,6 +54,16 @@ def sticking(span: float = 40.0) -> Case:
     return Case("sticking", PUBLISHED._replace(k1=0.01), span)
 
 
+def strong(span: float = 5.0) -> Case:
+    """The case k1/R = 0.05: the nutation sticks early, first at tau = 1.51."""
+    return Case("strong", PUBLISHED._replace(k1=0.05), span)
+
+
+def pivoting(span: float = 30.7) -> Case:
+    """The case k3/R = 0.1: the pivoting sticks at tau = 30.66, shortly before the disk falls flat."""
+    return Case("pivoting", PUBLISHED._replace(k3=0.1), span)
+
+
 def scaled(state) -> list:
     """Return a state as `dynamics.regime` integrates it: (sqrt(inclination), omega and slip over it, quadratures)."""
     r = sqrt(state[0])

@@ -17,7 +17,7 @@ def write_page(name: str, title: str, conclusion: list[str], records: list[Recor
     lines += [f"- {line}" for line in conclusion]
     lines += ["", "## Failures", "", "| case | method | setting | how | seconds |", "|---|---|---|---|---|"]
     lines += [
-        f"| {r.case} | {r.family}: {r.method} | {r.setting} | {r.failure} | {r.seconds:.2g} |"
+        f"| {r.case} | {r.family}: {r.method} | {r.setting} | {r.failure} | {_seconds(r)} |"
         for r in records
         if r.failure
     ]
@@ -32,6 +32,10 @@ def environment() -> list[str]:
     packages = ", ".join(f"{package} {_version(package)}" for package in PACKAGES)
     cores = f"{os.cpu_count()} cores, one process"
     return [f"{platform.machine()}, {cores}, {platform.system()}, Python {platform.python_version()}", packages]
+
+
+def _seconds(record):
+    return f"{record.seconds:.2g}" if record.repeats else "-"
 
 
 def _version(package):

@@ -62,7 +62,7 @@ class Work(NamedTuple):
     wrong: float = WRONG
 
 
-def measure(work: Work, warm: bool = False) -> Record:
+def measure(work: Work, warm: bool = False, repeats: int = REPEATS) -> Record:
     """Run `work` and return its record; with `warm` one run before the first counts for nothing (it compiles)."""
     about = {"family": work.family, "method": work.method, "setting": work.setting, "case": work.case}
     began = process_time()
@@ -71,7 +71,7 @@ def measure(work: Work, warm: bool = False) -> Record:
     except Failure as failure:
         return Record(**about, seconds=process_time() - began, repeats=1, failure=str(failure))
     seconds = [] if warm else [process_time() - began]
-    while not seconds or (len(seconds) < REPEATS and sum(seconds) + seconds[-1] < PATIENCE):
+    while not seconds or (len(seconds) < repeats and sum(seconds) + seconds[-1] < PATIENCE):
         began = process_time()
         work.call()
         seconds.append(process_time() - began)
