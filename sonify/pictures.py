@@ -51,7 +51,7 @@ def draw_spectrogram(motion, modes, sound, path):
         axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")
         axes[1, 0].set(ylabel="frequency [kHz]", title="Modes")
         axes[0, 1].set(title="The end")
-        figure.colorbar(image, ax=axes, pad=0.01, label="level of a sine in the window [dB re 20 µPa]")
+        figure.colorbar(image, ax=axes, pad=0.05, fraction=0.04, label="level of a sine in the window [dB re 20 µPa]")
 
 
 def draw_recording(recording, heard, path):
@@ -69,7 +69,9 @@ def draw_recording(recording, heard, path):
                 panel.plot(heard.tone.end - left, heard.tone.at(heard.tone.end - left) / unit, **options)
                 panel.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
         axes[1].set(ylabel="frequency [kHz]", title="Modes", xlabel="time [s]")
-        figure.colorbar(image, ax=axes, pad=0.01, label="level of a sine in the window [dB re full scale, RMS]")
+        figure.colorbar(
+            image, ax=axes, pad=0.02, fraction=0.05, label="level of a sine in the window [dB re full scale, RMS]"
+        )
 
 
 def _image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
@@ -113,12 +115,8 @@ def draw_stems(sound, path):
             ylabel="A-weighted level [dB re 20 µPa]", ylim=(-20, None), title="Causes of sound at the listener"
         )
         above.axhspan(-30, 0, color="0.9")
-        above.text(
-            0.01, 0.03, "not heard: below the threshold of ISO 226 in every third octave", transform=above.transAxes
-        )
-        above.set(
-            ylabel="most above threshold, third octaves [dB]", xlabel="time at the listener [s]", ylim=(-30, None)
-        )
+        above.text(sound.duration, -29, "not heard: below the threshold of ISO 226  ", ha="right", va="bottom")
+        above.set(ylabel="above threshold, best third octave [dB]", xlabel="time at the listener [s]", ylim=(-30, None))
         weighted.legend(loc="upper left")
         for axes in (weighted, above):
             axes.grid(alpha=0.3)
@@ -178,8 +176,10 @@ def draw_modes(modes, path):
 
 @contextmanager
 def _figure(path, rows, columns, size, **options):
-    figure = Figure(figsize=size, dpi=DPI, layout="constrained")
+    figure = Figure(figsize=size, dpi=DPI)
     axes = figure.subplots(rows, columns, **options)
+    inches = {"left": 0.75 / size[0], "right": 1 - 0.25 / size[0], "bottom": 0.6 / size[1], "top": 1 - 0.5 / size[1]}
+    figure.subplots_adjust(**inches, wspace=0.25, hspace=0.27)
     yield figure, axes
     with whole(path) as temporary:
         figure.savefig(temporary, metadata={"Software": None})
