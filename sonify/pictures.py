@@ -178,7 +178,7 @@ def draw_modes(modes, path):
 def _figure(path, rows, columns, size, **options):
     figure = Figure(figsize=size, dpi=DPI)
     axes = figure.subplots(rows, columns, **options)
-    inches = {"left": 0.75 / size[0], "right": 1 - 0.25 / size[0], "bottom": 0.6 / size[1], "top": 1 - 0.5 / size[1]}
+    inches = {"left": 0.75 / size[0], "right": 1 - 0.6 / size[0], "bottom": 0.6 / size[1], "top": 1 - 0.5 / size[1]}
     figure.subplots_adjust(**inches, wspace=0.25, hspace=0.27)
     yield figure, axes
     with whole(path) as temporary:
