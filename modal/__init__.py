@@ -13,7 +13,11 @@ _HOME = {
     "plate_modes": "axisymmetric",
     "draw_modes": "pictures",
     "write_vtu": "export",
+    "write_uff": "export",
     "as_json": "export",
+    "as_faust": "export",
+    "radiation_decay": "radiation",
+    "with_radiation": "radiation",
 }
 __all__ = sorted(_HOME)
 

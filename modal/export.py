@@ -49,3 +49,53 @@ def write_vtu(modes: Modes, path) -> None:
     fields = {name: np.ascontiguousarray(u) for name, u in zip(names, body.displacement, strict=True)}
     mesh = meshio.Mesh(body.points, [(body.cell_type, body.cells)], point_data=fields)
     meshio.write(Path(path), mesh, file_format="vtu")
+
+
+def write_uff(modes: Modes, path) -> None:
+    """Write the nodes (dataset 15) and one dataset 55, normal modes, per mode; needs the optional package pyuff."""
+    import pyuff
+
+    body, number = modes.body, np.arange(1, len(modes.body.points) + 1)
+    x, y, z = body.points.T
+    same = np.ones(len(number), int)
+    file = pyuff.UFF(str(path))
+    nodes = {"type": 15, "node_nums": number, "def_cs": same, "disp_cs": same, "color": same, "x": x, "y": y, "z": z}
+    file.write_sets(nodes, mode="overwrite")
+    for i, u in enumerate(body.displacement):
+        file.write_sets(dataset_55(modes, i, number, u), mode="add")
+
+
+def dataset_55(modes, i, number, u):
+    """Dataset 55 of mode i: structural, normal mode, three translations per node, displacement, real."""
+    damping = modes.decay_rate[i] / (2 * np.pi * modes.frequency[i])
+    kind = {"type": 55, "model_type": 1, "analysis_type": 2, "data_ch": 2, "spec_data_type": 8, "data_type": 2}
+    place = {"n_data_per_node": 3, "load_case": 1, "mode_n": i + 1, "node_nums": number}
+    size = {"freq": modes.frequency[i], "modal_m": 1.0, "modal_damp_vis": damping, "modal_damp_his": 0.0}
+    text = {f"id{k}": line for k, line in enumerate(("modes", modes.method, modes.family[i], "SI", "NONE"), 1)}
+    return kind | place | size | text | {"r1": u[:, 0], "r2": u[:, 1], "r3": u[:, 2]}
+
+
+def as_faust(modes: Modes, angle=0.0, name="disk") -> str:
+    """A Faust program: a force [N], axial at the bottom edge at `angle` [rad], in; velocity [m/s] there out.
+
+    q'' + 2 d q' + w^2 q = phi F is stepped exactly for a force that is constant between samples: with the pole
+    exp(-d T), angle v T, v^2 = w^2 - d^2, each step of F adds the velocity phi^2 exp(-d t) sin(v t)/v in each mode.
+    """
+    if not len(modes):
+        raise ValueError("there is no mode to write")
+    phi = modes.at_rim(angle)[:, 0, 2]
+    rate = 2 * np.pi * modes.frequency
+    turn = np.sqrt(rate**2 - modes.decay_rate**2)
+    rows = zip(turn, modes.decay_rate, phi**2 / turn, strict=True)
+    bank = ",\n  ".join(f"mode({w:.9g}, {d:.9g}, {g:.9g})" for w, d, g in rows)
+    return FAUST.format(name=name, count=len(modes), bank=bank)
+
+
+FAUST = """declare name "{name}";
+import("stdfaust.lib");
+// {count} modes: angular rate [rad/s], decay rate [1/s], velocity [m/s] per newton stepped
+mode(w, d, g) = *(g * r * sin(w * T)) : fi.tf2(0, 1, 0, -2 * r * cos(w * T), r * r)
+with {{ T = 1.0 / ma.SR; r = exp(0 - d * T); }};
+process = _ <: (_, mem) : - <:
+  {bank} :> _;
+"""
