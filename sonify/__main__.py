@@ -6,7 +6,7 @@ import sys
 import click
 
 ACCURACIES = ("draft", "standard", "reference")
-CHARTS = ("motion", "sound", "stability")
+CHARTS = ("motion", "modes", "sound", "stability")
 
 
 class OneLine(click.Group):

@@ -18,6 +18,7 @@ class Chart(NamedTuple):
 
 CHARTS = {
     "motion": Chart("Motion: accuracy against speed", "relative error of inclination or energy, the larger"),
+    "modes": Chart("Modes: accuracy against speed", "largest relative error of a frequency"),
     "sound": Chart("Sound: accuracy against speed", "rms error of the pressure over its rms"),
     "stability": Chart("Stability: where methods fail", ""),
 }

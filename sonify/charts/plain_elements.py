@@ -1,0 +1,111 @@
+"""Elastic modes by scikit-fem as it comes: uniform straight-sided meshes of the whole disk, scipy's shift-invert.
+
+The patch is held at the nodes up to the one nearest to its edge: a uniform mesh knows its extent to a node only.
+"""
+
+import numpy as np
+from scipy.sparse.linalg import eigsh
+from skfem import (
+    Basis,
+    BilinearForm,
+    ElementHex2,
+    ElementTetP1,
+    ElementTetP2,
+    ElementVector,
+    MeshLine,
+    MeshTri,
+    condense,
+    helpers,
+)
+from skfem.models.elasticity import lame_parameters, linear_elasticity
+
+from modal.mesh import extrude, hexahedra
+from sonify.charts.modes_case import ModesCase
+from sonify.charts.records import Answer, Failure
+
+ELEMENTS = {"P1 tetrahedra": ElementTetP1, "P2 tetrahedra": ElementTetP2, "Q2 hexahedra": ElementHex2}
+PLACES = np.array([0.0, 0.5, 1.0])
+FREE_SHIFT = -((2 * np.pi * 3000.0) ** 2)
+"""Shift for a free body [1/s^2]: at zero its stiffness is singular."""
+
+
+def plain_modes(case: ModesCase, element: str, refinements: int, layers: int) -> Answer:
+    """Return the lowest frequencies [Hz] of a case; raise Failure where the factorisation fails."""
+    basis, segments = uniform(case, element, refinements, layers)
+    stiffness, mass = matrices(basis, case)
+    held = patch_unknowns(basis, case, segments)
+    count = len(case.reference) + (6 if case.half_angle is None else 0)
+    k, m = (condense(a, I=np.setdiff1d(np.arange(basis.N), held), expand=False) for a in (stiffness, mass))
+    sigma = 0.0 if len(held) else FREE_SHIFT
+    try:
+        values = eigsh(k.tocsc(), k=count, M=m.tocsc(), sigma=sigma, return_eigenvectors=False)
+    except RuntimeError as error:
+        raise Failure(f"the factorisation fails: {error}") from None
+    elastic = np.sort(values)[-len(case.reference) :]
+    return Answer(np.sqrt(np.maximum(elastic, 0)) / (2 * np.pi), basis.N)
+
+
+def uniform(case: ModesCase, element: str, refinements: int, layers: int):
+    """Return the basis on a uniform mesh of the disk, and the number of sides that its rim has."""
+    flat = MeshTri.init_circle(refinements)
+    segments = len(flat.boundary_nodes())
+    heights = np.linspace(-case.thickness / 2, case.thickness / 2, layers + 1)
+    flat = flat.scaled(case.radius)
+    if "hexahedra" in element:
+        solid = hexahedra(extrude(quadrilaterals(flat), heights))
+    else:
+        solid = (flat * MeshLine(heights)).to_meshtet()
+    return Basis(solid, ElementVector(ELEMENTS[element]()), intorder=4), segments
+
+
+def quadrilaterals(triangles: MeshTri) -> np.ndarray:
+    """Return the nodes (q, 3, 3, 2) of the quadrilaterals that cut every triangle in three at its centroid."""
+    corners = triangles.p[:, triangles.t].transpose(2, 1, 0)
+    first, second = (corners[:, i] - corners[:, 0] for i in (1, 2))
+    clockwise = first[:, 0] * second[:, 1] < first[:, 1] * second[:, 0]
+    corners[clockwise] = corners[clockwise, ::-1]
+    centre, middles = corners.mean(axis=1), (corners + np.roll(corners, -1, axis=1)) / 2
+    u, v = (x[:, :, None, None] for x in np.meshgrid(PLACES, PLACES, indexing="ij"))
+    cells = [
+        (1 - u) * (1 - v) * corners[:, i]
+        + u * (1 - v) * middles[:, i]
+        + u * v * centre
+        + (1 - u) * v * middles[:, i - 1]
+        for i in range(3)
+    ]
+    return np.concatenate(cells, axis=2).transpose(2, 0, 1, 3)
+
+
+def matrices(basis, case: ModesCase):
+    """Return stiffness and mass of a basis."""
+    material = case.material
+
+    @BilinearForm
+    def inertia(u, v, w):
+        return case.density * helpers.dot(u, v)
+
+    return linear_elasticity(*lame_parameters(material.young, material.poisson)).assemble(basis), inertia.assemble(
+        basis
+    )
+
+
+def patch_unknowns(basis, case: ModesCase, segments: int):
+    """Return the unknowns of the nodes on the patch, none for a free disk; nodes on the rim are even in angle."""
+    if case.half_angle is None:
+        return np.zeros(0, int)
+    x, y, _ = basis.doflocs
+    outside = np.hypot(x, y) > case.radius * np.cos(np.pi / segments) * (1 - 1e-9)
+    spacing = np.diff(np.unique(np.arctan2(y[outside], x[outside]).round(9))).min()
+    reach = max(1, round(case.half_angle / spacing)) + 0.25
+    return np.flatnonzero(outside & (np.abs(np.arctan2(y, x)) <= reach * spacing))
+
+
+def strain_energy_error(case: ModesCase, element: str) -> float:
+    """Return the relative error of the energy of a uniform stretch along x, which every element holds exactly."""
+    basis, _ = uniform(case, element, 2, 1)
+    stiffness, mass = matrices(basis, case)
+    stretch = basis.project(lambda x: np.stack([x[0], 0 * x[0], 0 * x[0]]))
+    shift = basis.project(lambda x: np.stack([1 + 0 * x[0], 0 * x[0], 0 * x[0]]))
+    volume = shift @ mass @ shift / case.density
+    lam, mu = lame_parameters(case.material.young, case.material.poisson)
+    return abs(stretch @ stiffness @ stretch / ((lam + 2 * mu) * volume) - 1)
