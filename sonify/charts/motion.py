@@ -6,7 +6,7 @@ from sonify.charts import event_driven
 from sonify.charts.moreau import moreau
 from sonify.charts.motion_case import EASY, Case, published, sticking
 from sonify.charts.naive import naive_sign
-from sonify.charts.records import Record, Work, measure
+from sonify.charts.records import REPEATS, Record, Work, measure
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
 
@@ -93,7 +93,7 @@ def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     records = []
     for i, work in enumerate(all_works):
         watch(i / len(all_works), f"{work.case}: {work.family}, {work.method}, {work.setting}")
-        records.append(measure(work, warm=work.family in ("Moreau", "event-driven")))
+        records.append(measure(work, warm=work.family in ("Moreau", "event-driven"), repeats=2 if quick else REPEATS))
     return records
 
 
