@@ -108,14 +108,15 @@ def partners(pair):
     """Index (m,) of the mode with the same entry of pair (m,), -1 if there is none."""
     same = pair[:, None] == pair[None, :]
     np.fill_diagonal(same, False)
-    return np.where(same.any(axis=1), same.argmax(axis=1), -1)
+    return np.where(same.any(axis=1), same @ np.arange(len(pair)), -1)
 
 
 def plate_modes(plate: Plate, below, accuracy="standard") -> Modes:
-    """The `Modes` below `below` [Hz] of an axisymmetric plate; ValueError if there is none."""
-    found = all_pairs(plate, below, TOLERANCES[accuracy])
-    if not found:
-        raise ValueError(f"the plate has no elastic mode below {below:g} Hz")
+    """The `Modes` below `below` [Hz] of an axisymmetric plate; there may be none."""
+    limit, found = below, []
+    while not found:
+        found = all_pairs(plate, limit, TOLERANCES[accuracy])
+        limit *= 2
     points, cells, body = body_mesh(plate, max(pairs.problem.n for pairs in found))
     parts = []
     for number, pairs in enumerate(found):
@@ -124,6 +125,7 @@ def plate_modes(plate: Plate, below, accuracy="standard") -> Modes:
             parts.append(part | {"pair": 1000 * number + part["pair"]})
     whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
     ascending = np.lexsort((whole["parity"] == "odd", whole["frequency"]))
+    ascending = ascending[whole["frequency"][ascending] < below]
     whole = {name: value[ascending] for name, value in whole.items()}
     displacement, pair = whole.pop("displacement"), whole.pop("pair")
     r, weight, theta = sample.face_grid(plate.radius)

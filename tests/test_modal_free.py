@@ -119,3 +119,11 @@ def test_a_stiff_ring_under_the_rim_is_a_simple_support():
     assert lowest[-1] == pytest.approx(supported[0], rel=0.01)
     heave = (2e4 * 2 * pi * 0.12 / Plate(**plate).mass) ** 0.5 / (2 * pi)
     assert lowest[0] == pytest.approx(heave, rel=0.02)
+
+
+def test_a_disk_too_small_to_be_heard_has_no_modes_and_that_is_no_error():
+    small = Plate(radius=RADIUS / 10, thickness=THICKNESS / 10, material=STEEL, density=DENSITY)
+    assert len(plate_modes(small, 24e3)) == 0
+    disk = SimpleNamespace(radius=RADIUS / 40, thickness=THICKNESS / 40, mass=small.mass / 64, shape="solid")
+    held_disk = eigenmodes(SimpleNamespace(disk=disk, material=STEEL, support=Support()))
+    assert held_disk.rim_shape.shape == (0, 128, 3)
