@@ -1,9 +1,12 @@
 """The command line: python -m sonify."""
 
 import errno
+import os
 import sys
 
 import click
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: more threads only wait for each other
 
 ACCURACIES = ("draft", "standard", "reference")
 CHARTS = ("motion", "modes", "sound", "stability")

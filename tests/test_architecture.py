@@ -49,13 +49,13 @@ def test_modal_is_ours():
 @pytest.mark.parametrize("command", [["--help"], ["run", "--help"]])
 def test_help_loads_nothing_heavy(command):
     code = (
-        "import sys; sys.argv = ['sonify', *{0!r}]\n"
+        f"import sys; sys.argv = ['sonify', *{command!r}]\n"
         "import runpy\n"
         "try: runpy.run_module('sonify', run_name='__main__')\n"
         "except SystemExit: pass\n"
-        "heavy = {{'numpy', 'scipy', 'matplotlib', 'numba', 'heyoka', 'skfem', 'pydantic', 'soundfile', 'meshio'}}\n"
+        "heavy = {'numpy', 'scipy', 'matplotlib', 'numba', 'heyoka', 'skfem', 'pydantic', 'soundfile', 'meshio'}\n"
         "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"
-    ).format(command)
+    )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True)
     assert done.stderr.strip().splitlines()[-1] == "[]"
     assert done.stdout
