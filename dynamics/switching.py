@@ -8,7 +8,7 @@ import math
 from itertools import product
 
 import numpy as np
-from scipy.optimize import brentq, newton
+from scipy.optimize import brentq
 
 from .collocation import grazing_step
 from .equations import UNLOADED, Law, separation
@@ -119,11 +119,12 @@ def _along(y, angle, regime, branch, law, flow=FLOAT, sin=math.sin, cos=math.cos
     return flow.contact_along(y, slip, (cos(angle), sin(angle)), branch, regime.senses, law)
 
 
-def _slip_directions(y, regime, branch, law) -> list[float]:
-    """Return the angles nu with udot(nu) x s = 0 and udot(nu) . s not negative, fastest first."""
-    grid = np.linspace(-np.pi, np.pi, 65)
-    coarse = _along(y, grid, regime, branch, law, ARRAY, np.sin, np.cos)
-    across = coarse.du2 * np.cos(grid) - coarse.du1 * np.sin(grid)
+def _slip_directions(y, regime, branch, law):
+    """Yield the angles nu with udot(nu) x s = 0 and udot(nu) . s not negative.
+
+    The first is next to the friction that holds no longer; only where that one will not do are the others looked for,
+    on the whole circle and fastest first.
+    """
 
     def cross(nu):
         contact = _along(y, nu, regime, branch, law)
@@ -133,10 +134,27 @@ def _slip_directions(y, regime, branch, law) -> list[float]:
         contact = _along(y, nu, regime, branch, law)
         return contact.du1 * math.cos(nu) + contact.du2 * math.sin(nu)
 
+    if all(_along(y, side, regime, branch, law).inertia > 0 for side in (math.pi / 2, -math.pi / 2)):
+        held = FLOAT.contact(y, branch._replace(sliding=False), regime.senses, law)
+        near = _root_near(cross, math.atan2(-held.F2, -held.F1), 0.02)
+        if near is not None and growth(near) > -ROUND_OFF:
+            yield near
+    grid = np.linspace(-np.pi, np.pi, 65)
+    coarse = _along(y, grid, regime, branch, law, ARRAY, np.sin, np.cos)
+    across = coarse.du2 * np.cos(grid) - coarse.du1 * np.sin(grid)
     solvable = np.broadcast_to(coarse.inertia > 0, grid.shape)
     turns = np.flatnonzero(((across[:-1] > 0) != (across[1:] > 0)) & solvable[:-1] & solvable[1:])
     roots = [brentq(cross, grid[i], grid[i + 1], xtol=1e-15, rtol=1e-15) for i in turns]
-    return [nu for speed, nu in sorted(((growth(nu), nu) for nu in roots), reverse=True) if speed > -ROUND_OFF]
+    yield from (nu for speed, nu in sorted(((growth(nu), nu) for nu in roots), reverse=True) if speed > -ROUND_OFF)
+
+
+def _root_near(function, x, width):
+    """Return a root of `function` about x, looked for within `width` and then farther; None within a radian."""
+    while width < 1:
+        if (function(x - width) > 0) != (function(x + width) > 0):
+            return brentq(function, x - width, x + width, xtol=1e-15, rtol=1e-15)
+        width *= 4
+    return None
 
 
 def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
@@ -164,7 +182,7 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
         last = _along(ahead, angle, regime, branch, law)
         return (first.du2 + last.du2) * math.cos(angle) - (first.du1 + last.du1) * math.sin(angle)
 
-    last = _along(ahead, newton(cross, nu, x1=nu + START, tol=1e-15, rtol=1e-15), regime, branch, law)
+    last = _along(ahead, _root_near(cross, nu, START), regime, branch, law)
     return _parabola(regime, dt, y, slope, FLOAT.rates(ahead, last, branch, law))
 
 
