@@ -66,7 +66,7 @@ def _separates(y, law, loads) -> bool:
 
 
 def _candidates(y, law, at_zero, leaving, senses):
-    """Yield the regimes to try, those in which most stays at zero first."""
+    """Yield the regimes to try: rolling before sliding; of a turning at zero the reversal, sticking, the old sense."""
     turns = projections(y[R] ** 2, y[W1], y[W2], y[W3], math.sin, math.cos)
     contact = [True] if 0 not in at_zero or 0 in leaving else [False, True]
     if law.mu_static == math.inf:
@@ -77,7 +77,7 @@ def _candidates(y, law, at_zero, leaving, senses):
             surfaces.append([(False, 1.0)])
         elif i + 1 in at_zero:
             stick = [] if i + 1 in leaving else [(True, 1.0)]
-            surfaces.append([*stick, (False, -senses[i]), (False, senses[i])])
+            surfaces.append([(False, -senses[i]), *stick, (False, senses[i])])
         else:
             surfaces.append([(False, math.copysign(1.0, turns[i]))])
     for sliding, *choice in product(contact, *surfaces):
