@@ -48,14 +48,14 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     integrator.time = 0.0
     integrator.reset_cooldowns()
     times, coefficients, guard = [], [], None
-    step, success = integrator.step, heyoka.taylor_outcome.success
+    step, success, series = integrator.step, heyoka.taylor_outcome.success, integrator.tc  # a view of the last step's
     for _ in range(MOST_STEPS):
         outcome, _h = step(max_delta_t=span - integrator.time, write_tc=True)
-        coefficients.append(integrator.tc.T.copy())
+        coefficients.append(series.copy())
         times.append(integrator.time)
         if outcome == success:
             continue
         if outcome != heyoka.taylor_outcome.time_limit:
             guard = names[-int(outcome) - 1]
         break
-    return Arc(np.array(times), np.array(coefficients), integrator.state.tolist(), guard)
+    return Arc(np.array(times), np.array(coefficients).swapaxes(1, 2), integrator.state.tolist(), guard)
