@@ -28,6 +28,11 @@ class Step(NamedTuple):
     duration: float
     coefficients: list
 
+    @property
+    def end(self) -> list:
+        """The state at the end of the step, (k,)."""
+        return np.polynomial.polynomial.polyval(self.duration, np.array(self.coefficients)).tolist()
+
 
 class Switch(NamedTuple):
     """What follows an event: the regime, the state and the closed steps to it; or how the motion `ended`."""

@@ -60,6 +60,11 @@ def projections(beta, w1, w2, w3, sin, cos):
     return w1, w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
 
 
+def turnings(y) -> tuple[float, float, float]:
+    """Return omega.a_i / r at a state y of floats."""
+    return projections(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
+
+
 class Flow:
     """The flow of every branch, for the kind of scalar that `sin`, `cos`, `sqrt`, `power` act on."""
 

@@ -9,7 +9,7 @@ import numpy as np
 from . import collocation
 from .equations import Law
 from .hybrid import Arc, Switch
-from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime
+from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, turnings
 from .switching import ImpossibleContactError, describe, follow, slide_to_rest
 
 ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
@@ -62,7 +62,7 @@ class RollingDisk:
             return self._follow(y, held, fired={0}, senses=regime.senses)
         if guard == "grip":
             last = slide_to_rest(y, regime, self.law, self.loads)
-            y = [a + last.duration * b for a, b in zip(*last.coefficients, strict=True)]
+            y = last.end
             y[V1] = y[V2] = 0.0
             then = self._follow(y, held | {0}, senses=regime.senses)
             return then._replace(steps=(last, *then.steps))
@@ -75,17 +75,7 @@ class RollingDisk:
         regime, step = follow(y, self.law, self.loads, frozenset(at_zero), frozenset(fired), senses)
         if regime is None:
             return Switch(None, y, ended="lift-off")
-        if step is None:
-            return Switch(regime, y)
-        powers = [step.duration**k for k in range(len(step.coefficients))]
-        end = [sum(p * c for p, c in zip(powers, row, strict=True)) for row in zip(*step.coefficients, strict=True)]
-        return Switch(regime, end, (step,))
-
-
-def turnings(y) -> tuple[float, float, float]:
-    """Return omega.a_i / r at state y."""
-    sin_a, cos_a = math.cos(y[R] ** 2), math.sin(y[R] ** 2)
-    return y[W1], y[W2] * cos_a - y[W3] * sin_a, y[W2] * sin_a + y[W3] * cos_a
+        return Switch(regime, step.end, (step,)) if step else Switch(regime, y)
 
 
 def at_rest(y, i):

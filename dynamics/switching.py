@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from .collocation import grazing_step
 from .equations import UNLOADED, Law, separation
 from .hybrid import Step
-from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, projections
+from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, turnings
 
 ROUND_OFF = 1e-12
 START = 1e-5
@@ -67,7 +67,7 @@ def _separates(y, law, loads) -> bool:
 
 def _candidates(y, law, at_zero, leaving, senses):
     """Yield the regimes to try: rolling before sliding; of a turning at zero the reversal, sticking, the old sense."""
-    turns = projections(y[R] ** 2, y[W1], y[W2], y[W3], math.sin, math.cos)
+    turns = turnings(y)
     contact = [True] if 0 not in at_zero or 0 in leaving else [False, True]
     if law.mu_static == math.inf:
         contact = [False]
@@ -105,7 +105,7 @@ def turning_rates(y, contact) -> tuple[float, float, float]:
     """Return d(omega.a_i)/dtau, the turning of a_2 and a_3 about a_1 included."""
     r = y[R]
     sin_a, cos_a = math.cos(r * r), math.sin(r * r)
-    w1, along2, along3 = (r * p for p in projections(r * r, y[W1], y[W2], y[W3], math.sin, math.cos))
+    w1, along2, along3 = (r * p for p in turnings(y))
     return (
         contact.domega1,
         contact.domega2 * cos_a - contact.domega3 * sin_a - w1 * along3,

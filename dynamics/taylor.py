@@ -19,7 +19,7 @@ def compiled(branch: Branch, tolerance: float):
     """Compile the integrator of one branch, once a process; the numbers of a scene are its runtime parameters.
 
     heyoka keeps what it has compiled on disk, so the branches that every motion has are compiled for speed. The rare
-    ones in which something sticks are compiled in compact mode: six times sooner, a third slower.
+    ones in which something sticks are compiled in compact mode, which is ready much sooner and runs a little slower.
     """
     y = heyoka.make_vars(*STATE)
     law = Law(*(heyoka.par[i] for i in range(len(Law._fields))))

@@ -12,23 +12,12 @@ import soundfile
 
 from dynamics import simulate
 from modal import eigenmodes
-from sonify import load_scene
 from sonify.contact import in_patch_frame, modal_drive, rigid_acceleration
 from sonify.radiation import piston_strength
 from sonify.sound import FADE_IN, STEMS, Renderer
 from sonify.wav import write_sound
 
 HEAVE, TILT, SMOOTH, JUMPS = range(4)
-
-
-@pytest.fixture(scope="module")
-def scene():
-    return load_scene("published")
-
-
-@pytest.fixture(scope="module")
-def motion(scene):
-    return simulate(scene)
 
 
 @pytest.fixture(scope="module")

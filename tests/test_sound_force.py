@@ -7,20 +7,9 @@ import numpy as np
 import pytest
 
 from dynamics import simulate
-from sonify import load_scene
 from sonify.force import HALF_WIDTH, ForceSampler
 
 RATE = 48000
-
-
-@pytest.fixture(scope="module")
-def scene():
-    return load_scene("published")
-
-
-@pytest.fixture(scope="module")
-def motion(scene):
-    return simulate(scene)
 
 
 @pytest.fixture(scope="module")
