@@ -50,7 +50,7 @@ def say(result):
     """Print checks and findings, and where the files are."""
     for c in result.checks:
         verdict = "ok    " if c.passed else "FAILED"
-        click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expected:g}, tolerance {c.tolerance:g})")
+        click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
     for f in result.findings:
         click.echo(f"{'yes' if f.holds else 'no ':6}  {f.claim}: {f.value:.5g} {f.unit} ({f.expectation})")
     for line in unsettled(result.motion):

@@ -71,7 +71,7 @@ def run_record(result) -> dict:
             "loudness_lufs": loudness(sound),
             "stem_peak_pascal": sound.stem_peak,
         },
-        "checks": [asdict(check) | {"passed": check.passed} for check in result.checks],
+        "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
         "findings": [finite(asdict(finding)) | {"holds": finding.holds} for finding in result.findings],
         "seconds": {name: round(seconds, 3) for name, seconds in result.seconds.items()},
         "versions": versions(),

@@ -7,6 +7,7 @@ files back with other readers; the verdicts that the corrected model is known to
 import json
 import re
 import signal
+from types import SimpleNamespace
 
 import meshio
 import numpy as np
@@ -15,7 +16,7 @@ import soundfile
 
 from dynamics.rates import nutation_frequency, slips
 from sonify import load_scene, run
-from sonify.checks import Check
+from sonify.checks import Check, no_sample_clipped
 from sonify.findings import Finding
 
 FILES = {"sound.wav", "pressure.wav", "stems", "spectrogram.png", "stems.png", "motion.png", "modes.png"}
@@ -120,6 +121,20 @@ def test_the_page_needs_no_other_file(result):
 )
 def test_a_check_can_fail(value, passed):
     assert Check(name="x", value=value, expected=1.0, tolerance=0.1 + 1e-12, source="-").passed == passed
+
+
+@pytest.mark.parametrize(("value", "passed"), [(-9.0, True), (1.0, True), (1.01, False), (float("nan"), False)])
+def test_a_check_may_have_one_side(value, passed):
+    check = Check(name="x", value=value, expected=1.0, tolerance=0.0, source="-", one_sided=True)
+    assert check.passed == passed
+    assert check.expectation == "at most 1"
+
+
+@pytest.mark.parametrize(
+    ("peak", "finite", "passed"), [(0.0, True, True), (1.0, True, True), (1.001, True, False), (0.5, False, False)]
+)
+def test_a_clipped_or_endless_sample_is_found(peak, finite, passed):
+    assert no_sample_clipped(SimpleNamespace(peak=peak, full_scale=1.0, finite=finite)).passed == passed
 
 
 @pytest.mark.parametrize(("value", "holds"), [(1.9, False), (2, True), (3, True), (3.1, False), (float("nan"), False)])
