@@ -6,10 +6,11 @@ import sys
 
 import click
 
+from sonify.charts import CHARTS
+
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: more threads only wait for each other
 
 ACCURACIES = ("draft", "standard", "reference")
-CHARTS = ("motion", "modes", "sound", "stability")
 
 
 class OneLine(click.Group):
@@ -87,7 +88,7 @@ def scenes():
 
 
 @main.command()
-@click.argument("name", type=click.Choice([*CHARTS, "all"]), default="all")
+@click.argument("name", type=click.Choice([*(c.replace("_", "-") for c in CHARTS), "all"]), default="all")
 @click.option("--quick", is_flag=True, help="Fewer settings of every method, in under two minutes.")
 @click.option("--out", type=click.Path(), default="outputs/charts", show_default=True, help="Folder for the files.")
 def chart(name, quick, out):
@@ -97,7 +98,7 @@ def chart(name, quick, out):
     with Console() as stages:
         from sonify.charts.command import make
 
-        for one in CHARTS if name == "all" else [name]:
+        for one in CHARTS if name == "all" else [name.replace("-", "_")]:
             make(one, quick, out, stages)
             click.echo(f"{out}/{one}.md")
 

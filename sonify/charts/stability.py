@@ -84,6 +84,13 @@ def _oscillator(name, step, pitch, share) -> Record:
     )
 
 
+def draw(records: list[Record], title: str, path):
+    """Draw the map."""
+    from sonify.charts.pictures import draw_map
+
+    draw_map(records, title, path)
+
+
 def conclusion(records: list[Record]) -> list[str]:
     """Return what fails nowhere, and how often the others fail."""
     lines = []
