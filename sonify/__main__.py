@@ -50,17 +50,25 @@ def main():
 @click.option(
     "--set", "assignments", multiple=True, metavar="KEY=VALUE", help="Replace a value, as friction.mu_static=0.3."
 )
-def run(scene, out, accuracy, assignments):
+@click.option("--animation", is_flag=True, help="Film the last seconds, too (needs the extra `animation`).")
+def run(scene, out, accuracy, assignments, animation):
     """Solve SCENE, a shipped name or a TOML file; write sound, pictures and report."""
     from sonify.scene import load_scene
 
     scene = load_scene(scene).replace(*assignments)
+    if animation:
+        from sonify.animation import animate, require_encoder
+
+        require_encoder()
     from sonify.console import Console, say
 
     with Console() as stages:
         from sonify.pipeline import run as solve
 
         result = solve(scene, out, accuracy, stages)
+        if animation:
+            with stages.stage("animation") as watch:
+                animate(result, watch)
     say(result)
     sys.exit(0 if result.passed else 1)
 

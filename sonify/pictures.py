@@ -42,9 +42,9 @@ def draw_spectrogram(motion, modes, sound, path):
     with _figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
             top.set(yscale="log", ylim=RATES, xlim=span)
-            _image(top, low, 1.0)
+            level_image(top, low, 1.0)
             _rate_lines(top, motion, delay, 1.0)
-            image = _image(bottom, high, 1e3)
+            image = level_image(bottom, high, 1e3)
             bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
             _mode_lines(bottom, modes.frequency, span)
         _rate_lines(axes[1, 1], motion, delay, 1e3)
@@ -61,7 +61,7 @@ def draw_recording(recording, heard, path):
     with _figure(path, 2, 1, (11, 9)) as (figure, axes):
         axes[0].set(yscale="log", ylabel="frequency [Hz]", title="Contact rates")
         for panel, seen, unit in zip(axes, (low, high), (1.0, 1e3), strict=True):
-            image = _image(panel, seen, unit, 1.0, top - RANGE_DB)
+            image = level_image(panel, seen, unit, 1.0, top - RANGE_DB)
             panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
             if heard.tone is not None:
                 left = np.geomspace(0.01, 8.0, 400)
@@ -74,7 +74,7 @@ def draw_recording(recording, heard, path):
         )
 
 
-def _image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
+def level_image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
     level, options = seen.level_db(reference), {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
     time, frequency = seen.time, seen.frequency / unit
     if axes.get_yscale() == "log":
