@@ -13,7 +13,7 @@ from .plane import Blocks
 from .symmetry import Mirror, check_held, classes, free_unknowns, on_patch
 from .unfold import flips, mirror_of, unfolded
 
-COARSE = Blocks(width=pi / 4, depth=0.5, rings=2)
+COARSE = Blocks(width=pi / 4, depth=0.5, rings=2, legs=1)
 ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
 MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=3)
 FINE = Blocks(width=pi / 8, depth=0.38, rings=4, split=2)

@@ -1,12 +1,13 @@
 """Isoparametric Q2 hexahedra for the part of the disk that its symmetries leave, as a scikit-fem mesh."""
 
-from dataclasses import dataclass, replace
-from math import ceil
+from dataclasses import dataclass
+from math import ceil, pi
 
 import numpy as np
 from skfem import ElementHex2, MeshHex, MeshHex2
 
-from .plane import half_disk
+from .box import filled, longest, nest
+from .plane import columns, core, divided, half_disk
 
 NODES = np.rint(ElementHex2.doflocs * 2).astype(int)
 """Positions (27, 3) in {0, 1, 2}^3 of the nodes of a hexahedron in scikit-fem's order; the first eight are corners."""
@@ -16,12 +17,10 @@ NODES = np.rint(ElementHex2.doflocs * 2).astype(int)
 class Sector:
     """The modelled part of the disk: y >= 0, and z >= 0 too if `quarter`.
 
-    mesh -- MeshHex2 [m]; cell q * layers + k stands over the plane cell q, layer k counted upwards.
-    layers -- how many layers.  patch -- (low, high) heights of the patch [m], None if the disk is free.
+    mesh -- MeshHex2 [m].  patch -- (low, high) heights of the patch [m], None if the disk is free.
     """
 
     mesh: MeshHex2
-    layers: int
     quarter: bool
     patch: tuple[float, float] | None
 
@@ -31,18 +30,10 @@ class Sector:
         return 4 if self.quarter else 2
 
 
-def layer_heights(bottom, top, edges, size, radius):
-    """Layer boundaries (k + 1,) from bottom to top, graded geometrically to the patch edges that lie between."""
-    marks = [bottom, *sorted(e for e in edges if bottom < e < top), top]
-    if len(marks) == 2:
-        longest = 1.2 * size.width * radius / size.split
-        return np.linspace(bottom, top, max(size.split, ceil((top - bottom) / longest)) + 1)
-    shrink = np.append(size.ratio ** np.arange(1, size.strips + 1), 0.0)
-    pieces = [marks]
-    for edge in marks[1:-1]:
-        pieces += [edge - (edge - max(m for m in marks if m < edge)) * shrink]
-        pieces += [edge + (min(m for m in marks if m > edge) - edge) * shrink]
-    return np.unique(np.round(np.concatenate(pieces) / radius, 12)) * radius
+def layers(bottom, top, size, radius):
+    """Boundaries (k + 1,) [m] of even layers from bottom to top, none thicker than the plane cells are wide."""
+    count = ceil((top - bottom) / (longest(size) * radius) - 1e-9)
+    return np.linspace(bottom, top, size.split * max(1, count) + 1)
 
 
 def extrude(cells, heights):
@@ -66,24 +57,51 @@ def hexahedra(nodes):
     return mesh
 
 
-def for_edges_inside(size):
-    """The `Blocks` for a patch that ends within the thickness: fewer, steeper gradings, as each meets all others."""
-    rings = max(1, size.rings - 1)
-    return replace(size, rings=rings, ratio=0.15, split=1, strips=rings - 1)
+def placed(places, radius, bottom):
+    """Nodes (c, 27, 3) [m] in scikit-fem's order of cells at places (c, 3, 3, 3, 3), see `box`, made right-handed."""
+    angle, depth, height = np.moveaxis(places, -1, 0)
+    across = (1 - depth) * radius
+    points = np.stack([across * np.cos(angle), across * np.sin(angle), height * radius + bottom], -1)
+    sides = [np.take(points, 2, axis)[:, 1, 1] - np.take(points, 0, axis)[:, 1, 1] for axis in (1, 2, 3)]
+    left = np.linalg.det(np.stack(sides, -1)) < 0
+    points[left] = np.swapaxes(points[left], 1, 2)
+    i, j, k = NODES.T
+    return points[:, i, j, k]
+
+
+def over_full_thickness(radius, bottom, top, angle, size):
+    """Cell nodes (c, 27, 3) [m] of a disk that is free or held over its whole thickness on an arc [rad]."""
+    return extrude(half_disk(angle, size) * radius, layers(bottom, top, size, radius))
+
+
+def over_part(radius, bottom, top, angle, height, size):
+    """Cell nodes (c, 27, 3) [m] of a disk held on an arc [rad] from the bottom of what is meshed to a height [m]."""
+    nested = nest(angle, height / radius, (top - bottom) / radius, size)
+    last, n = nested.boxes[-1], nested.around
+    rest = round((pi - last[0]) / size.width)
+    rest += (n + rest) % 2
+    angles = np.append(np.linspace(0, last[0], n + 1), np.linspace(last[0], pi, rest + 1)[1:])
+    ring, inner = columns(angles, size.depth), core(angles, size.depth)
+    middle = bottom + last[2] * radius
+    lower = np.linspace(bottom, middle, size.split * nested.through + 1)
+    cells = [placed(filled(nested, size), radius, bottom), extrude(divided(ring[n:] + inner, size) * radius, lower)]
+    if top - middle > 1e-9 * radius:
+        cells.append(extrude(divided(ring + inner, size) * radius, layers(middle, top, size, radius)))
+    return np.concatenate(cells)
 
 
 def sector(radius, thickness, support, size):
     """The `Sector` of a disk [m] on a `Support`, graded to the patch edge as the `Blocks` size says."""
-    half = thickness / 2
+    half, free = thickness / 2, support.kind == "free"
     height = support.height or thickness
-    middle = support.position == "middle" or height == thickness
-    patch = (-height / 2, height / 2) if middle else (-half, height - half)
-    free = support.kind == "free"
-    quarter = free or middle
-    angle = np.pi if free else np.deg2rad(support.half_angle_deg)
-    edges = () if free or height == thickness else patch
-    size = for_edges_inside(size) if edges else size
-    plane = half_disk(angle, size) * radius
-    heights = layer_heights(0.0 if quarter else -half, half, edges, size, radius)
-    mesh = hexahedra(extrude(plane, heights))
-    return Sector(mesh=mesh, layers=len(heights) - 1, quarter=quarter, patch=None if free else patch)
+    whole = free or height > (1 - 1e-6) * thickness
+    middle = whole or support.position == "middle"
+    bottom = 0.0 if middle else -half
+    reach = height / 2 if middle else height
+    angle = pi if free else np.deg2rad(support.half_angle_deg)
+    if whole:
+        nodes = over_full_thickness(radius, bottom, half, angle, size)
+    else:
+        nodes = over_part(radius, bottom, half, angle, reach, size)
+    patch = None if free else (-reach if middle else bottom, bottom + reach)
+    return Sector(mesh=hexahedra(nodes), quarter=middle, patch=patch)

@@ -18,15 +18,15 @@ LEAD = 0.5
 @dataclass(frozen=True, kw_only=True)
 class Blocks:
     """How coarse: angular `width` [rad] of a block, `depth` of the rim ring over the radius, `rings` boxes of ratio
-    `ratio` nested about the patch edge, every block in `split` x `split` cells. Blocks
-    on the rim have `strips` more cells in depth, of that ratio, for a patch that ends within the thickness."""
+    `ratio` nested about the patch edge, at least `legs` blocks along each edge of a patch that ends within the
+    thickness, every block in `split` cells each way."""
 
     width: float
     depth: float
     rings: int
     ratio: float = 0.25
+    legs: int = 2
     split: int = 1
-    strips: int = 0
 
 
 def bilinear(corners):
@@ -63,20 +63,21 @@ def between(inner, angles, depth):
     return block
 
 
-def nested_about_edge(edge, width, size):
-    """Blocks in the box of half-width `width` about the angle `edge`: half-square rings, two blocks inside them."""
+def half_squares(size):
+    """Corners (n, 4, 2) of the cells of [-1, 1] x [0, 1] about its origin: half-square rings, two cells inside them."""
     corners = []
-    widths = width * size.ratio ** np.arange(size.rings + 1)
-    depths = widths * size.depth / size.width
-    for w, s, d, e in zip(widths, widths[1:], depths, depths[1:], strict=False):
-        a, b = edge - w, edge - s
-        f, g = edge + s, edge + w
-        corners += [[(a, 0), (b, 0), (b, e), (a, d)], [(a, d), (b, e), (edge, e), (edge, d)]]
-        corners += [[(edge, d), (edge, e), (f, e), (g, d)], [(f, 0), (g, 0), (g, d), (f, e)]]
-    w, d = widths[-1], depths[-1]
-    for a, b in ((edge - w, edge), (edge, edge + w)):
-        corners.append([(a, 0), (b, 0), (b, d), (a, d)])
-    return [polar(c) for c in corners]
+    widths = size.ratio ** np.arange(size.rings + 1.0)
+    for w, s in pairwise(widths):
+        corners += [[(-w, 0), (-s, 0), (-s, s), (-w, w)], [(-w, w), (-s, s), (0, s), (0, w)]]
+        corners += [[(0, w), (0, s), (s, s), (w, w)], [(s, 0), (w, 0), (w, w), (s, s)]]
+    w = widths[-1]
+    corners += [[(-w, 0), (0, 0), (0, w), (-w, w)], [(0, 0), (w, 0), (w, w), (0, w)]]
+    return np.array(corners)
+
+
+def nested_about_edge(edge, width, size):
+    """Blocks in the box of half-width `width` about the angle `edge`."""
+    return [polar([edge, 0] + [width, width * size.depth / size.width] * corners) for corners in half_squares(size)]
 
 
 def nested_about_middle(half_angle, size):
@@ -134,11 +135,12 @@ def part(block, u0, u1, v0, v1):
     return lambda u, v: block(u0 + u * (u1 - u0), v0 + v * (v1 - v0))
 
 
-def stripped(block, size):
-    """The block, or if it touches the rim at v = 0 its strips."""
-    touches = np.hypot(*block(np.array(0.5), np.array(0.0))) > 1 - 1e-12
-    ends = [0.0, *size.ratio ** np.arange(size.strips, -1.0, -1.0)] if touches else [0.0, 1.0]
-    return [part(block, 0, 1, a, b) for a, b in pairwise(ends)]
+def divided(blocks, size):
+    """Nine points (q, 3, 3, 2) of each biquadratic cell of the blocks."""
+    u, v = np.meshgrid(*[np.linspace(0, 1, 2 * size.split + 1)] * 2, indexing="ij")
+    grids = np.array([block(u, v) for block in blocks])
+    starts = range(0, 2 * size.split, 2)
+    return positive(np.concatenate([grids[:, i : i + 3, j : j + 3] for i in starts for j in starts]))
 
 
 def half_disk(half_angle, size):
@@ -153,13 +155,8 @@ def half_disk(half_angle, size):
         ring = columns(angles, size.depth)
     else:
         ring, angles = rim_ring(edge, size)
-    blocks = [strip for block in ring for strip in stripped(block, size)] + core(angles, size.depth)
-    u, v = np.meshgrid(*[np.linspace(0, 1, 2 * size.split + 1)] * 2, indexing="ij")
-    grids = np.array([block(u, v) for block in blocks])
-    starts = range(0, 2 * size.split, 2)
-    cells = [grids[:, i : i + 3, j : j + 3] for i in starts for j in starts]
-    cells = np.concatenate(cells)
-    return positive(cells * [-1, 1] if reflect else cells)
+    cells = divided(ring + core(angles, size.depth), size)
+    return positive(cells * [-1, 1]) if reflect else cells
 
 
 def positive(cells):

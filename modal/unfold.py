@@ -68,11 +68,20 @@ def flexural(solid, part, c):
     return part.copies * np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T) > 0.5
 
 
-def face_matrix(solid, part, points, side):
-    """Sparse (n, p): values at points (n, 2) with y >= 0 of the sector's bottom (side -1) or top (1) face."""
-    height = 2 if side > 0 else 0
-    lattice = [[int(np.flatnonzero(([i, j, height] == NODES).all(axis=1))[0]) for j in range(3)] for i in range(3)]
-    numbers = solid.cells[part.layers - 1 if side > 0 else 0 :: part.layers][:, lattice]
+FACES = [[[i for i in np.lexsort(NODES.T) if NODES[i, a] == end] for end in (0, 2)] for a in range(3)]
+"""For each of the three directions the nine nodes of a hexahedron on either side, a grid of 3 x 3."""
+
+
+def faces_at(solid, height):
+    """Node numbers (q, 3, 3) of the sides of cells that lie at a height [m]."""
+    level = np.abs(solid.points[:, 2] - height) < 1e-9 * np.abs(solid.points).max()
+    sides = np.concatenate([solid.cells[:, side] for pair in FACES for side in pair])
+    return sides[level[sides].all(axis=1)].reshape(-1, 3, 3)
+
+
+def face_matrix(solid, points, height):
+    """Sparse (n, p): values at points (n, 2) with y >= 0 of the sector's face at a height [m]."""
+    numbers = faces_at(solid, height)
     return sample.interpolation(points, solid.points[numbers][..., :2], numbers, len(solid.points))
 
 
@@ -80,8 +89,9 @@ def face_matrices(solid, part, points):
     """The matrix of `face_matrix` for the bottom and the top face at points (n, 2), for a quarter the same."""
     points = np.round(np.stack([points[:, 0], np.abs(points[:, 1])], axis=1), 15)
     once, repeated = np.unique(points, axis=0, return_inverse=True)
-    top = face_matrix(solid, part, once, 1)[repeated.ravel()]
-    return (top if part.quarter else face_matrix(solid, part, once, -1)[repeated.ravel()]), top
+    low, high = solid.points[:, 2].min(), solid.points[:, 2].max()
+    top = face_matrix(solid, once, high)[repeated.ravel()]
+    return (top if part.quarter else face_matrix(solid, once, low)[repeated.ravel()]), top
 
 
 def on_faces(matrices, points, quarter, c):
