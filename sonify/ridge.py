@@ -4,27 +4,17 @@ from dataclasses import dataclass
 
 import numpy as np
 from numba import njit
-from numpy.lib.stride_tricks import sliding_window_view
-from scipy.ndimage import map_coordinates
 from scipy.optimize import least_squares
-from scipy.signal import resample_poly
 
-HOP = 0.005
-"""Spacing of the frames [s]."""
-STEPS_PER_OCTAVE = 48
-"""Of the logarithmic frequency axis."""
-BANDS = ((8.0, 40.0, 0.5), (40.0, 120.0, 0.2), (120.0, 400.0, 0.07), (400.0, 1500.0, 0.025), (1500.0, 8000.0, 0.01))
-"""From, to [Hz], and the window there [s]: a tone that goes as 1/(t_end - t) stays within a line of it."""
+from sonify.logmap import HOP, STEPS_PER_OCTAVE, log_map
+
 TIME_LEFT = (0.02, 8.0)
 """The stretch before the end in which the tone is sought [s]."""
 EXPONENTS = np.arange(0.25, 1.6, 0.125)
-DEEPEST_DB, LEAST_DB, MOST_DB = 60.0, -6.0, 20.0
-"""What is so far below the loudest is as good as silence; bounds of the level that a frame contributes [dB]."""
 STAND_OUT_DB = 6.0
 """A frame counts where the ridge is so far above what is usual at its frequency."""
 FAINTEST_DB = 4.0
 """A ridge that stands out by less than this on the mean is none: noise alone gives about 2.5 dB."""
-
 LEAST_SPAN = 1.0
 """A ridge over fewer octaves does not count as rising."""
 
@@ -56,58 +46,6 @@ class RisingTone:
         """By how much the pitch rises over the ridge: median of its last tenth over that of its first."""
         tenth = max(len(self.frequency) // 10, 1)
         return float(np.median(self.frequency[-tenth:]) / np.median(self.frequency[:tenth]))
-
-
-@dataclass(frozen=True, kw_only=True)
-class LogMap:
-    """Level (t, f) [dB] above the median over time, at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm.
-
-    Between LEAST_DB and MOST_DB, so that no frame decides alone, and MOST_DB only for the strongest of a frame.
-    """
-
-    time: np.ndarray
-    frequency: np.ndarray
-    level: np.ndarray
-
-    def read(self, t, frequency) -> np.ndarray:
-        """Return the level at times t and frequencies (any shape); outside it is 0."""
-        row = (t - self.time[0]) / HOP
-        column = np.log2(frequency / self.frequency[0]) * STEPS_PER_OCTAVE
-        return map_coordinates(self.level, [row, column], order=1, mode="constant", cval=0.0)
-
-
-def log_map(samples: np.ndarray, rate: float) -> LogMap:
-    """Return the map of samples (n,), with a window for every band that suits a tone rising as 1/(t_end - t)."""
-    time = np.arange(0, len(samples) / rate, HOP)
-    bands = [band for band in BANDS if band[0] < rate / 2]
-    frequency = BANDS[0][0] * 2 ** (np.arange(0, np.log2(bands[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE))
-    frequency = frequency[frequency < 0.45 * rate]
-    level = np.zeros((len(time), len(frequency)))
-    for low, high, window in bands:
-        here = (frequency >= low) & (frequency < high)
-        level[:, here] = _levels(samples, rate, time, frequency[here], window)
-    level = np.maximum(level, level.max() - DEEPEST_DB)
-    level -= np.median(level, axis=0)
-    below_strongest = level - level.max(axis=1, keepdims=True)
-    return LogMap(
-        time=time, frequency=frequency, level=np.clip(np.minimum(level, MOST_DB + below_strongest), LEAST_DB, MOST_DB)
-    )
-
-
-def _levels(samples, rate, time, frequency, window):
-    """Levels (t, f) [dB] of short spectra, after leaving out the samples that these frequencies do not need."""
-    down = max(int(rate / (4 * frequency[-1])), 1)
-    samples = resample_poly(samples, 1, down) if down > 1 else samples
-    size = max(int(window * rate / down), 16)
-    padded = np.pad(samples, size)
-    start = np.round(time * rate / down).astype(int) + size - size // 2
-    frames = sliding_window_view(padded, size)[np.minimum(start, len(padded) - size)] * np.hanning(size)
-    padding = 4 * size
-    power = np.abs(np.fft.rfft(frames, padding, axis=1)) ** 2
-    at = frequency * padding * down / rate
-    low = np.minimum(at.astype(int), power.shape[1] - 2)
-    power = power[:, low] * (1 - (at - low)) + power[:, low + 1] * (at - low)
-    return 10 * np.log10(power + 1e-12 * power.max() + 1e-300)
 
 
 def rising_tone(samples: np.ndarray, rate: float, fundamental: bool = False) -> RisingTone | None:
@@ -156,24 +94,30 @@ def _search(seen):
     left, last = _left(), len(seen.time)
     shape = np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE
     ends = np.arange(int(0.3 / HOP), last + int(0.2 / HOP), 4)
-    score = _scores(seen.level, ends, np.round(left / HOP).astype(int), np.round(shape).astype(int))
+    even = seen.level.shape[1] // 2 * 2
+    halves = np.ascontiguousarray(seen.level[:, :even].reshape(last, -1, 2).transpose(2, 0, 1))
+    score = _scores(halves, ends, np.round(left / HOP).astype(int), np.round(shape).astype(int))
     i, j, k = np.unravel_index(np.argmax(score), score.shape)
     beginning = np.log2(seen.frequency[0]) + 2 * k / STEPS_PER_OCTAVE
     return np.array([ends[i] * HOP, EXPONENTS[j], beginning + EXPONENTS[j] * np.log2(TIME_LEFT[1])])
 
 
 @njit(cache=True)
-def _scores(level, ends, left, shape):
-    """Mean level on the curves that begin at every other bin, by end (frames), exponent and beginning."""
-    frames, bins = level.shape
-    score = np.zeros((len(ends), len(shape), bins // 2))
+def _scores(halves, ends, left, shape):
+    """Mean level on the curves that begin at every other bin, by end (frames), exponent and beginning.
+
+    `halves` (2, frames, bins / 2) are the even and the odd bins of the map.
+    """
+    _, frames, beginnings = halves.shape
+    score = np.zeros((len(ends), len(shape), beginnings))
     for i in range(len(ends)):
         for l in range(len(left)):
             row = ends[i] - left[l]
             if 0 <= row < frames:
                 for j in range(len(shape)):
-                    for k in range(min(score.shape[2], (bins - shape[j, l] + 1) // 2)):
-                        score[i, j, k] += level[row, 2 * k + shape[j, l]]
+                    bins = halves[shape[j, l] % 2, row, shape[j, l] // 2 :]
+                    for k in range(len(bins)):
+                        score[i, j, k] += bins[k]
     return score / len(left)
 
 

@@ -1,0 +1,72 @@
+"""SOUND -> LOG MAP: levels over time and the logarithm of frequency, in windows that suit a tone that rises as
+1/(t_end - t)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from scipy.ndimage import map_coordinates
+from scipy.signal import resample_poly
+
+HOP = 0.005
+"""Spacing of the frames [s]."""
+STEPS_PER_OCTAVE = 48
+"""Of the logarithmic frequency axis."""
+BANDS = ((8.0, 40.0, 0.5), (40.0, 120.0, 0.2), (120.0, 400.0, 0.07), (400.0, 1500.0, 0.025), (1500.0, 8000.0, 0.01))
+"""From, to [Hz], and the window there [s]: a tone that goes as 1/(t_end - t) stays within a line of it."""
+DEEPEST_DB, LEAST_DB, MOST_DB = 60.0, -6.0, 20.0
+"""What is so far below the loudest is as good as silence; bounds of the level that a frame contributes [dB]."""
+GROUP = 1024
+"""So many frames are transformed at once."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class LogMap:
+    """Level (t, f) [dB] above the median over time, at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm.
+
+    Between LEAST_DB and MOST_DB, so that no frame decides alone, and MOST_DB only for the strongest of a frame.
+    """
+
+    time: np.ndarray
+    frequency: np.ndarray
+    level: np.ndarray
+
+    def read(self, t, frequency) -> np.ndarray:
+        """Return the level at times t and frequencies (any shape); outside it is 0."""
+        row = (t - self.time[0]) / HOP
+        column = np.log2(frequency / self.frequency[0]) * STEPS_PER_OCTAVE
+        return map_coordinates(self.level, [row, column], order=1, mode="constant", cval=0.0)
+
+
+def log_map(samples: np.ndarray, rate: float) -> LogMap:
+    """Return the map of samples (n,), with a window for every band that suits a tone rising as 1/(t_end - t)."""
+    time = np.arange(0, len(samples) / rate, HOP)
+    bands = [band for band in BANDS if band[0] < rate / 2]
+    frequency = BANDS[0][0] * 2 ** (np.arange(0, np.log2(bands[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE))
+    frequency = frequency[frequency < 0.45 * rate]
+    level = np.zeros((len(time), len(frequency)), np.float32)
+    samples = np.asarray(samples, np.float32)
+    for low, high, window in reversed(bands):
+        here = (frequency >= low) & (frequency < high)
+        down = max(int(rate / (4 * frequency[here][-1])), 1)  # the samples that this band and those below it need
+        samples, rate = resample_poly(samples, 1, down) if down > 1 else samples, rate / down
+        level[:, here] = _levels(samples, rate, time, frequency[here], window)
+    level = np.maximum(level, level.max() - DEEPEST_DB)
+    level -= np.median(level, axis=0)
+    level = np.minimum(level, MOST_DB + level - level.max(axis=1, keepdims=True))
+    return LogMap(time=time, frequency=frequency, level=np.clip(level, LEAST_DB, MOST_DB))
+
+
+def _levels(samples, rate, time, frequency, window):
+    """Levels (t, f) [dB] at frequencies (f,) through Hann windows around times (t,)."""
+    size = max(int(window * rate), 16)
+    turning = np.exp(-2j * np.pi / rate * np.outer(np.arange(size), frequency)) * np.hanning(size)[:, None]
+    kernel = np.hstack([turning.real, turning.imag]).astype(np.float32)
+    frames = sliding_window_view(np.pad(samples, size), size)
+    start = np.minimum(np.round(time * rate).astype(int) + size - size // 2, len(frames) - 1)
+    power = np.empty((len(time), len(frequency)), np.float32)
+    for first in range(0, len(time), GROUP):
+        some = slice(first, first + GROUP)
+        part = frames[start[some]] @ kernel
+        power[some] = part[:, : len(frequency)] ** 2 + part[:, len(frequency) :] ** 2
+    return 10 * np.log10(power + max(1e-12 * power.max(), 1e-30))
