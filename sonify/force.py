@@ -3,12 +3,17 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from scipy import sparse
 
 HARMONICS = 8
 """Multiples of the precession rate that the force is taken to contain."""
 HALF_WIDTH = 8
 """Half the width of the low-pass before the samples, where the force holds more than they can [samples]."""
+STRIDE = 16
+"""Samples between the nodes at which a calm force is read; between them it is interpolated."""
+CALM = 6
+"""The nodes of the polynomial through them: three before a sample, three after it."""
 FADE_TURNS = 4
 """Turns of the contact, before the end of a settled motion, over which everything goes to its mean over these turns."""
 
@@ -59,11 +64,15 @@ class ForceSampler:
     last turns of the contact, so that the end is no blow: what is left of the self-similar end after the solution stops
     is far above hearing. `rest` (c,) overrides the mean where it is not NaN. A motion that did not settle keeps its
     last values. Where the contact turns too fast for the sample rate, the samples are those of the low-passed channels.
+
+    Where no jump is near and the contact turns by less than `calm` [rad] in STRIDE samples, the channels are read that
+    often only, and interpolated; never with calm = 0. `read` counts the instants at which the motion was asked.
     tests/test_sound_force.py.
     """
 
-    def __init__(self, motion, sample_rate: float, start: float = 0.0, channels=in_newton, rest=None):
+    def __init__(self, motion, sample_rate: float, start: float = 0.0, channels=in_newton, rest=None, calm=0.0):
         self.motion, self.channels, self.sample_rate, self.start = motion, channels, sample_rate, start
+        self.calm, self.read = calm, 0
         self.end = float(motion.t[-1])
         settled = motion.outcome.name == "SETTLED"
         self.fade = FADE_TURNS * 2 * np.pi / self._turning(motion.at([self.end]))[0] if settled else 0.0
@@ -80,10 +89,9 @@ class ForceSampler:
         inside = slice(*np.searchsorted(self.jump_time, t[[0, -1]], side="right"))
         if t[0] > self.end + HALF_WIDTH / self.sample_rate:
             return self._at_rest(t)
-        state = self.motion.at(self._within(t))
-        slow = (self._crowd(state) == 1) | (t > self.end + HALF_WIDTH / self.sample_rate)
-        smooth = self._smooth(t, state)
-        smooth[~slow] = self._low_passed(n[~slow])
+        smooth, calm = self._interpolated(n)
+        slow = calm.copy()
+        smooth[~calm], slow[~calm] = self._sampled(n[~calm])
         return ContactForce(
             t=t,
             smooth=smooth,
@@ -92,6 +100,33 @@ class ForceSampler:
             jump=self.jump[inside],
             bend=self._bends(t, slow, smooth, inside),
         )
+
+    def _sampled(self, n):
+        """The continuous part at the samples n (k,), and whether it holds no more than samples can (k,)."""
+        t = self._times(n)
+        state = self.motion.at(self._within(t))
+        slow = (self._crowd(state) == 1) | (t > self.end + HALF_WIDTH / self.sample_rate)
+        smooth = self._smooth(t, state)
+        smooth[~slow] = self._low_passed(n[~slow])
+        return smooth, slow
+
+    def _interpolated(self, n):
+        """The continuous part at successive samples n (k,) by the polynomial through CALM nodes, and where it is calm
+        enough for that (k,)."""
+        if not self.calm:
+            return np.empty((len(n), len(self.rest))), np.zeros(len(n), bool)
+        before = CALM // 2 - 1
+        first, cells = n[0] // STRIDE, n[-1] // STRIDE - n[0] // STRIDE + 1
+        t = self._times((first - before + np.arange(cells + CALM - 1)) * STRIDE)
+        state = self.motion.at(self._within(t))
+        jumps = np.searchsorted(self.jump_time, t)
+        still = (self._turning(state) * STRIDE < self.calm * self.sample_rate) & (t >= 0) & (t <= self.end - self.fade)
+        calm = sliding_window_view(still, CALM).all(axis=1) & (jumps[CALM - 1 :] == jumps[: 1 - CALM])
+        nodes = sliding_window_view(self._smooth(t, state), CALM, axis=0)
+        between = np.arange(STRIDE) / STRIDE
+        smooth = np.einsum("cin,ns->csi", nodes, lagrange(np.arange(CALM) - before, between), optimize=True)
+        here = slice(n[0] - first * STRIDE, n[0] - first * STRIDE + len(n))
+        return smooth.reshape(-1, len(self.rest))[here], np.repeat(calm, STRIDE)[here]
 
     def _at_rest(self, t):
         steps = np.broadcast_to(self._levels[-1], (len(t), len(self.rest)))
@@ -117,6 +152,7 @@ class ForceSampler:
 
     def _channels(self, t, state=None):
         t = self._within(t)
+        self.read += len(t)
         state = self.motion.at(t) if state is None else state
         return self.channels(self.motion.force(t), state[:, :3])
 
@@ -166,6 +202,13 @@ class ForceSampler:
         part = ((times - since) / (t[interval + 1] - since))[:, None]
         bend = here - (before + part * (smooth[interval + 1] - before))
         return np.where((slow[interval] & slow[interval + 1])[:, None], bend, 0.0)
+
+
+def lagrange(nodes, x) -> np.ndarray:
+    """Return the weights (n, k) with which values at `nodes` (n,) give their polynomial at x (k,)."""
+    apart = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
+    factors = np.where(np.eye(len(nodes), dtype=bool)[..., None], 1.0, (x - nodes[:, None])[None] / apart[..., None])
+    return factors.prod(axis=1)
 
 
 def _previous(times, samples):

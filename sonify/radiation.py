@@ -8,6 +8,7 @@ a motion, air flows round the rim and the true pressure is lower.
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.signal import resample
 
 AIR_DENSITY = 1.204
 """Dry air at 20 degrees and 101325 Pa [kg/m^3]."""
@@ -15,6 +16,8 @@ SPEED_OF_SOUND = 343.2
 """In the same air [m/s]."""
 AZIMUTHS = 512
 """Directions at which the radiation of a mode is tabulated; between them it is taken linear."""
+SPARE_WAVES = 16
+"""Waves round the axis beyond those of shape and path, for the nearness of the listener."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -46,19 +49,21 @@ def rayleigh(face, points, weights, wavenumber, listener_at) -> np.ndarray:
     return AIR_DENSITY / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
 
 
-def directions(modes, listener: Listener, still: bool = False) -> np.ndarray:
-    """Return `rayleigh` of the top face of every mode at AZIMUTHS even azimuths of the listener, (AZIMUTHS, m),
-    complex.
+def directions(modes, listener: Listener, still: bool = False, count: int = AZIMUTHS) -> np.ndarray:
+    """Return `rayleigh` of the top face of every mode at `count` even azimuths of the listener, (count, m), complex.
 
-    At the frequency of each mode; at frequency 0 if `still`. Azimuths are in the frame of the modes.
+    At the frequency of each mode; at frequency 0 if `still`. Azimuths are in the frame of the modes. It is computed at
+    no more of them than its waves round the axis need, those of the shape and of the path, and joined by Fourier's sum.
     """
     radius, angle = np.meshgrid(modes.face_radius, modes.face_angle, indexing="ij")
     points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
     weights = np.repeat(modes.face_weight, len(modes.face_angle)) * 2 * np.pi / len(modes.face_angle)
     face = modes.face_shape[:, 1].reshape(len(modes.frequency), -1)
     k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / SPEED_OF_SOUND
-    azimuth = 2 * np.pi * np.arange(AZIMUTHS) / AZIMUTHS
-    return np.array([rayleigh(face, points, weights, k, _position(listener, a)) for a in azimuth])
+    waves = len(modes.face_angle) // 4 + int(k.max(initial=0.0) * modes.face_radius.max()) + SPARE_WAVES
+    azimuth = 2 * np.pi * np.arange(min(2 * waves, count)) / min(2 * waves, count)
+    found = np.array([rayleigh(face, points, weights, k, _position(listener, a)) for a in azimuth])
+    return resample(found, count, axis=0) if len(found) < count else found
 
 
 def taps(modes, listener: Listener, sample_rate: float) -> np.ndarray:
