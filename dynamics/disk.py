@@ -12,31 +12,44 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True, kw_only=True)
 class Disk:
-    """A circular cylinder: radius and thickness [m], and its mass [kg] or, for a solid one, its density [kg/m^3]."""
+    """A circular cylinder: radius and thickness [m], and its mass [kg] or, where it has a volume, density [kg/m^3].
+
+    A shell is hollow along its axis: `wall` [m] is what is left between the two radii, negligible unless it is given.
+    """
 
     radius: Annotated[float, Gt(0)]
     thickness: Annotated[float, Gt(0)]
     mass: Annotated[float, Gt(0)] | None = None
     density: Annotated[float, Gt(0)] | None = None
     shape: Literal["solid", "shell"] = "solid"
+    wall: Annotated[float, Gt(0)] | None = None
 
     def __post_init__(self):
         if (self.mass is None) == (self.density is None):
             raise ValueError("give either mass or density")
-        if self.shape == "shell" and self.mass is None:
-            raise ValueError("a shell of negligible wall has no density: give its mass")
+        if self.wall is not None and self.shape != "shell":
+            raise ValueError(f"wall = {self.wall:g}: only a disk of shape = 'shell' has a wall")
+        if self.wall is not None and not self.wall < self.radius:
+            raise ValueError(f"wall = {self.wall:g}: must be less than radius = {self.radius:g}")
+        if self.mass is None and not self.volume:
+            raise ValueError("a shell of negligible wall has no density: give its mass, or its wall")
         if self.mass is None:
             object.__setattr__(self, "mass", self.density * self.volume)
 
     @property
+    def inner_radius(self) -> float:
+        """Radius of the hole [m]: 0 of a solid cylinder, the outer radius of a shell of negligible wall."""
+        return 0.0 if self.shape == "solid" else self.radius - (self.wall or 0.0)
+
+    @property
     def volume(self) -> float:
-        """Volume of the solid cylinder [m^3]."""
-        return pi * self.radius**2 * self.thickness
+        """Volume [m^3]."""
+        return pi * (self.radius**2 - self.inner_radius**2) * self.thickness
 
     @property
     def gyration(self) -> float:
-        """k^2 of (2.4): 1 for a solid cylinder, 2 for a shell of negligible wall."""
-        return 1.0 if self.shape == "solid" else 2.0
+        """k^2 of (2.4): 1 for a solid cylinder, 2 for a shell of negligible wall, 1 + (inner over outer radius)^2."""
+        return 1.0 + (self.inner_radius / self.radius) ** 2
 
     @property
     def aspect(self) -> float:

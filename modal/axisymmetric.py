@@ -1,4 +1,4 @@
-"""The record of the modes of an axisymmetric plate: every order n >= 1 gives a degenerate (cosine, sine) pair."""
+"""The record of the modes of an axisymmetric solid: every order n >= 1 gives a degenerate (cosine, sine) pair."""
 
 from dataclasses import dataclass
 from math import pi
@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 
 from . import sample
-from .mesh import sector
+from .mesh import extrude, hexahedra, sector
 from .modes import Body, Modes, Support
 from .plane import Blocks
 from .spectral import Pairs, Plate, all_pairs, amplitudes, gauss
@@ -62,7 +62,7 @@ def columns(plate, pairs, odd, body):
         participation = participation[:, [1, 0, 2, 4, 3, 5]] * [1, 1, 1, -1, 1, -1]
     angle = sample.rim_angles()
     rim = amplitudes(plate, pairs, np.ones(1), -np.ones(1))[..., 0]
-    r, _, theta = sample.face_grid(1.0)
+    r, _, theta = sample.face_grid(1.0, plate.hole)
     faces = amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[2].transpose(0, 2, 1)
     around = np.sin(n * theta) if odd else np.cos(n * theta)
     inside = amplitudes(plate, pairs, body.rho, body.zeta)[..., body.which_rho, body.which_zeta]
@@ -94,14 +94,28 @@ class Points:
 
 def body_mesh(plate, highest):
     """Nodes (p, 3), cells and `Points` of the whole plate, fine enough to draw waves of the highest order."""
-    size = Blocks(width=pi / 8, depth=0.38, rings=1, split=1 + highest // 6)
-    part = sector(plate.radius, plate.thickness, Support(kind="free"), size)
-    points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
+    split = 1 + highest // 6
+    if plate.hole:
+        mesh = hexahedra(extrude(annulus(plate, 8 * split, split), np.linspace(0, plate.thickness / 2, split + 1)))
+    else:
+        size = Blocks(width=pi / 8, depth=0.38, rings=1, split=split)
+        mesh = sector(plate.radius, plate.thickness, Support(kind="free"), size).mesh
+    points, cells, _ = whole_mesh(mesh.doflocs.T, mesh.dofs.element_dofs.T, quarter=True)
     x, y, z = points.T
-    rho, which_rho = np.unique(np.minimum(np.hypot(x, y) / plate.radius, 1).round(12), return_inverse=True)
+    rho = np.clip(np.hypot(x, y) / plate.radius, plate.hole, 1)
+    rho, which_rho = np.unique(rho.round(12), return_inverse=True)
     zeta, which_zeta = np.unique(np.clip(2 * z / plate.thickness, -1, 1).round(12), return_inverse=True)
     angle = np.arctan2(y, x)
     return points, cells, Points(angle=angle, rho=rho, which_rho=which_rho, zeta=zeta, which_zeta=which_zeta)
+
+
+def annulus(plate, around, across):
+    """Nine points (q, 3, 3, 2) [m] of each biquadratic cell of the upper half of the ring between hole and rim."""
+    angle, depth = np.linspace(0, pi, 2 * around + 1), np.linspace(0, 1, 2 * across + 1)
+    r = plate.radius - (plate.radius - plate.inner_radius) * depth
+    grid = np.stack([np.multiply.outer(np.cos(angle), r), np.multiply.outer(np.sin(angle), r)], axis=-1)
+    corners = [(i, j) for i in range(0, 2 * around, 2) for j in range(0, 2 * across, 2)]
+    return np.array([grid[i : i + 3, j : j + 3] for i, j in corners])
 
 
 def partners(pair):
@@ -128,7 +142,7 @@ def plate_modes(plate: Plate, below, accuracy="standard") -> Modes:
     ascending = ascending[whole["frequency"][ascending] < below]
     whole = {name: value[ascending] for name, value in whole.items()}
     displacement, pair = whole.pop("displacement"), whole.pop("pair")
-    r, weight, theta = sample.face_grid(plate.radius)
+    r, weight, theta = sample.face_grid(plate.radius, plate.inner_radius)
     return Modes(
         **whole | {"family": tuple(whole["family"].tolist()), "parity": tuple(whole["parity"].tolist())},
         decay_rate=pi * whole["frequency"] * plate.material.loss_factor,

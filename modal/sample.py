@@ -12,11 +12,11 @@ def rim_angles():
     return np.arange(RIM_ANGLES) * 2 * np.pi / RIM_ANGLES
 
 
-def face_grid(radius):
+def face_grid(radius, inner=0.0):
     """Gauss radii [m] and weights [m^2] for int f r dr, and even angles: the grid of `Modes.face_shape`."""
     node, weight = np.polynomial.legendre.leggauss(FACE_RADII)
-    r = (node + 1) * radius / 2
-    return r, weight * radius / 2 * r, np.arange(FACE_ANGLES) * 2 * np.pi / FACE_ANGLES
+    r = (radius + inner) / 2 + node * (radius - inner) / 2
+    return r, weight * (radius - inner) / 2 * r, np.arange(FACE_ANGLES) * 2 * np.pi / FACE_ANGLES
 
 
 def quadratic(x):

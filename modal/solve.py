@@ -11,14 +11,27 @@ BELOW = 24000.0
 
 
 def density(disk) -> float:
-    """Mass over volume of a solid disk [kg/m^3]; ValueError for a shell."""
-    if disk.shape != "solid":
-        raise ValueError(f"disk.shape = {disk.shape!r}: elastic modes are computed for a solid disk only")
-    return disk.mass / (pi * disk.radius**2 * disk.thickness)
+    """Mass over volume of a disk [kg/m^3]; ValueError for a shell whose wall is not given."""
+    return disk.mass / (pi * (disk.radius**2 - inner_radius(disk) ** 2) * disk.thickness)
+
+
+def inner_radius(disk) -> float:
+    """Radius of the hole [m], 0 for a solid disk; ValueError for a shell whose wall is not given."""
+    if disk.shape == "solid":
+        return 0.0
+    if not getattr(disk, "wall", None):
+        raise ValueError(
+            f"disk.shape = {disk.shape!r}: elastic modes need disk.wall, the thickness of its wall in the radius, "
+            "or disk.shape = 'solid'"
+        )
+    return disk.radius - disk.wall
 
 
 def check(disk, support):
-    """ValueError if the patch does not fit on the disk."""
+    """ValueError if the disk has no volume, if the patch does not fit on it, or if it is to hold a shell."""
+    inner_radius(disk)
+    if support.kind == "patch" and disk.shape != "solid":
+        raise ValueError(f"support.kind = 'patch': a disk of disk.shape = {disk.shape!r} must be 'free'")
     if support.kind == "patch" and (support.height or 0) > disk.thickness:
         raise ValueError(f"support.height = {support.height:g} must not exceed disk.thickness = {disk.thickness:g}")
 
@@ -26,14 +39,14 @@ def check(disk, support):
 def eigenmodes(scene, below=BELOW) -> Modes:
     """The elastic `Modes` below the frequency `below` [Hz] of the disk of a scene.
 
-    Reads scene.disk (radius, thickness [m], mass [kg], shape), scene.material, scene.support and, if there is one,
-    scene.numerics.accuracy ("draft", "standard" or "reference"). Raises ValueError if the disk is a shell or the patch
-    is taller than the disk.
+    Reads scene.disk (radius, thickness [m], mass [kg], shape, of a shell the wall [m]), scene.material, scene.support
+    and, if there is one, scene.numerics.accuracy ("draft", "standard" or "reference"). Raises ValueError if the patch
+    is taller than the disk, if a shell has no wall or is held.
     """
     check(scene.disk, scene.support)
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
     disk, rho = scene.disk, density(scene.disk)
     if scene.support.kind == "free":
-        plate = Plate(radius=disk.radius, thickness=disk.thickness, material=scene.material, density=rho)
-        return axisymmetric.plate_modes(plate, below, accuracy)
+        size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
+        return axisymmetric.plate_modes(Plate(**size, material=scene.material, density=rho), below, accuracy)
     return held.held_modes(disk, scene.material, scene.support, rho, below, accuracy)

@@ -79,25 +79,41 @@ def taps(modes, listener: Listener, sample_rate: float) -> np.ndarray:
     return np.stack([(both + apart) / 2, at_rest - both, (both - apart) / 2], axis=2)
 
 
-def heave_kernel(listener: Listener, radius: float, h: float):
+def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
     """Return `step`, `taps` of a disk of `radius` [m] that heaves with unit acceleration: the low-pass by its own size.
 
     step(t) is the response at t [s] to a step, taps (2 w + 1,) that to samples joined by straight lines, h [s] apart.
-    In units of `piston_strength`; to the first order in radius/distance.
+    In units of `piston_strength`; to the first order in radius/distance. A disk with a `hole` of that radius [m] is the
+    disk without the part that is missing.
     """
-    return _kernel(listener.transit(radius), h, _heave)
+    return _without(lambda r: _kernel(listener.transit(r), h, _heave), radius, hole, (hole / radius) ** 2)
 
 
-def tilt_kernel(listener: Listener, radius: float, h: float):
+def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
     """The same for a disk that rocks: its rim towards the listener has unit acceleration, the opposite rim the reverse.
 
-    Far away the two halves cancel but for their difference in time; nearby also by their difference in distance.
+    Far away the two halves cancel but for their difference in time; nearby also by their difference in distance. The
+    rim of the hole has (hole / radius) of the acceleration.
     """
-    transit = listener.transit(radius)
-    far_step, far_taps = _kernel(transit, h, _tilt_far)
-    near_step, near_taps = _kernel(transit, h, _tilt_near)
-    late, close = transit / max(transit, h), transit * SPEED_OF_SOUND / listener.distance
-    return lambda t: late * far_step(t) + close * near_step(t), late * far_taps + close * near_taps
+
+    def whole(r):
+        transit = listener.transit(r)
+        far_step, far_taps = _kernel(transit, h, _tilt_far)
+        near_step, near_taps = _kernel(transit, h, _tilt_near)
+        late, close = transit / max(transit, h), transit * SPEED_OF_SOUND / listener.distance
+        return lambda t: late * far_step(t) + close * near_step(t), late * far_taps + close * near_taps
+
+    return _without(whole, radius, hole, (hole / radius) ** 3)
+
+
+def _without(kernel, radius, hole, share):
+    """Step response and taps of kernel(radius) less `share` times those of kernel(hole)."""
+    step, taps = kernel(radius)
+    if not hole:
+        return step, taps
+    inner_step, inner_taps = kernel(hole)
+    margin = (len(taps) - len(inner_taps)) // 2
+    return lambda t: step(t) - share * inner_step(t), taps - share * np.pad(inner_taps, margin)
 
 
 def _kernel(transit, h, shape):

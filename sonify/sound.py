@@ -95,7 +95,8 @@ class Renderer:
         return np.column_stack([rigid, np.cos(azimuth), np.sin(azimuth), self._drive(force, attitude)])
 
     def _prepare_rigid(self, disk):
-        kernels = [kernel(self.listener, disk.radius, self.h) for kernel in (heave_kernel, tilt_kernel)]
+        face = disk.radius, self.h, disk.inner_radius
+        kernels = [kernel(self.listener, *face) for kernel in (heave_kernel, tilt_kernel)]
         self._steps, self._taps = zip(*kernels, strict=True)
         self.reach = len(self._taps[0]) // 2
         self._strength = piston_strength(disk.radius, self.listener.distance)

@@ -1,0 +1,84 @@
+"""Stiffness and mass of an axisymmetric solid in the basis of basis.py, by Gauss quadrature that is exact for it."""
+
+from math import atanh, ceil, pi
+
+import numpy as np
+
+from .basis import axial, radial
+from .elastic import lame
+
+
+def strain_of(term, n):
+    """Coefficients (6, 3, 2) of strains rr, theta theta, zz, twice rz, r theta, theta z in the products of
+    (value, slope, value over r) in the radius with (value, slope) in z."""
+    a, b, w = term.share
+    strain = np.zeros((6, 3, 2))
+    strain[0, 1, 0] = a
+    strain[1, 2, 0] = a + n * b
+    strain[2, 0, 1] = w
+    strain[3, 0, 1], strain[3, 1, 0] = a, w
+    strain[4, 1, 0], strain[4, 2, 0] = b, -(b + n * a)
+    strain[5, 0, 1], strain[5, 2, 0] = b, -n * w
+    return strain
+
+
+def gauss(plate, n, size):
+    """Gauss points rho in [hole, 1] and zeta in [-1, 1], weights [m^2] and [m]; exact for the basis.
+
+    About the axis the integrands are polynomials in rho^2, of which the points are those of Gauss. About a hole they
+    are polynomials over rho: Gauss points of rho, so many more that the pole, which they see at a distance of
+    2 atanh(sqrt(hole)) in the logarithm of its ellipse, is lost in round-off.
+    """
+    zeta, wz = np.polynomial.legendre.leggauss(2 * size[1] + 2)
+    around = 2 * pi if n == 0 else pi
+    if plate.hole:
+        x, wx = np.polynomial.legendre.leggauss(size[0] + 2 + ceil(9.2 / atanh(plate.hole**0.5)))
+        rho = (1 + plate.hole) / 2 + (1 - plate.hole) / 2 * x
+        wx = wx * 2 * (1 - plate.hole) * rho
+    else:
+        x, wx = np.polynomial.legendre.leggauss(size[0] + n // 2 + 4)
+        rho = ((x + 1) / 2) ** 0.5
+    return rho, zeta, around * wx / 4 * plate.radius**2, wz * plate.thickness / 2
+
+
+def on_grid(plate, term, size, rho, zeta):
+    """Value, slope, value over r (3, a, k) of the radial functions and value, slope (2, c, l) of the axial ones."""
+    value, slope = radial(term, size[0], rho)
+    height, tilt = axial(term, size[1], zeta)
+    over = np.stack([value, slope / plate.radius, value / (rho * plate.radius)])
+    return over, np.stack([height, tilt * 2 / plate.thickness])
+
+
+def matrices(plate, p, size):
+    """Stiffness and mass (N, N) of one problem: int lam tr(eps)^2 + 2 mu eps:eps, and int rho u.u."""
+    rho, zeta, weight, depth = gauss(plate, p.n, size)
+    lam, mu = lame(plate.material)
+    elasticity = np.diag([2 * mu] * 3 + [mu] * 3)
+    elasticity[:3, :3] += lam
+    grids = [on_grid(plate, term, size, rho, zeta) for term in p.terms]
+    stiffness, mass = [], []
+    for s, (r, z) in zip(p.terms, grids, strict=True):
+        rows = []
+        for t, (q, y) in zip(p.terms, grids, strict=True):
+            along, through = np.einsum("iak,jbk,k->ijab", r, q, weight), np.einsum("icl,jdl,l->ijcd", z, y, depth)
+            energy = np.einsum("IJ,Irz,Jsy->rzsy", elasticity, strain_of(s, p.n), strain_of(t, p.n))
+            shared = plate.density * np.dot(s.share, t.share)
+            shape = along.shape[2] * through.shape[2], along.shape[3] * through.shape[3]
+            k = np.einsum("rzsy,rsab,zycd->acbd", energy, along, through, optimize=True)
+            rows.append((k.reshape(shape), shared * np.kron(along[0, 0], through[0, 0])))
+        stiffness.append([k for k, _ in rows])
+        mass.append([m for _, m in rows])
+    return np.block(stiffness) + ring(plate, p, size), np.block(mass)
+
+
+def ring(plate, p, size):
+    """Stiffness (N, N) of the elastic ring: ring_stiffness times the integral along it of u_z^2, averaged over z.
+
+    Of Legendre's polynomials only the constant has an average.
+    """
+    if not plate.ring_stiffness or p.even > 0:
+        return 0.0
+    rho, constant = np.array([plate.ring_radius / plate.radius]), np.eye(size[1])[0]
+    u_z = np.concatenate([t.share[2] * np.kron(radial(t, size[0], rho)[0][:, 0], constant) for t in p.terms])
+    around = (2 * pi if p.n == 0 else pi) * plate.ring_radius
+    return plate.ring_stiffness * around * np.outer(u_z, u_z)
