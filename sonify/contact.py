@@ -56,12 +56,23 @@ def modal_drive(modes, scene):
     """
     disk = scene.disk
     if scene.support.kind == "patch":
-        per_newton = -rigid_acceleration(np.eye(3), disk) @ modes.participation.T
+        per_newton = _by_the_base(modes, disk)
         return lambda force, attitude: np.einsum("kc,cm->km", in_patch_frame(force, attitude[:, 1]), per_newton)
     shape = _rim(modes)
     return lambda force, attitude: np.einsum(
         "kmc,kc->km", shape(-attitude[:, 2]), in_patch_frame(force, attitude[:, 1]), optimize=True
     )
+
+
+def drive_per_newton(modes, scene) -> np.ndarray:
+    """Return (3, m): what 1 N along x, y, z of the patch drives; on a free disk its root mean square round the rim."""
+    if scene.support.kind == "patch":
+        return _by_the_base(modes, scene.disk)
+    return np.sqrt(np.mean(modes.rim_shape**2, axis=1)).T
+
+
+def _by_the_base(modes, disk):
+    return -rigid_acceleration(np.eye(3), disk) @ modes.participation.T
 
 
 def _rim(modes):

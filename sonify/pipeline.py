@@ -5,18 +5,19 @@ from pathlib import Path
 
 from dynamics import ImpossibleContactError, Motion, simulate
 from dynamics.simulation import chosen_integrator
-from modal import Modes, eigenmodes
+from modal import Modes, eigenmodes, with_radiation
 from modal.solve import check, density
 from sonify.checks import Check, all_checks
 from sonify.files import claim
 from sonify.findings import Finding, all_findings
 from sonify.listen import Heard, RecordingError, listen
-from sonify.plan import Plan, plan_of
+from sonify.plan import Plan, plan_of, with_end, with_voices
 from sonify.progress import Stages
 from sonify.record import write_record
 from sonify.scene import Scene, SceneError
 from sonify.sound import Renderer, Sound
 from sonify.verdict import all_verdicts
+from sonify.voices import after_a_jump
 from sonify.wav import write_sound
 
 
@@ -51,19 +52,21 @@ def run(
     """
     scene = solvable(scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene)
     out, stages = claim(out or Path("outputs") / scene.name), stages or Stages()
-    with stages.stage("motion") as watch:
-        motion = solve_motion(scene, lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}"))
     with stages.stage("modes"):
-        modes = eigenmodes(scene, below=plan_of(scene).highest_mode)
+        plan, modes = planned(scene)
+    with stages.stage("motion") as watch:
+        motion = solve_motion(
+            plan.scene(scene), lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}")
+        )
     with stages.stage("sound") as watch:
-        sound = write_sound(Renderer(scene, motion, modes), out, watch)
+        sound = write_sound(Renderer(scene, motion, modes, plan.voices, plan.calm), out, watch)
     with stages.stage("findings"):
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound)
     result = Result(
         scene=scene,
-        plan=plan_of(scene, motion, silence),
+        plan=with_end(plan, motion, silence),
         motion=motion,
         modes=modes,
         sound=sound,
@@ -86,6 +89,13 @@ def solvable(scene: Scene) -> Scene:
     except ValueError as error:
         raise SceneError(str(error)) from None
     return scene
+
+
+def planned(scene: Scene) -> tuple[Plan, Modes]:
+    """Return what is to be computed, and the modes, which the plan needs to say which of them sound."""
+    plan = plan_of(scene)
+    modes = with_radiation(eigenmodes(scene, below=plan.highest_mode))
+    return with_voices(plan, modes, *after_a_jump(modes, scene)), modes
 
 
 def hear(sound: Sound) -> tuple[Heard | None, list[str]]:

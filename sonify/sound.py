@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 from math import ceil
 from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 from numba import njit
@@ -12,6 +11,7 @@ from sonify.contact import listener_azimuth, modal_drive, rigid_sources
 from sonify.force import ForceSampler
 from sonify.oscillators import Knots, OscillatorBank
 from sonify.radiation import AZIMUTHS, Listener, heave_kernel, piston_strength, taps, tilt_kernel
+from sonify.voices import ring_down, voices
 
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 """The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring after its jumps."""
@@ -21,8 +21,6 @@ FADE_IN, FADE_OUT = 0.02, 0.05
 """Raised cosines [s] at the ends: what held the disk before the release is not modelled, nor what follows the file."""
 ENERGY_WINDOW = 0.002
 """The energy of the modes is noted so often [s]: a swing of the lowest of them."""
-RING_DOWN_DB, LONGEST_TAIL = 60.0, 10.0
-"""A settled disk is heard until its slowest mode has fallen so far [dB], but not longer than this [s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -61,23 +59,24 @@ class Sound:
 class Renderer:
     """Turns a motion and the modes of its disk into blocks of pressure at the listener [Pa], one column per stem.
 
-    Modes at or above half the sample rate are left out. The clock of the samples is the listener's: the source is heard
-    distance / c later. tests/test_sound.py.
+    Of the modes those of the indices `wanted` sound, all if None, but none at or above half the sample rate. `calm` is
+    that of the ForceSampler. The clock of the samples is the listener's: the source is heard distance / c later.
+    tests/test_sound.py.
     """
 
-    def __init__(self, scene, motion, modes):
+    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0):
         self.scene, self.sample_rate, self.h = scene, scene.audio.sample_rate, 1 / scene.audio.sample_rate
         self.listener = Listener(distance=scene.audio.distance, elevation=np.radians(scene.audio.elevation_deg))
-        self.modes = audible(modes, self.sample_rate)
+        self.modes = voices(modes, self.sample_rate, wanted)
         self.energy_time, self.energy = [], []
         self._prepare_rigid(scene.disk)
         self._drive = modal_drive(self.modes, scene)
         start = self.reach * self.h - self.listener.delay
         rest = [0.0, 0.0] + [np.nan] * (2 + len(self.modes.frequency))
-        self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest)
+        self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest, calm)
         self._prepare_modes(self.sampler.block(0, 1))
         self.source_end = self.sampler.end + self.listener.delay
-        ringing = tail(self.modes) if motion.outcome.name == "SETTLED" else 0.0
+        ringing = max(ring_down(self.modes, scene), 2 * FADE_OUT) if motion.outcome.name == "SETTLED" else 0.0
         self.samples = ceil((self.source_end + ringing) * self.sample_rate)
 
     def blocks(self, size: int = BLOCK):
@@ -158,40 +157,6 @@ class Renderer:
         rise = np.clip((n + 0.5) / (FADE_IN * self.sample_rate), 0, 1)
         fall = np.clip((self.samples - n - 0.5) / (FADE_OUT * self.sample_rate), 0, 1)
         return np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2
-
-
-OF_A_MODE = {"frequency", "decay_rate", "participation", "rim_shape", "face_shape"}
-
-
-class Voices(NamedTuple):
-    """What of the modes is heard: the fields of the same name of `modal.Modes`."""
-
-    frequency: np.ndarray
-    decay_rate: np.ndarray
-    participation: np.ndarray
-    rim_angle: np.ndarray
-    rim_shape: np.ndarray
-    face_radius: np.ndarray
-    face_weight: np.ndarray
-    face_angle: np.ndarray
-    face_shape: np.ndarray
-
-
-def audible(modes, sample_rate: float) -> Voices:
-    """Return the modes below half the sample rate: a higher one is left out, not folded back."""
-    keep = modes.frequency < sample_rate / 2
-    return Voices(
-        *(getattr(modes, name)[keep] if name in OF_A_MODE else getattr(modes, name) for name in Voices._fields)
-    )
-
-
-def tail(modes) -> float:
-    """Time [s] for which a settled disk is still heard: until the slowest mode has fallen by RING_DOWN_DB."""
-    if not len(modes.frequency):
-        return 2 * FADE_OUT
-    slowest = modes.decay_rate.min()
-    falling = RING_DOWN_DB / 20 * np.log(10)
-    return LONGEST_TAIL if slowest * LONGEST_TAIL < falling else falling / slowest
 
 
 @njit(cache=True)

@@ -55,7 +55,8 @@ def test_a_settled_disk_is_silent_but_for_its_ringing(scene, motion, stems):
     after = int((motion.t[-1] + 0.01) * scene.audio.sample_rate)
     assert np.abs(stems[after:, [HEAVE, TILT]]).max() == 0
     ringing = stems[after:, [SMOOTH, JUMPS]].sum(axis=1)
-    seconds = [rms(ringing[i * 48000 : (i + 1) * 48000]) for i in range(8)]
+    seconds = [rms(ringing[i * 48000 : (i + 1) * 48000]) for i in range(len(ringing) // 48000)]
+    assert len(seconds) >= 3
     assert np.all(np.diff(seconds) < 0)
 
 

@@ -1,0 +1,93 @@
+"""PLAN -> ERRORS: how far a run will be from the same one at accuracy "reference", and how far it was."""
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+import soundfile
+
+from dynamics.decline import time_left
+from sonify.hearing import a_weighting_db
+from sonify.levels import LEVELS
+
+LAST_INCLINATION = 1e-10
+"""Nothing is solved below this [rad]."""
+END = "the end of the motion, if the disk settles"
+FREQUENCIES = "frequencies of the modes, median"
+SOUND = "samples of the sound, A-weighted"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Prediction:
+    """How far a run will be from the same one at accuracy "reference": `error` in `unit`; `source` says how we know."""
+
+    name: str
+    error: float
+    unit: str
+    source: str
+
+
+def predicted_end(scene, final_inclination: float) -> Prediction:
+    """By how much a motion that settles stops too early."""
+    left = [time_left(b, scene.disk, scene.friction, scene.dissipation) for b in (final_inclination, LAST_INCLINATION)]
+    return Prediction(name=END, error=left[0] - left[1], unit="s", source="quasi-steady decline of a steady disk")
+
+
+def predicted_frequencies(modes, accuracy: str) -> Prediction:
+    """The median of the expected relative errors of the frequencies."""
+    error = true_error(modes, accuracy)
+    return Prediction(
+        name=FREQUENCIES,
+        error=float(np.median(error)) if len(error) else 0.0,
+        unit="relative",
+        source="the distance between two levels of the solver, times what of it is true on disks like these",
+    )
+
+
+def predicted_sound(modes, loudness, accuracy: str) -> Prediction:
+    """The distance of two sounds of modes that are a little out of tune, as loud as `loudness` (m,), plus what is left
+    out.
+
+    Two decaying sines that start together differ by 2 D^2/(D^2 + 4 d^2) of their energy, D the difference of their
+    frequencies [rad/s], d their decay rate.
+    """
+    apart = 2 * pi * modes.frequency * true_error(modes, accuracy)
+    lost = 2 * apart**2 / (apart**2 + 4 * modes.decay_rate**2)
+    unheard = 10 ** (-LEVELS[accuracy].range_db / 10)
+    return Prediction(
+        name=SOUND,
+        error=float(np.sqrt((loudness @ lost) / (loudness.sum() or 1.0) + unheard)),
+        unit="relative",
+        source="the modes, if they are what is heard, drift out of step where their frequencies differ",
+    )
+
+
+def true_error(modes, accuracy: str) -> np.ndarray:
+    """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
+    level = LEVELS[accuracy]
+    return modes.error * (level.free if (modes.partner >= 0).any() else level.patch)
+
+
+def measured(run, reference) -> dict[str, float]:
+    """Return the errors of a run by the names of its predictions; both are results of `sonify.run`, files included."""
+    found, true = run.modes.frequency, reference.modes.frequency
+    count = min(len(found), len(true))
+    return {
+        END: float(reference.motion.t[-1] - run.motion.t[-1]),
+        FREQUENCIES: float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0,
+        SOUND: audible_error(run.out / "pressure.wav", reference.out / "pressure.wav"),
+    }
+
+
+def audible_error(path, reference, weighted: bool = True) -> float:
+    """Return the root mean square of the difference of two sound files over that of the reference, A-weighted or not.
+
+    The shorter one is followed by silence. Raises ValueError where their sample rates differ.
+    """
+    (a, rate), (b, other) = soundfile.read(path), soundfile.read(reference)
+    if rate != other:
+        raise ValueError(f"sample rates differ: {rate} Hz and {other} Hz")
+    size = max(len(a), len(b))
+    weight = 10 ** (a_weighting_db(np.fft.rfftfreq(size, 1 / rate)) / 20) if weighted else 1.0
+    true = np.fft.rfft(b, size)
+    return float(np.linalg.norm(weight * (np.fft.rfft(a, size) - true)) / (np.linalg.norm(weight * true) or 1.0))
