@@ -14,7 +14,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from dynamics.rates import precession_rate
 from sonify.files import whole
-from sonify.pictures import level_image
+from sonify.pictures.heard import level_image, log_frequency
 from sonify.scene_errors import InputError
 from sonify.spectrogram import spectrogram
 from sonify.view import TABLE, Camera, contact, exposed, rims, table, traced
@@ -197,7 +197,8 @@ def backdrop(clip):
     below = (SIZE[1] - STAGE[1] - 74) / SIZE[1]
     axes = figure.add_axes((0.06, 60 / SIZE[1], 0.84, below), facecolor="k")
     seen = spectrogram(clip.result.sound.folder / "pressure.wav", WINDOW, span=clip.span).band(*RATES)
-    axes.set(yscale="log", ylim=RATES, xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
+    log_frequency(axes, RATES)
+    axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
     image = level_image(axes, seen, 1.0)
     bar = figure.add_axes((0.92, 60 / SIZE[1], 0.015, below))
     figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")

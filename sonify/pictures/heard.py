@@ -1,19 +1,17 @@
-"""PICTURES: what was solved and what is heard, each readable without colour."""
-
-from contextlib import contextmanager
+"""SOUND -> PICTURES: spectrograms with the solved lines over them, and the causes of sound against hearing."""
 
 import numpy as np
-from matplotlib.figure import Figure
 from matplotlib.patheffects import withStroke
+from matplotlib.ticker import LogLocator, NullLocator
 from scipy.ndimage import median_filter
 
-from dynamics.rates import nutation_frequency, precession_frequency, precession_rate
-from sonify.files import whole
+from dynamics.rates import nutation_frequency, precession_frequency
 from sonify.hearing import audibility
 from sonify.sound import STEMS
 from sonify.spectrogram import REFERENCE_PRESSURE, spectrogram
 
-DPI = 110
+from .figure import figure_at
+
 RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
 """The band of the contact rates [Hz], and the window it is seen through [s]."""
 WINDOW_MODES = 0.02
@@ -26,28 +24,22 @@ EDGE = [withStroke(linewidth=2.5, foreground="k")]
 """Makes a white line visible on white."""
 
 
-def draw_all(result):
-    """Draw every picture of a run into its folder."""
-    draw_spectrogram(result.motion, result.modes, result.sound, result.out / "spectrogram.png")
-    draw_stems(result.sound, result.out / "stems.png")
-    draw_motion(result.motion, result.out / "motion.png")
-    draw_modes(result.modes, result.out / "modes.png")
-
-
 def draw_spectrogram(motion, modes, sound, path):
     """Draw pressure.wav in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
     file, delay = sound.folder / "pressure.wav", sound.source_end - motion.t[-1]
     low, high = spectrogram(file, WINDOW_RATES).band(*RATES), spectrogram(file, WINDOW_MODES)
     end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
-    with _figure(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
+    with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
-            top.set(yscale="log", ylim=RATES, xlim=span)
-            level_image(top, low, 1.0)
+            top.set(xlim=span)
+            log_frequency(top, RATES)
+            level_image(top, low.during(*span), 1.0)
             _rate_lines(top, motion, delay, 1.0)
-            image = level_image(bottom, high, 1e3)
+            image = level_image(bottom, high.during(*span), 1e3)
             bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
             _mode_lines(bottom, modes.frequency, span)
         _rate_lines(axes[1, 1], motion, delay, 1e3)
+        _legend(axes[1, 0])
         axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")
         axes[1, 0].set(ylabel="frequency [kHz]", title="Modes")
         axes[0, 1].set(title="The end")
@@ -58,8 +50,9 @@ def draw_recording(recording, heard, path):
     """Draw a sound file in two bands, relative to full scale, with the rising tone that was heard over it."""
     low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
     top = 5 * np.ceil(max(low.level_db(1.0).max(), high.level_db(1.0).max()) / 5)
-    with _figure(path, 2, 1, (11, 9)) as (figure, axes):
-        axes[0].set(yscale="log", ylabel="frequency [Hz]", title="Contact rates")
+    with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
+        log_frequency(axes[0], RATES)
+        axes[0].set(ylabel="frequency [Hz]", title="Contact rates")
         for panel, seen, unit in zip(axes, (low, high), (1.0, 1e3), strict=True):
             image = level_image(panel, seen, unit, 1.0, top - RANGE_DB)
             panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
@@ -67,11 +60,19 @@ def draw_recording(recording, heard, path):
                 left = np.geomspace(0.01, 8.0, 400)
                 options = {"color": "w", "lw": 1.0, "ls": "--", "label": "rising tone, fitted", "path_effects": EDGE}
                 panel.plot(heard.tone.end - left, heard.tone.at(heard.tone.end - left) / unit, **options)
-                panel.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
+                _legend(panel)
         axes[1].set(ylabel="frequency [kHz]", title="Modes", xlabel="time [s]")
         figure.colorbar(
             image, ax=axes, pad=0.02, fraction=0.05, label="level of a sine in the window [dB re full scale, RMS]"
         )
+
+
+def log_frequency(axes, band):
+    """Make the height of a panel the logarithm of frequency over `band` [Hz], with ticks at 1, 2, 5, 10 ..."""
+    axes.set(yscale="log", ylim=band)
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_locator(NullLocator())
 
 
 def level_image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
@@ -89,23 +90,28 @@ def _rate_lines(axes, motion, delay, unit):
     for rate, style, name in ((precession, "-", "precession"), (nutation, "--", "nutation")):
         smooth = median_filter(rate, 5) / unit
         axes.plot(peaks + delay, smooth, color="w", lw=1.0, ls=style, label=f"{name}, solved", path_effects=EDGE)
+    _legend(axes)
+
+
+def _legend(axes):
     axes.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
 
 
 def _mode_lines(axes, frequencies, span):
     heights = np.array(frequencies) / 1e3
     places = heights.copy()
+    apart = 0.022 * axes.get_ylim()[1]
     for i in range(1, len(places)):  # keep the labels apart
-        places[i] = max(places[i], places[i - 1] + 0.45)
+        places[i] = max(places[i], places[i - 1] + apart)
+    axes.hlines(heights, *span, color="w", lw=0.8, ls=":", alpha=0.7, label="modes, solved")
     for height, place in zip(heights, places, strict=True):
-        axes.axhline(height, color="w", lw=0.5, ls=":", alpha=0.6)
         axes.text(span[1], place, f" {1e3 * height:.0f} Hz", fontsize=7, va="center")
 
 
 def draw_stems(sound, path):
     """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing."""
     styles = dict(zip(STEMS, [("k", "-"), ("k", "--"), ("0.55", "-"), ("0.55", "--")], strict=True))
-    with _figure(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
+    with figure_at(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
         for name, (color, style) in styles.items():
             heard = audibility(sound.folder / "stems" / f"{name}.wav")
             options = {"color": color, "ls": style, "lw": 1.2, "label": name.replace("_", " ")}
@@ -122,64 +128,3 @@ def draw_stems(sound, path):
             axes.grid(alpha=0.3)
             axes.axvline(sound.source_end, color="k", lw=0.6, ls=":")
             axes.set_xlim(0, sound.duration)
-
-
-def draw_motion(motion, path):
-    """Draw the paper's figures 3 to 6."""
-    chi, weight = motion.disk.time_unit, motion.disk.weight
-    t = np.linspace(0, motion.t[-1], 12000)
-    state, tau = motion.at(t), t / chi
-    peaks, frequency = nutation_frequency(motion)
-    energy = motion.energy(t) * chi**2 / (motion.disk.mass * motion.disk.radius**2)
-    with _figure(path, 3, 2, (11, 11)) as (_, axes):
-        curves = [
-            (tau, np.pi / 2 - state[:, 1], "angle α [rad]", "Figure 3 (a)"),
-            (tau, energy, "energy Ê", "Figure 3 (b)"),
-            (tau, motion.normal_load(t), "normal force Φ", "Figure 4 (a)"),
-            (peaks / chi, frequency * chi, "frequency f̂ of the normal force", "Figure 4 (b)"),
-            (state[:, 3] / motion.disk.radius, state[:, 4] / motion.disk.radius, "y/R", "Figure 5: path of the centre"),
-            (tau, precession_rate(state) * chi, "dθ/dτ", "Figure 6"),
-        ]
-        for panel, (x, y, label, title) in zip(axes.flat, curves, strict=True):
-            panel.plot(x, y, color="k", lw=0.6)
-            panel.set(xlabel="time τ = t/χ", ylabel=label, title=title)
-            panel.grid(alpha=0.3)
-        axes[0, 0].axhline(np.pi / 2, color="0.5", lw=0.8, ls="--")
-        axes[1, 0].axhline(
-            motion.normal_load([0.0])[0] * weight / motion.force([0.0])[0, 2], color="0.5", lw=0.8, ls="--"
-        )
-        axes[1, 1].set(ylim=(0, 4))
-        axes[2, 0].set(xlabel="x/R", aspect="equal")
-        lowest, highest = np.percentile(precession_rate(state) * chi, [1, 99])
-        axes[2, 1].set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
-
-
-def draw_modes(modes, path):
-    """Draw the normal displacement of the top face of every mode, with the patch to the right where there is one."""
-    count = max(len(modes.frequency), 1)
-    columns = min(count, 5)
-    angle = np.append(modes.face_angle, modes.face_angle[0] + 2 * np.pi)
-    x, y = np.outer(modes.face_radius, np.cos(angle)), np.outer(modes.face_radius, np.sin(angle))
-    rows = -(-count // columns)
-    with _figure(path, rows, columns, (2.3 * columns, 2.7 * rows), squeeze=False) as (_, axes):
-        for panel in axes.flat:
-            panel.set_axis_off()
-        for i, panel in zip(range(len(modes.frequency)), axes.flat, strict=False):
-            shape = modes.face_shape[i, 1][:, np.arange(len(angle)) % len(modes.face_angle)]
-            shape = shape / (np.abs(shape).max() or 1.0)
-            panel.contourf(x, y, shape, np.linspace(-1, 1, 17), cmap="RdGy")
-            panel.contour(x, y, shape, [0.0], colors="k", linewidths=0.8)
-            panel.plot(x[-1], y[-1], color="0.6", lw=0.5)
-            panel.set(aspect="equal")
-            panel.set_title(f"{modes.frequency[i]:.0f} Hz\n{modes.family[i]}, order {modes.order[i]}", fontsize=8)
-
-
-@contextmanager
-def _figure(path, rows, columns, size, **options):
-    figure = Figure(figsize=size, dpi=DPI)
-    axes = figure.subplots(rows, columns, **options)
-    inches = {"left": 0.75 / size[0], "right": 1 - 0.6 / size[0], "bottom": 0.6 / size[1], "top": 1 - 0.5 / size[1]}
-    figure.subplots_adjust(**inches, wspace=0.25, hspace=0.27)
-    yield figure, axes
-    with whole(path) as temporary:
-        figure.savefig(temporary, metadata={"Software": None})

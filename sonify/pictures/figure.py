@@ -1,0 +1,36 @@
+"""FIGURE -> PNG: the frame that every picture shares."""
+
+from contextlib import contextmanager
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from PIL import Image
+
+from sonify.files import whole
+
+DPI = 110
+
+
+@contextmanager
+def figure_at(path, rows, columns, size, **options):
+    """A figure of `size` [in] with axes (rows, columns), written as PNG without transparency when the block ends."""
+    figure = Figure(figsize=size, dpi=DPI)
+    axes = figure.subplots(rows, columns, **options)
+    inches = {"left": 0.75 / size[0], "right": 1 - 0.6 / size[0], "bottom": 0.6 / size[1], "top": 1 - 0.5 / size[1]}
+    figure.subplots_adjust(**inches, wspace=0.25, hspace=0.27)
+    yield figure, axes
+    for panel in np.ravel(axes):
+        _fix(panel)
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    with whole(path) as temporary:
+        Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]).save(temporary, compress_level=3)
+
+
+def _fix(panel):
+    """Put title and labels in fixed places: matplotlib would measure every tick to find them, which takes long."""
+    width, height = panel.get_window_extent().size / DPI
+    panel.set_title(panel.get_title(), y=1.0)
+    panel.xaxis.set_label_coords(0.5, -0.3 / height)
+    panel.yaxis.set_label_coords(-0.58 / width, 0.5)
