@@ -16,10 +16,11 @@ from .plane import LEAD, bilinear, half_squares
 
 @dataclass(frozen=True, kw_only=True)
 class Nest:
-    """Boxes (b, 3) as (angle [rad], depth, height): one inside the patch, the patch's, one beyond it, and those that
-    lead over to the size of the disk; `around` and `through`: counts of cells along the angle and the height."""
+    """Boxes (b, 3) as (angle [rad], depth, height), of which number `patch` is that of the patch; `around` and
+    `through`: counts of cells along the angle and the height."""
 
     boxes: np.ndarray
+    patch: int
     around: int
     through: int
 
@@ -29,22 +30,28 @@ def longest(size):
     return 1.2 * size.width
 
 
+def steps(first, last):
+    """Distances (k, n) from first (n,) to last (n,), k >= 2, about doubled from one to the next; 0 remains 0."""
+    growth = np.divide(last, first, out=np.ones(len(first)), where=first > 0)
+    count = max(1, ceil(log(growth.max()) / log(1 / LEAD) - 0.5))
+    return first * growth ** (np.arange(count + 1)[:, None] / count)
+
+
 def nest(angle, height, top, size):
     """The `Nest` of a patch of a half-angle [rad] and a height below `top`; size is a `Blocks`."""
     width, rest = size.width, top - height
-    last = np.array([min(pi, max(angle, width / 4) + width), size.depth, height + min(rest, longest(size))])
-    if rest < 1.5 * longest(size):
-        last[2] = top
-    patch = np.array([angle, min(angle, height, size.depth / 3), height])
-    inner = np.array([max(angle / 2, angle - width), patch[1] / 2, height / 2])
-    outer = np.minimum([angle + min(angle, width), 2 * patch[1], 2 * height], last)
-    count = max(1, round(log((last / outer).max()) / log(1 / LEAD)))
-    leads = outer * (last / outer) ** (np.arange(1, count + 1)[:, None] / count)
-    around = max(size.legs, ceil(last[0] / size.width - 1e-9))
+    beyond = min(pi - angle, max(angle, width / 4) + width - angle)
+    above = rest if rest < 1.5 * longest(size) else longest(size)
+    near = min(angle, height, size.depth / 3)
+    inner = steps(np.array([near, near]) / 2, np.minimum([0.75 * angle, 0.75 * height], width))[::-1]
+    outer = steps(np.array([min(near, beyond), 2 * near, min(near, above)]), np.array([beyond, size.depth, above]))
+    inner = np.insert([angle, height] - inner, 1, near * LEAD ** np.arange(len(inner), 0.0, -1.0), axis=1)
+    around = max(size.legs, ceil((angle + beyond) / width - 1e-9))
     return Nest(
-        boxes=np.vstack([inner, patch, outer, leads]),
-        around=around + around % 2 if last[0] == pi else around,
-        through=max(size.legs, ceil(last[2] / longest(size) - 1e-9)),
+        boxes=np.vstack([inner, [angle, near, height], outer + [angle, 0.0, height]]),
+        patch=len(inner),
+        around=around + around % 2 if angle + beyond > pi - 1e-9 else around,
+        through=max(size.legs, ceil((height + above) / longest(size) - 1e-9)),
     )
 
 
@@ -89,18 +96,18 @@ def filled(nested, size):
     for i in range(len(boxes) - 1):
         cells.append(cut(lambda u, v, w, i=i: below(boxes, i + u, v, w), n, around, through))
     for side, along in ((beside, through), (above, around)):
-        for i in range(2, len(boxes) - 1):
+        for i in (i for i in range(len(boxes) - 1) if i not in (nested.patch - 1, nested.patch)):
             cells.append(cut(lambda u, v, w, i=i, side=side: side(boxes, i + u, v, w), n, n, along))
-        cells += [cut(tube(boxes, side, bilinear(quad)), n, n, along) for quad in half_squares(size)]
+        cells += [cut(tube(nested, side, bilinear(quad)), n, n, along) for quad in half_squares(size)]
     return solid(np.concatenate(cells))
 
 
-def tube(boxes, side, quad):
+def tube(nested, side, quad):
     """The block along an edge of the patch over a quadrilateral of its cross-section [-1, 1] x [0, 1]."""
 
     def block(u, v, w):
         s, e = np.moveaxis(quad(u, v), -1, 0)
-        return side(boxes, 1 + s, e, w)
+        return side(nested.boxes, nested.patch + s, e, w)
 
     return block
 

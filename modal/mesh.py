@@ -4,6 +4,9 @@ from dataclasses import dataclass
 from math import ceil, pi
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+from scipy.spatial import cKDTree
 from skfem import ElementHex2, MeshHex, MeshHex2
 
 from .box import filled, longest, nest
@@ -49,9 +52,10 @@ def extrude(cells, heights):
 def hexahedra(nodes):
     """The scikit-fem mesh (MeshHex2) of cells whose 27 nodes (c, 27, 3) are given; nodes that coincide become one."""
     corners = nodes[:, :8].reshape(-1, 3)
-    keys = np.rint(corners / np.abs(nodes).max() * 1e10).astype(np.int64)
-    _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
-    vertices = np.ascontiguousarray(corners[first].T)
+    near = cKDTree(corners).query_pairs(1e-10 * np.abs(nodes).max(), output_type="ndarray")
+    same = coo_matrix((np.ones(len(near)), near.T), shape=(len(corners),) * 2)
+    inverse = connected_components(same, directed=False)[1]
+    vertices = np.ascontiguousarray(corners[np.unique(inverse, return_index=True)[1]].T)
     mesh = MeshHex2.from_mesh(MeshHex(vertices, np.ascontiguousarray(inverse.reshape(-1, 8).T)))
     mesh.doflocs[:, mesh.dofs.element_dofs] = nodes.transpose(2, 1, 0)
     return mesh
