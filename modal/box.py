@@ -45,10 +45,11 @@ def nest(angle, height, top, size):
     near = min(angle, height, size.depth / 3)
     inner = steps(np.array([near, near]) / 2, np.minimum([0.75 * angle, 0.75 * height], width))[::-1]
     outer = steps(np.array([min(near, beyond), 2 * near, min(near, above)]), np.array([beyond, size.depth, above]))
+    outer += [angle, 0.0, height]
     inner = np.insert([angle, height] - inner, 1, near * LEAD ** np.arange(len(inner), 0.0, -1.0), axis=1)
     around = max(size.legs, ceil((angle + beyond) / width - 1e-9))
     return Nest(
-        boxes=np.vstack([inner, [angle, near, height], outer + [angle, 0.0, height]]),
+        boxes=np.vstack([inner, [angle, near, height], outer]),
         patch=len(inner),
         around=around + around % 2 if angle + beyond > pi - 1e-9 else around,
         through=max(size.legs, ceil((height + above) / longest(size) - 1e-9)),

@@ -1,0 +1,161 @@
+"""Elastic modes by other programs: CalculiX on the uniform meshes of `plain_elements`, NGSolve on its own meshes.
+
+Both come with the extra `peers` or from elsewhere; where one is missing, asking it raises Failure.
+"""
+
+import re
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+import numpy as np
+from scipy.sparse import csr_matrix
+from scipy.sparse.linalg import LinearOperator, eigsh
+from scipy.spatial import cKDTree
+from skfem import MeshTet2
+
+from modal.elastic import lame
+from modal.mesh import NODES
+from modal.unfold import VTK_HEXAHEDRON27
+from sonify.charts.modes_case import ModesCase
+from sonify.charts.plain_elements import FREE_SHIFT, patch_unknowns, uniform
+from sonify.charts.records import Answer, Failure
+
+SERENDIPITY = [int(np.flatnonzero((node == NODES).all(axis=1))[0]) for node in VTK_HEXAHEDRON27[:20]]
+"""The nodes of a 27-node hexahedron that one of 20 nodes keeps, in CalculiX's order."""
+MIRRORED = [1, 0, 2, 3, 4, 6, 5, 8, 7, 9]
+"""The nodes of a 10-node tetrahedron of the other hand."""
+HEALTHY = 1e-3
+"""A rigid-body mode is slower than this part of the first elastic one."""
+
+
+def calculix_modes(case: ModesCase, element: str, refinements: int, layers: int) -> Answer:
+    """Return the lowest frequencies [Hz] by CalculiX's C3D20 ("Q2 hexahedra") or C3D10 ("P2 tetrahedra")."""
+    basis, segments = uniform(case, element, refinements, layers)
+    points, cells = nodes_of(basis.mesh)
+    places = basis.doflocs[:, patch_unknowns(basis, case, segments)].T
+    held = np.unique(cKDTree(points).query(places)[1]) if len(places) else np.zeros(0, int)
+    used = np.unique(cells)
+    return calculix(case, points, cells, np.intersect1d(held, used))
+
+
+def nodes_of(mesh):
+    """Return points (p, 3) and cells (c, 20 or 10), in CalculiX's order and right-handed, of a scikit-fem mesh."""
+    if mesh.t.shape[0] == 8:
+        return mesh.doflocs.T, mesh.dofs.element_dofs[SERENDIPITY].T
+    mesh = MeshTet2.from_mesh(mesh)
+    cells = mesh.dofs.element_dofs.T.copy()
+    a, b, c, d = mesh.doflocs.T[cells[:, :4]].transpose(1, 0, 2)
+    left = np.einsum("ki,ki->k", np.cross(b - a, c - a), d - a) < 0
+    cells[left] = cells[left][:, MIRRORED]
+    return mesh.doflocs.T, cells
+
+
+def calculix(case: ModesCase, points, cells, held) -> Answer:
+    """Return the lowest frequencies [Hz] of a mesh: points (p, 3) [m], cells (c, 20 or 10), held nodes (h,)."""
+    if not shutil.which("ccx"):
+        raise Failure("CalculiX (ccx) is not installed")
+    count = len(case.reference) + (0 if len(held) else 6)
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "disk.inp").write_text(deck(case, points, cells, held, count))
+        done = subprocess.run(["ccx", "-i", "disk"], cwd=folder, capture_output=True, text=True)
+        answer = Path(folder) / "disk.dat"
+        if done.returncode or not answer.exists():
+            raise Failure(f"CalculiX stops: {done.stdout.strip().splitlines()[-1:]}")
+        return Answer(elastic(eigenvalues(answer.read_text()), len(case.reference)), 3 * len(np.unique(cells)))
+
+
+def deck(case: ModesCase, points, cells, held, count: int) -> str:
+    """Return CalculiX's input for the lowest `count` modes."""
+    used = np.unique(cells)
+    nodes = "\n".join(f"{i + 1},{x:.12e},{y:.12e},{z:.12e}" for i, (x, y, z) in zip(used, points[used], strict=True))
+    rows = ([i, *nodes] for i, nodes in enumerate(cells + 1, 1))
+    elements = "\n".join(
+        ",\n".join(",".join(map(str, row[a : a + 10])) for a in range(0, len(row), 10)) for row in rows
+    )
+    material = f"*ELASTIC\n{case.material.young:.12e},{case.material.poisson:.12e}\n*DENSITY\n{case.density:.12e}"
+    support = "*BOUNDARY\n" + "\n".join(f"{i + 1},1,3" for i in held) + "\n" if len(held) else ""
+    return (
+        f"*NODE,NSET=ALL\n{nodes}\n*ELEMENT,TYPE=C3D{cells.shape[1]},ELSET=DISK\n{elements}\n"
+        f"*MATERIAL,NAME=SOLID\n{material}\n*SOLID SECTION,ELSET=DISK,MATERIAL=SOLID\n"
+        f"{support}*STEP\n*FREQUENCY\n{count}\n*END STEP\n"
+    )
+
+
+def eigenvalues(text: str):
+    """Return the eigenvalues [1/s^2] in the output of CalculiX."""
+    return np.array([float(row) for row in re.findall(r"^ +\d+ +(-?\d\.\d+E[+-]\d+) +-?\d\.\d+E", text, re.MULTILINE)])
+
+
+def elastic(values, count: int):
+    """Return the highest `count` of the eigenvalues as frequencies [Hz]; Failure unless the rest are rigid bodies'."""
+    values = np.sort(values)
+    if len(values) < count or (np.abs(values[:-count]) > HEALTHY**2 * values[-count]).any():
+        raise Failure("rigid-body modes are lost or invented")
+    return np.sqrt(values[-count:]) / (2 * np.pi)
+
+
+def ngsolve_modes(case: ModesCase, element: str, refinements: int, layers: int) -> Answer:
+    """Return the lowest frequencies [Hz] by NGSolve: curved tetrahedra of degree 2 or 3 ("P2 tetrahedra", "P3 ...").
+
+    Their size is the thickness over `layers`; along the edge of the patch it is halved `refinements` times.
+    """
+    try:
+        import ngsolve
+    except ImportError:
+        raise Failure("NGSolve is not installed") from None
+    degree = int(element[1])
+    size = case.thickness / layers
+    mesh = ngsolve.Mesh(cylinder(case, size, refinements).GenerateMesh(maxh=size, grading=0.5))
+    mesh.Curve(degree)
+    space = ngsolve.VectorH1(mesh, order=degree, dirichlet="patch")
+    u, v = space.TnT()
+    lam, mu = lame(case.material)
+    strain, virtual = (ngsolve.Sym(ngsolve.Grad(field)) for field in (u, v))
+    energy = lam * ngsolve.div(u) * ngsolve.div(v) + 2 * mu * ngsolve.InnerProduct(strain, virtual)
+    stiffness = ngsolve.BilinearForm(energy * ngsolve.dx).Assemble()
+    mass = ngsolve.BilinearForm(case.density * u * v * ngsolve.dx).Assemble()
+    values = about_shift(stiffness.mat, mass.mat, space.FreeDofs(), case)
+    return Answer(elastic(values, len(case.reference)), space.ndof)
+
+
+def about_shift(stiffness, mass, free, case: ModesCase):
+    """Return the lowest eigenvalues [1/s^2] of NGSolve's matrices by scipy's eigsh and NGSolve's factorisation."""
+    count, shift = len(case.reference), 0.0
+    shifted = stiffness.CreateMatrix()
+    shifted.AsVector().data = stiffness.AsVector()
+    if case.half_angle is None:
+        count, shift = count + 6, FREE_SHIFT
+        shifted.AsVector().data -= shift * mass.AsVector()
+    factor = shifted.Inverse(free, inverse="sparsecholesky")
+    load, answer = shifted.CreateColVector(), shifted.CreateColVector()
+
+    def solve(right):
+        load.FV().NumPy()[:] = right
+        answer.data = factor * load
+        return answer.FV().NumPy().copy()
+
+    size = len(free)
+    k, m = (csr_matrix((a, i, p), shape=(size, size)) for a, i, p in (x.CSR() for x in (stiffness, mass)))
+    inverse, first = LinearOperator(k.shape, matvec=solve, dtype=float), solve(np.ones(size))
+    return eigsh(k, count, M=m, sigma=shift, OPinv=inverse, v0=first, return_eigenvectors=False)
+
+
+def cylinder(case: ModesCase, size: float, refinements: int):
+    """Return NGSolve's geometry of the disk, meshed to `size` [m]; the lateral side of the sector held is "patch"."""
+    from netgen.occ import Cylinder, Dir, Glue, HalfSpace, OCCGeometry, Pnt, Z
+
+    disk = Cylinder(Pnt(0, 0, -case.thickness / 2), Z, r=case.radius, h=case.thickness)
+    if case.half_angle is None:
+        return OCCGeometry(disk)
+    sine, cosine = np.sin(case.half_angle), np.cos(case.half_angle)
+    sides = [HalfSpace(Pnt(0, 0, 0), Dir(-sine, sign * cosine, 0)) for sign in (1, -1)]
+    sector = disk * sides[0] * sides[1]
+    for face in sector.faces:
+        if face.center.x > 0.9 * case.radius:
+            face.name = "patch"
+            for edge in face.edges:
+                if abs(edge.center.z) < case.thickness / 4:
+                    edge.maxh = size / 2**refinements
+    return OCCGeometry(Glue([disk - sector, sector]))
