@@ -1,11 +1,14 @@
 """Stiffness and mass of an axisymmetric solid in the basis of basis.py, by Gauss quadrature that is exact for it."""
 
+from functools import cache
 from math import atanh, ceil, pi
 
 import numpy as np
 
 from .basis import axial, radial
 from .elastic import lame
+
+leggauss = cache(np.polynomial.legendre.leggauss)
 
 
 def strain_of(term, n):
@@ -29,14 +32,14 @@ def gauss(plate, n, size):
     are polynomials over rho: Gauss points of rho, so many more that the pole, which they see at a distance of
     2 atanh(sqrt(hole)) in the logarithm of its ellipse, is lost in round-off.
     """
-    zeta, wz = np.polynomial.legendre.leggauss(2 * size[1] + 2)
+    zeta, wz = leggauss(2 * size[1] + 2)
     around = 2 * pi if n == 0 else pi
     if plate.hole:
-        x, wx = np.polynomial.legendre.leggauss(size[0] + 2 + ceil(9.2 / atanh(plate.hole**0.5)))
+        x, wx = leggauss(size[0] + 2 + ceil(9.2 / atanh(plate.hole**0.5)))
         rho = (1 + plate.hole) / 2 + (1 - plate.hole) / 2 * x
         wx = wx * 2 * (1 - plate.hole) * rho
     else:
-        x, wx = np.polynomial.legendre.leggauss(size[0] + n // 2 + 4)
+        x, wx = leggauss(size[0] + n // 2 + 4)
         rho = ((x + 1) / 2) ** 0.5
     return rho, zeta, around * wx / 4 * plate.radius**2, wz * plate.thickness / 2
 
@@ -50,25 +53,30 @@ def on_grid(plate, term, size, rho, zeta):
 
 
 def matrices(plate, p, size):
-    """Stiffness and mass (N, N) of one problem: int lam tr(eps)^2 + 2 mu eps:eps, and int rho u.u."""
+    """Stiffness and mass (N, N) of one problem: int lam tr(eps)^2 + 2 mu eps:eps, and int rho u.u.
+
+    All pairs of terms s, t at once; i, j number what is taken of a function of the radius, x, y of one of z.
+    """
     rho, zeta, weight, depth = gauss(plate, p.n, size)
     lam, mu = lame(plate.material)
     elasticity = np.diag([2 * mu] * 3 + [mu] * 3)
     elasticity[:3, :3] += lam
-    grids = [on_grid(plate, term, size, rho, zeta) for term in p.terms]
-    stiffness, mass = [], []
-    for s, (r, z) in zip(p.terms, grids, strict=True):
-        rows = []
-        for t, (q, y) in zip(p.terms, grids, strict=True):
-            along, through = np.einsum("iak,jbk,k->ijab", r, q, weight), np.einsum("icl,jdl,l->ijcd", z, y, depth)
-            energy = np.einsum("IJ,Irz,Jsy->rzsy", elasticity, strain_of(s, p.n), strain_of(t, p.n))
-            shared = plate.density * np.dot(s.share, t.share)
-            shape = along.shape[2] * through.shape[2], along.shape[3] * through.shape[3]
-            k = np.einsum("rzsy,rsab,zycd->acbd", energy, along, through, optimize=True)
-            rows.append((k.reshape(shape), shared * np.kron(along[0, 0], through[0, 0])))
-        stiffness.append([k for k, _ in rows])
-        mass.append([m for _, m in rows])
-    return np.block(stiffness) + ring(plate, p, size), np.block(mass)
+    r, z = (np.stack(parts) for parts in zip(*(on_grid(plate, t, size, rho, zeta) for t in p.terms), strict=True))
+    along = np.einsum("siak,tjbk->stijab", r * weight, r)
+    through = np.einsum("sxcl,tydl->stxycd", z * depth, z)
+    strain, share = np.stack([strain_of(t, p.n) for t in p.terms]), np.array([t.share for t in p.terms], float)
+    energy = np.einsum("IJ,sIix,tJjy->stxyij", elasticity, strain, strain, optimize=True)
+    stiffness = product(np.einsum("stxyij,stijab->stxyab", energy, along), through)
+    mass = product(along[:, :, 0, 0] * plate.density * (share @ share.T)[:, :, None, None], through[:, :, 0, 0])
+    return stiffness + ring(plate, p, size), mass
+
+
+def product(along, through):
+    """The matrix (N, N) of unknowns (s a c), (t b d) from factors (s, t, ..., a, b) and (s, t, ..., c, d), summed."""
+    s, t, *_, a, b = along.shape
+    c, d = through.shape[-2:]
+    flat = along.reshape(s, t, -1, a * b).swapaxes(2, 3) @ through.reshape(s, t, -1, c * d)
+    return flat.reshape(s, t, a, b, c, d).transpose(0, 2, 4, 1, 3, 5).reshape(s * a * c, t * b * d)
 
 
 def ring(plate, p, size):

@@ -106,15 +106,17 @@ def converged(plate, p, size, below, tolerance):
 def all_pairs(plate, below, tolerance) -> list[Pairs]:
     """The elastic pairs of every order below `below` [Hz].
 
-    Orders are taken up until two in a row have no mode: from order 2 on the lowest frequency rises with the order.
+    Orders are taken up until two in a row have no mode: from order 2 on the lowest frequency rises with the order. Each
+    starts with the basis that sufficed for the one before.
     """
-    size = first_size(plate, below)
+    start, sizes = first_size(plate, below), {}
     found, empty, n = [], 0, 0
     while n < 3 or empty < 2:
         several = [problem(plate, n, even) for even in (1, -1)]
         if n == 0:
             several += [problem(plate, 0, even, torsional=True) for even in (1, -1)]
-        solved = [converged(plate, p, size, below, tolerance) for p in several]
+        solved = [converged(plate, p, sizes.get((p.even, p.family), start), below, tolerance) for p in several]
+        sizes |= {(pairs.problem.even, pairs.problem.family): pairs.size for pairs in solved}
         found += [pairs for pairs in solved if len(pairs.values)]
         empty = 0 if any(len(pairs.values) for pairs in solved) else empty + 1
         n += 1
