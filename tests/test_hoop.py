@@ -1,0 +1,260 @@
+"""Claim: a hoop moves, rings and sounds as the mechanics of a hollow cylinder says, from a massive wall to a thin ring.
+
+Source: Love, Treatise on the Mathematical Theory of Elasticity, sections 292, 293: in-plane and out-of-plane modes of
+thin rings; Timoshenko & Goodier, section 109: torsion of bars; Leissa, Vibration of Plates, chapter 2: annular plates.
+Oracle: these closed forms in their limits with the order of the approach, the solid disk as the hole closes, Bessel
+functions, finite elements on the same ring, moments of inertia of a hollow cylinder.
+"""
+
+from math import pi
+
+import numpy as np
+import pytest
+from scenes import scene, whirling
+from scipy.linalg import eigh, svdvals
+from scipy.optimize import minimize_scalar
+from scipy.special import iv, ivp, jv, jvp, kv, kvp, yv, yvp
+from skfem import ElementHex2
+
+from dynamics import Outcome, simulate, theory
+from dynamics.disk import Disk
+from modal import Material, Plate, eigenmodes, plate_modes
+from modal.axisymmetric import annulus
+from modal.basis import problem, rigid, rigid_count
+from modal.elastic import assemble, lowest
+from modal.mesh import extrude, hexahedra
+from modal.ritz import matrices
+from modal.spectral import solve
+from sonify import SceneError, load_scene, run
+from sonify.contact import rigid_acceleration
+from sonify.scene import from_document
+
+STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
+DENSITY = 7737.27
+WALLS = np.array([0.08, 0.04, 0.02])
+
+
+def hollow(hole, thickness, radius=1.0):
+    """A free hollow cylinder of steel; `hole` and `thickness` over the radius."""
+    return Plate(
+        radius=radius, inner_radius=hole * radius, thickness=thickness * radius, material=STEEL, density=DENSITY
+    )
+
+
+def thin_ring(wall):
+    """A ring of mean radius 1 m and square section."""
+    outer = 1 + wall / 2
+    return Plate(radius=outer, inner_radius=1 - wall / 2, thickness=wall, material=STEEL, density=DENSITY)
+
+
+def lowest_of(plate, n, even, below, size=(6, 4)):
+    return np.sqrt(solve(plate, problem(plate, n, even), size, below).values[0]) / (2 * pi)
+
+
+def in_plane(n, wall):
+    return n * (n * n - 1) / np.sqrt(n * n + 1) * wall / np.sqrt(12) * np.sqrt(195e9 / DENSITY) / (2 * pi)
+
+
+def out_of_plane(n, wall):
+    """Bending and torsion of a square section: the moment of torsion is 0.1406 wall^4 by Saint-Venant's series."""
+    odd = np.arange(1, 40, 2)
+    torsion = (1 - 192 / pi**5 * np.sum(np.tanh(odd * pi / 2) / odd**5)) / 3
+    ratio = (1 / 12) / (torsion / (2 * (1 + 0.28)))
+    return n * (n * n - 1) / np.sqrt(n * n + ratio) * wall / np.sqrt(12) * np.sqrt(195e9 / DENSITY) / (2 * pi)
+
+
+@pytest.mark.parametrize("n", [2, 3, 5])
+@pytest.mark.parametrize(("formula", "even"), [(in_plane, 1), (out_of_plane, -1)])
+def test_a_thin_ring_tends_to_loves_bending_modes_with_the_square_of_its_wall(n, formula, even):
+    error = [lowest_of(thin_ring(w), n, even, 1.2 * formula(n, w)) / formula(n, w) - 1 for w in WALLS]
+    order = np.polyfit(np.log(WALLS), np.log(np.abs(error)), 1)[0]
+    assert order == pytest.approx(2, abs=0.1)
+    assert abs(error[-1]) < n * n * WALLS[-1] ** 2
+
+
+def test_a_thin_ring_breathes_at_the_speed_of_bars_over_its_radius():
+    breathing = np.sqrt(195e9 / DENSITY) / (2 * pi)
+    error = [lowest_of(thin_ring(w), 0, 1, 1.2 * breathing) / breathing - 1 for w in WALLS]
+    assert np.polyfit(np.log(WALLS), np.log(np.abs(error)), 1)[0] == pytest.approx(2, abs=0.1)
+    assert abs(error[-1]) < WALLS[-1] ** 2
+
+
+@pytest.mark.parametrize(("n", "even"), [(0, -1), (2, -1), (2, 1)])
+def test_a_closing_hole_leaves_the_solid_disk(n, even):
+    solid = lowest_of(hollow(0.0, 0.34), n, even, 6000, (12, 6))
+    holes = np.array([0.08, 0.04])
+    error = [lowest_of(hollow(hole, 0.34), n, even, 6000, (24, 6)) / solid - 1 for hole in holes]
+    assert np.log2(error[0] / error[1]) == pytest.approx(2, abs=0.25)
+    assert abs(error[1]) < 0.01
+
+
+def annular_plate(x, n, hole, poisson):
+    """The least singular value of moment and Kirchhoff's shear force of J, Y, I, K at both rims: 0 at a frequency."""
+    rows = []
+    for rho in (1.0, hole):
+        k = x * rho
+        for kind in ("moment", "shear"):
+            row = []
+            for sign, f, slope in ((-1, jv, jvp), (-1, yv, yvp), (1, iv, ivp), (1, kv, kvp)):
+                value, first = f(n, k), k * slope(n, k)
+                bent = sign * k**2 * value - (1 - poisson) * (first - n**2 * value)
+                cut = sign * k**2 * first - (1 - poisson) * n**2 * (first - value)
+                row.append(bent if kind == "moment" else cut)
+            rows.append(row)
+    matrix = np.array(rows)
+    return svdvals(matrix / np.linalg.norm(matrix, axis=0))[-1]
+
+
+@pytest.mark.parametrize(("n", "hole"), [(0, 0.5), (2, 0.5), (3, 0.3)])
+def test_a_thin_annular_plate_has_the_roots_of_bessel_functions(n, hole):
+    """Where free edges twist the approach is of the first order: Saint-Venant's torsion misses 0.63 thickness."""
+    thickness = 2e-3
+    plate = hollow(hole, thickness)
+    stiffness = 195e9 * thickness**2 / (12 * (1 - 0.28**2) * DENSITY)
+    pairs = solve(plate, problem(plate, n, -1), (18, 2), 60.0)
+    roots = np.sqrt(np.sqrt(pairs.values / stiffness))
+    assert len(roots) >= 2
+    for root in roots[:2]:
+        span = (0.98 * root, 1.02 * root)
+        exact = minimize_scalar(lambda x: annular_plate(x, n, hole, 0.28), bounds=span, options={"xatol": 1e-10})
+        assert exact.fun < 1e-7
+        assert root == pytest.approx(exact.x, rel=0.2 * thickness)
+
+
+def test_six_rigid_motions_and_no_more_cost_nothing():
+    plate, count = hollow(0.9, 0.34), 0
+    for n in range(4):
+        for even, torsional in ((1, False), (-1, False), (1, True), (-1, True))[: 2 if n else 4]:
+            p = problem(plate, n, even, torsional)
+            k, m = matrices(plate, p, (6, 4))
+            values, mode = eigh(k, m, eigvals_only=True), rigid(plate, p, (6, 4))
+            here = np.count_nonzero(values < 1.0)
+            assert here == rigid_count(plate, p)
+            assert np.abs(k @ mode).max(initial=0) < 1e-12 * np.abs(k).max()
+            count += here * (2 if n else 1)
+            if n == 0 and here and not torsional:
+                assert mode[:, 0] @ m @ mode[:, 0] == pytest.approx(plate.mass, rel=1e-12)
+    assert count == 6
+
+
+def test_frequencies_go_as_the_speed_of_sound_over_the_radius():
+    small, stiff = hollow(0.9, 0.34, 0.03), Material(young=4 * 195e9, poisson=0.28)
+    other = Plate(radius=0.06, inner_radius=0.054, thickness=0.0204, material=stiff, density=DENSITY / 4)
+    a, b = plate_modes(small, 20e3), plate_modes(other, 40e3)
+    assert b.frequency == pytest.approx(2 * a.frequency, rel=1e-9)
+
+
+def test_finite_elements_on_the_same_ring_agree_from_above():
+    """Quadratic ones, whose error falls with the fourth power of their size."""
+    plate = hollow(0.9, 0.34, 0.03755)
+    exact = plate_modes(plate, 11e3).frequency
+    error = []
+    for around, across, layers in ((12, 1, 2), (24, 2, 4)):
+        half = annulus(plate, around, across)
+        cells = np.concatenate([half, half[:, ::-1] * [1, -1]])
+        mesh = hexahedra(extrude(cells, np.linspace(-0.5, 0.5, layers + 1) * plate.thickness))
+        solid = assemble(mesh, ElementHex2(), STEEL, DENSITY, 4)
+        values, _ = lowest(solid.stiffness, solid.mass, np.inf, shift=-((2 * pi * 1000) ** 2), exactly=6 + len(exact))
+        error.append(np.sqrt(values[6:]) / (2 * pi) / exact - 1)
+    assert error[1].min() > -2e-6
+    assert error[1].max() < 0.003
+    assert error[0].max() / error[1].max() == pytest.approx(16, rel=0.2)
+
+
+@pytest.fixture(scope="module")
+def hoop():
+    return load_scene("hoop")
+
+
+def test_the_shipped_hoop_has_all_its_modes_to_1e_6_in_exact_pairs_and_its_mass(hoop):
+    modes = eigenmodes(hoop, below=40e3)
+    exact = eigenmodes(hoop.replace("numerics.accuracy=reference"), below=40e3)
+    assert modes.order.tolist() == exact.order.tolist()
+    assert modes.frequency == pytest.approx(exact.frequency, rel=1e-6)
+    assert modes.mass == pytest.approx(hoop.disk.mass, rel=1e-12)
+    assert np.abs(modes.participation).max() < 1e-9
+    for i, j in enumerate(modes.partner):
+        assert (j >= 0) == (modes.order[i] > 0)
+        assert j < 0 or modes.frequency[i] == modes.frequency[j]
+    r = np.hypot(*modes.body.points.T[:2])
+    assert (r.min(), r.max()) == pytest.approx((hoop.disk.inner_radius, hoop.disk.radius))
+    area = modes.face_weight.sum() * 2 * pi
+    assert area == pytest.approx(pi * (hoop.disk.radius**2 - hoop.disk.inner_radius**2))
+
+
+def test_moments_of_inertia_are_those_of_a_hollow_cylinder():
+    disk = Disk(shape="shell", radius=0.04, wall=0.01, thickness=0.02, density=8000.0)
+    mass = 8000 * pi * (0.04**2 - 0.03**2) * 0.02
+    diameter, axis = mass * (3 * (0.04**2 + 0.03**2) + 0.02**2) / 12, mass * (0.04**2 + 0.03**2) / 2
+    assert disk.mass == pytest.approx(mass)
+    turn = rigid_acceleration(np.eye(3), disk)[:, 3:] * [diameter, diameter, axis]
+    assert turn == pytest.approx(np.cross([0.04, 0.0, -0.01], np.eye(3)))
+
+
+def test_a_thinning_wall_leaves_the_motion_of_the_shell():
+    span = {"time_limit": 0.5}
+    shell = {"shape": "shell", "radius": 0.03755, "thickness": 0.0128, "mass": 0.1}
+    release = {"omega": (0.0, 0.0, -13.0)}
+    limit = simulate(scene(span, disk=shell, release=release)).at(0.4)
+    gaps = []
+    for wall in (1e-5, 1e-6):
+        gaps.append(np.abs(simulate(scene(span, disk=shell | {"wall": wall}, release=release)).at(0.4) - limit).max())
+    assert gaps[0] / gaps[1] == pytest.approx(10, rel=0.05)
+
+
+def test_a_steady_hoop_stays_steady_and_its_small_nutation_has_the_linear_frequency():
+    disk = {"shape": "shell", "wall": 0.003}
+    steady = whirling(0.2, disk=disk, numerics={"time_limit": 0.5})
+    body, chi = steady.disk, steady.disk.time_unit
+    t = np.linspace(0, 0.499, 4000)
+    assert np.ptp(simulate(steady).at(t)[:, 1]) < 1e-9
+    in_plane_rate = steady.release.omega[2] * chi
+    square = theory.steady_nutation_squared(pi / 2 - 0.2, in_plane_rate, body.aspect, body.gyration)
+    omega = (1e-5 / chi, *steady.release.omega[1:])
+    nudged = scene(
+        {"time_limit": 0.5},
+        disk=disk,
+        release={"inclination_deg": steady.release.inclination_deg, "omega": omega},
+        mu_static=np.inf,
+        mu_dynamic=np.inf,
+        k1=0.0,
+        k2=0.0,
+        k3=0.0,
+    )
+    swing = simulate(nudged).at(t)[:, 5]
+    crossings = t[1:][(swing[1:] < 0) & (swing[:-1] >= 0)]
+    rate = 2 * pi * (len(crossings) - 1) / np.ptp(crossings) * chi
+    assert rate == pytest.approx(np.sqrt(square), rel=2e-3)
+
+
+def test_the_shipped_hoop_runs_to_its_end_with_every_check_passed(hoop, tmp_path):
+    result = run(hoop.replace("numerics.accuracy=draft"), tmp_path / "hoop")
+    assert result.motion.outcome is Outcome.SETTLED
+    assert result.passed
+    assert 0 < result.sound.peak < np.inf
+    assert any("cylindrical wall" in sentence for sentence in result.plan.left_out)
+    assert (tmp_path / "hoop" / "report.html").stat().st_size > 10_000
+
+
+FAULTS = [
+    ("disk.wall=0.04", "disk: wall = 0.04: must be less than radius = 0.03755"),
+    ("disk.wall=0", "disk.wall = 0: must be greater than 0"),
+    ("disk.shape=solid", "disk: wall = 0.003: only a disk of shape = 'shell' has a wall"),
+]
+
+
+@pytest.mark.parametrize(("assignment", "message"), FAULTS)
+def test_a_wall_that_cannot_be_is_one_line(hoop, assignment, message):
+    with pytest.raises(SceneError) as caught:
+        hoop.replace(assignment)
+    assert str(caught.value) == message
+
+
+def test_a_hoop_on_a_patch_or_without_a_wall_is_refused_before_any_work(hoop, tmp_path):
+    bare = hoop.document
+    bare["disk"] = {"shape": "shell", "radius": 0.03755, "thickness": 0.0128, "mass": 0.07}
+    wrong = {"support.kind = 'patch'": hoop.replace("support.kind=patch"), "disk.wall": from_document(bare)}
+    for message, refused in wrong.items():
+        with pytest.raises(SceneError, match=message):
+            run(refused, tmp_path / "out")
+        assert not (tmp_path / "out").exists()
