@@ -7,8 +7,9 @@ import numpy as np
 import soundfile
 
 from dynamics.decline import time_left
-from sonify.hearing import a_weighting_db
+from sonify.hearing import THRESHOLD_DB, WINDOW, a_weighting_db, band_levels
 from sonify.levels import LEVELS
+from sonify.spectrogram import spectrogram
 
 LAST_INCLINATION = 1e-10
 """Nothing is solved below this [rad]."""
@@ -91,3 +92,15 @@ def audible_error(path, reference, weighted: bool = True) -> float:
     weight = 10 ** (a_weighting_db(np.fft.rfftfreq(size, 1 / rate)) / 20) if weighted else 1.0
     true = np.fft.rfft(b, size)
     return float(np.linalg.norm(weight * (np.fft.rfft(a, size) - true)) / (np.linalg.norm(weight * true) or 1.0))
+
+
+def level_error(path, reference) -> float:
+    """Return the root mean square error of the levels of third octaves, window by window, relative: 0.12 is 1 dB.
+
+    Levels below the threshold of hearing (ISO 226) count as at the threshold; what is heard in neither does not count.
+    """
+    a, b = (band_levels(spectrogram(file, WINDOW)) for file in (path, reference))
+    count = min(a.shape[1], b.shape[1])
+    a, b = (np.maximum(levels[:, :count], THRESHOLD_DB[:, None]) for levels in (a, b))
+    heard = np.maximum(a, b) > THRESHOLD_DB[:, None]
+    return float(np.sqrt(np.mean(np.square(a - b)[heard])) * np.log(10) / 20) if heard.any() else 0.0

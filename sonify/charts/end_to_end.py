@@ -1,0 +1,195 @@
+"""The chart of the whole way from scene to sound: audible error against seconds, for the accuracies and for single
+coarse choices.
+
+Everything is compared with the same scene at accuracy "reference". The seconds are those of modes, motion and sound.
+"""
+
+import math
+from dataclasses import replace
+from functools import partial
+from itertools import product
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from sonify.charts.chart import DPI, MARKERS
+from sonify.charts.records import Answer, Record, Work, measure
+from sonify.files import claim, whole
+from sonify.levels import LEVELS
+from sonify.pipeline import planned, solve_motion
+from sonify.predictions import SOUND, audible_error, level_error
+from sonify.scene import load_scene
+from sonify.sound import Renderer
+from sonify.wav import write_sound
+
+SUPPORTS = {"held": "patch", "free": "free"}
+MEASURES = {
+    "samples, A-weighted": audible_error,
+    "samples": partial(audible_error, weighted=False),
+    "third octaves": level_error,
+}
+"""The errors of a sound file against another."""
+ACCURACY, PREDICTED, CHOICE = "accuracy", "predicted for", "reference, but"
+QUICK = ("numerics.time_limit=3.0",)
+REPEATS = 3
+"""How often a run is timed."""
+FLOOR_DB = -140.0
+"""An error below this is drawn here."""
+
+
+def coarse_tolerance(plan, modes, draft):
+    return replace(plan, tolerance=1e-9), modes
+
+
+def coarse_stop(plan, modes, draft):
+    return replace(plan, final_inclination=draft[0].final_inclination), modes
+
+
+def coarse_modes(plan, modes, draft):
+    return replace(plan, voices=tuple(range(len(draft[1].frequency)))), draft[1]
+
+
+def coarse_force(plan, modes, draft):
+    return replace(plan, calm=draft[0].calm), modes
+
+
+def few_voices(plan, modes, draft):
+    return replace(plan, voices=draft[0].voices), modes
+
+
+def as_planned(plan, modes, draft):
+    return plan, modes
+
+
+CHOICES = {
+    "tolerance of the motion 1e-9": coarse_tolerance,
+    "motion stops at the highest audible rate": coarse_stop,
+    "modes as in the draft": coarse_modes,
+    f"force read every {LEVELS['draft'].calm:g} rad": coarse_force,
+    f"modes within {LEVELS['draft'].range_db:g} dB(A) of the loudest": few_voices,
+    "jumps spread over a sample": as_planned,
+}
+"""What is coarse, by name: from plan and modes of the reference, and those of the draft."""
+
+
+class JumpsOnGrid:
+    """A sampler of the force that knows its jumps by the samples before and after them only."""
+
+    def __init__(self, sampler):
+        self._sampler, self.end = sampler, sampler.end
+
+    def block(self, first: int, count: int):
+        """Return the samples without the times of the jumps."""
+        force = self._sampler.block(first, count)
+        none = np.zeros((0, force.smooth.shape[1]))
+        return replace(force, jump_time=np.zeros(0), jump=none, bend=none)
+
+
+def render(scene, choice, folder: Path) -> Answer:
+    """Render `scene` into `folder`, with a coarse `choice` by name or None; return the file of its pressure."""
+    plan, modes = planned(scene)
+    if choice:
+        plan, modes = CHOICES[choice](plan, modes, planned(scene.replace("numerics.accuracy=draft")))
+    motion = solve_motion(plan.scene(scene), lambda *_: None)
+    renderer = Renderer(scene, motion, modes, plan.voices, plan.calm)
+    if choice == "jumps spread over a sample":
+        renderer.sampler = JumpsOnGrid(renderer.sampler)
+    write_sound(renderer, claim(folder))
+    return Answer(folder / "pressure.wav", renderer.samples)
+
+
+def works(support: str, quick: bool, folder: Path) -> list[Work]:
+    """Return the runs of one support, the reference first; run i writes into `folder`/i."""
+    scene = load_scene("published").replace(f"support.kind={SUPPORTS[support]}", *(QUICK if quick else ()))
+    settings = [(ACCURACY, name, None) for name in reversed(LEVELS)]
+    settings += [(CHOICE, "reference", name) for name in (list(CHOICES)[:2] if quick else CHOICES)]
+    runs = []
+    for i, (family, accuracy, choice) in enumerate(settings):
+        call = partial(render, scene.replace(f"numerics.accuracy={accuracy}"), choice, folder / str(i))
+        runs.append(Work(family, choice or accuracy, "", support, call, lambda _: 0.0, math.inf))
+    return runs
+
+
+def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
+    """Return the records of the chart, one for each measure of a run; `watch(share, note)` is called before each."""
+    records, done = [], 0
+    for support in SUPPORTS:
+        with TemporaryDirectory() as folder:
+            runs = works(support, quick, Path(folder))
+            for i, work in enumerate(runs):
+                watch(done / (len(runs) * len(SUPPORTS)), f"{support}: {work.family} {work.method}")
+                timed = measure(work, warm=not quick, repeats=1 if quick else REPEATS)
+                heard, true = (Path(folder) / str(n) / "pressure.wav" for n in (i, 0))
+                records += [
+                    replace(timed, case=f"{support}: {name}", error=error(heard, true))
+                    for name, error in MEASURES.items()
+                ]
+                records += predicted(work, timed, f"{support}: {next(iter(MEASURES))}")
+                done += 1
+    return records
+
+
+def predicted(work: Work, timed: Record, case: str) -> list[Record]:
+    """Return the record of the error that the plan of an accuracy predicts; none for a coarse choice."""
+    plan, _ = planned(work.call.args[0])
+    errors = [p.error for p in plan.predictions if p.name == SOUND]
+    return [replace(timed, family=PREDICTED, case=case, error=error) for error in errors if work.family == ACCURACY]
+
+
+def decibel(error: float) -> float:
+    """Return the level [dB] of an error relative to what it is an error of."""
+    return 20 * math.log10(max(error, 10 ** (FLOOR_DB / 20)))
+
+
+def conclusion(records: list[Record]) -> list[str]:
+    """Return what each accuracy costs and gives, and which coarse choice harms most."""
+    lines = []
+    for case in dict.fromkeys(r.case for r in records):
+        here = [r for r in records if r.case == case and r.error > 0]
+        foreseen = {r.method: f" (predicted {decibel(r.error):.0f} dB)" for r in here if r.family == PREDICTED}
+        lines += [
+            f"{case}, {r.method}: {decibel(r.error):.0f} dB{foreseen.get(r.method, '')} in {r.seconds:.2g} s."
+            for r in here
+            if r.family == ACCURACY
+        ]
+        worst = max((r for r in here if r.family == CHOICE), key=lambda r: r.error, default=None)
+        if worst:
+            lines.append(f"{case}: the worst single choice is {worst.method}, {decibel(worst.error):.0f} dB.")
+    return lines
+
+
+def draw(records: list[Record], title: str, path: Path):
+    """Draw level of the error against seconds: a row for each support, a column for each measure."""
+    figure = Figure(figsize=(16, 10), dpi=DPI, layout="constrained")
+    panels = figure.subplots(len(SUPPORTS), len(MEASURES), sharex="row", sharey="row")
+    names = [(r.family, r.method) for r in records]
+    styles = {name: MARKERS[i % len(MARKERS)] for i, name in enumerate(dict.fromkeys(names))}
+    for axes, (support, measure_name) in zip(panels.flat, product(SUPPORTS, MEASURES), strict=True):
+        here = [r for r in records if r.case == f"{support}: {measure_name}"]
+        for r in here:
+            ours = r.family != CHOICE
+            axes.plot(
+                r.seconds,
+                decibel(r.error),
+                styles[r.family, r.method],
+                ms=11 if ours else 7,
+                color="black" if ours else "0.45",
+                mfc="white" if r.family == PREDICTED else None,
+                ls="",
+                label=f"{r.family}: {r.method}",
+            )
+        curve = [r for r in here if r.family == ACCURACY]
+        axes.plot([r.seconds for r in curve], [decibel(r.error) for r in curve], "k-", lw=1)
+        axes.set(title=f"modes {support}: {measure_name}", xlim=(0, None), ylim=(FLOOR_DB - 5, 15))
+        axes.grid(alpha=0.3)
+    for axes in panels[-1]:
+        axes.set_xlabel("processor time of modes, motion and sound [s], median")
+    for axes in panels[:, 0]:
+        axes.set_ylabel("difference from the reference [dB re its sound]")
+    handles = dict(zip(*panels[0, 0].get_legend_handles_labels()[::-1], strict=True))
+    figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3, fontsize=9)
+    figure.suptitle(f"{title} (the reference stands at the floor)")
+    with whole(path) as temporary:
+        figure.savefig(temporary, metadata={"Software": None})

@@ -1,0 +1,66 @@
+"""Claim: the accuracies are points on a curve of audible error against seconds, and the plan foresees them.
+
+Source: sonify/charts/end_to_end.py. Oracle: the rendering at accuracy "reference".
+"""
+
+import csv
+
+import pytest
+from click.testing import CliRunner
+
+from sonify.__main__ import main
+from sonify.charts.end_to_end import ACCURACY, CHOICE, PREDICTED, conclusion, decibel
+from sonify.charts.records import Record
+
+
+@pytest.fixture(scope="module")
+def records(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("charts")
+    done = CliRunner().invoke(main, ["chart", "end-to-end", "--quick", "--out", str(folder)])
+    assert done.exit_code == 0, done.output
+    assert (folder / "end_to_end.png").stat().st_size > 10_000
+    assert "predicted" in (folder / "end_to_end.md").read_text("utf-8")
+    with (folder / "end_to_end.csv").open(newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def errors(records, family, case):
+    return {r["method"]: float(r["error"]) for r in records if r["family"] == family and r["case"] == case}
+
+
+@pytest.mark.parametrize("support", ["held", "free"])
+def test_the_reference_agrees_with_itself_and_nothing_else_does(records, support):
+    found = errors(records, ACCURACY, f"{support}: samples")
+    assert found.pop("reference") == 0
+    assert min(found.values()) > 0
+
+
+def test_better_accuracies_of_the_free_disk_are_nearer_to_the_reference(records):
+    for measure in ("samples, A-weighted", "samples"):
+        found = errors(records, ACCURACY, f"free: {measure}")
+        assert found["standard"] < found["draft"] / 3
+
+
+@pytest.mark.parametrize("support", ["held", "free"])
+def test_the_plan_foresees_the_error(records, support):
+    case = f"{support}: samples, A-weighted"
+    found, foreseen = errors(records, ACCURACY, case), errors(records, PREDICTED, case)
+    assert foreseen.keys() == {"draft", "standard"}
+    assert all(found[name] / 3 < error < 3 * found[name] for name, error in foreseen.items())
+
+
+def test_a_tolerance_that_is_too_coarse_is_heard(records):
+    assert errors(records, CHOICE, "free: samples")["tolerance of the motion 1e-9"] > 1e-5
+
+
+def test_the_conclusion_names_the_worst_choice():
+    about = {"setting": "", "case": "held: samples", "seconds": 1.0, "repeats": 1}
+    records = [
+        Record(family=CHOICE, method=name, error=error, **about) for name, error in [("a", 0.01), ("b", 0.1), ("c", 0)]
+    ]
+    assert conclusion(records) == ["held: samples: the worst single choice is b, -20 dB."]
+
+
+def test_decibels():
+    assert decibel(0.1) == pytest.approx(-20)
+    assert decibel(0.0) == -140
