@@ -82,15 +82,18 @@ class OscillatorBank:
         q = (g - 2 * self.decay * v) / self.omega**2
         self.state = self._observed(np.stack([q, v]) - self.late * g)
 
-    def advance(self, g, knots: Knots | None = None) -> np.ndarray:
+    def advance(self, g, knots: Knots | None = None, out: np.ndarray | None = None) -> np.ndarray:
         """Step through the samples g (k + 1, m); return the accelerations q'' (k, m) at the first k of them.
 
-        The last sample is the first of the next block. g is the force after a jump where one falls on a sample.
+        The last sample is the first of the next block. g is the force after a jump where one falls on a sample. A force
+        (k + 1, 1), with knots of one component, acts on every mode. `out` (k, m), where given, is filled and returned:
+        memory that is fresh for every block would take longer than the recursion.
         """
         g = np.ascontiguousarray(g, dtype=float)
         knots = knots or no_knots(g.shape[1])
-        out = np.empty((len(g) - 1, g.shape[1]))
-        _advance(g, self.state, self.step, knots.interval, self._kicks(knots), out)
+        out = np.empty((len(g) - 1, len(self.omega))) if out is None else out
+        force = g[:, 0] if g.shape[1] == 1 else g
+        _advance(force, self.state, self.step, knots.interval, self._kicks(knots), out)
         return out
 
     def _hold(self):
@@ -128,16 +131,43 @@ class OscillatorBank:
         return self._observed(np.stack([q, v]) - self.late[:, None] * knots.jump)
 
 
-@njit(cache=True, fastmath={"contract"})
+TOGETHER = 4
+"""Samples between which the state of a mode stays in registers."""
+
+
+@njit(cache=True)
 def _advance(g, state, step, interval, kicks, out):
-    first, second, j = state[0], state[1], 0
-    for n in range(out.shape[0]):
+    start = 0
+    for j in range(len(interval)):
+        _run(g, state, step, start, interval[j] + 1, out)
+        state += kicks[:, j]
+        start = interval[j] + 1
+    _run(g, state, step, start, len(out), out)
+
+
+@njit(cache=True)
+def _run(g, state, step, start, stop, out):
+    """Every sample comes from the same operations wherever a block begins: its bits do not depend on that."""
+    whole = start + (stop - start) // TOGETHER * TOGETHER
+    for n in range(start, whole, TOGETHER):
         for m in range(out.shape[1]):
-            u, w = g[n, m], first[m]
-            out[n, m] = step[0, m] * u + w
-            first[m] = step[1, m] * u + step[2, m] * w + second[m]
-            second[m] = step[3, m] * u + step[4, m] * w
-        while j < interval.shape[0] and interval[j] == n:
-            first += kicks[0, j]
-            second += kicks[1, j]
-            j += 1
+            first, second = state[0, m], state[1, m]
+            for i in range(TOGETHER):
+                u = _at(g, n + i, m)
+                out[n + i, m] = step[0, m] * u + first
+                first, second = step[1, m] * u + (step[2, m] * first + second), step[3, m] * u + step[4, m] * first
+            state[0, m], state[1, m] = first, second
+    for n in range(whole, stop):
+        for m in range(out.shape[1]):
+            u, first, second = _at(g, n, m), state[0, m], state[1, m]
+            out[n, m] = step[0, m] * u + first
+            state[0, m] = step[1, m] * u + (step[2, m] * first + second)
+            state[1, m] = step[3, m] * u + step[4, m] * first
+
+
+@njit(cache=True)
+def _at(g, n, m):
+    """Sample n of the force on mode m, or of the one force on all; compiled for each."""
+    if g.ndim == 1:
+        return g[n]
+    return g[n, m]

@@ -78,7 +78,7 @@ def test_exact_for_any_oscillator(frequency, decay, seed):
 def test_blocks_of_any_size_give_the_same_samples():
     g, knots = some_force(len(FREQUENCY))
     whole = OscillatorBank(FREQUENCY, DECAY, RATE).advance(g, knots)
-    for sizes in ([1] * 60, [7, 1, 12, 40], [20, 40]):
+    for sizes in ([1] * 60, [7, 1, 12, 40], [20, 40], [3, 57], [5, 6, 7, 42]):
         bank, parts, start = OscillatorBank(FREQUENCY, DECAY, RATE), [], 0
         for size in sizes:
             here = (knots.interval >= start) & (knots.interval < start + size)
@@ -86,6 +86,15 @@ def test_blocks_of_any_size_give_the_same_samples():
             parts.append(bank.advance(g[start : start + size + 1], part))
             start += size
         assert np.array_equal(np.vstack(parts), whole)
+
+
+def test_one_force_for_all_is_that_force_for_each():
+    g, knots = some_force(len(FREQUENCY))
+    each = OscillatorBank(FREQUENCY, DECAY, RATE).advance(g, knots)
+    one = Knots(*knots[:3], knots.jump[:, :1], knots.bend[:, :1])
+    out = np.empty_like(each)
+    assert OscillatorBank(FREQUENCY, DECAY, RATE).advance(g[:, :1], one, out) is out
+    assert np.array_equal(out, each)
 
 
 def test_never_grows():
