@@ -105,12 +105,17 @@ class Motion:
         It comes from the balance laws that the integrator solved (4.6), (5.2), never from differences. At a jump it is
         the force after it. Raises ValueError for times outside the motion.
         """
+        return self.at_and_force(t)[1]
+
+    def at_and_force(self, t) -> tuple[np.ndarray, np.ndarray]:
+        """Return `at(t)` and `force(t)` from one evaluation; ValueError for times outside the motion."""
         tau = self._tau(t)
-        out = np.empty((len(tau), 3))
+        state, force = np.empty((len(tau), len(COLUMNS))), np.empty((len(tau), 3))
         for i in range(0, len(tau), BLOCK):
-            some = tau[i : i + BLOCK]
-            out[i : i + BLOCK] = self._force(self.path(some), self._piece(some))
-        return out
+            some = slice(i, i + BLOCK)
+            y = self.path(tau[some])
+            state[some], force[some] = self._columns(y), self._force(y, self._piece(tau[some]))
+        return state, force
 
     def normal_load(self, t) -> np.ndarray:
         """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""

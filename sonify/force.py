@@ -76,7 +76,7 @@ class ForceSampler:
         self.end = float(motion.t[-1])
         settled = motion.outcome.name == "SETTLED"
         self.fade = FADE_TURNS * 2 * np.pi / self._turning(motion.at([self.end]))[0] if settled else 0.0
-        self.rest = self._channels(self.end - self.fade * np.linspace(0, 1, 32 * FADE_TURNS)).mean(axis=0)
+        self.rest = self._read(self.end - self.fade * np.linspace(0, 1, 32 * FADE_TURNS))[1].mean(axis=0)
         if rest is not None and settled:
             self.rest = np.where(np.isnan(rest), self.rest, rest)
         self._prepare_jumps(motion.jumps)
@@ -104,9 +104,9 @@ class ForceSampler:
     def _sampled(self, n):
         """The continuous part at the samples n (k,), and whether it holds no more than samples can (k,)."""
         t = self._times(n)
-        state = self.motion.at(self._within(t))
+        state, channels = self._read(t)
         slow = (self._crowd(state) == 1) | (t > self.end + HALF_WIDTH / self.sample_rate)
-        smooth = self._smooth(t, state)
+        smooth = self._fading(t, channels) - self._steps(t)
         smooth[~slow] = self._low_passed(n[~slow])
         return smooth, slow
 
@@ -118,11 +118,11 @@ class ForceSampler:
         before = CALM // 2 - 1
         first, cells = n[0] // STRIDE, n[-1] // STRIDE - n[0] // STRIDE + 1
         t = self._times((first - before + np.arange(cells + CALM - 1)) * STRIDE)
-        state = self.motion.at(self._within(t))
+        state, channels = self._read(t)
         jumps = np.searchsorted(self.jump_time, t)
         still = (self._turning(state) * STRIDE < self.calm * self.sample_rate) & (t >= 0) & (t <= self.end - self.fade)
         calm = sliding_window_view(still, CALM).all(axis=1) & (jumps[CALM - 1 :] == jumps[: 1 - CALM])
-        nodes = sliding_window_view(self._smooth(t, state), CALM, axis=0)
+        nodes = sliding_window_view(self._fading(t, channels) - self._steps(t), CALM, axis=0)
         between = np.arange(STRIDE) / STRIDE
         smooth = np.einsum("cin,ns->csi", nodes, lagrange(np.arange(CALM) - before, between), optimize=True)
         here = slice(n[0] - first * STRIDE, n[0] - first * STRIDE + len(n))
@@ -150,14 +150,14 @@ class ForceSampler:
     def _steps(self, t):
         return self._levels[np.searchsorted(self.jump_time, t, side="right")]
 
-    def _channels(self, t, state=None):
-        t = self._within(t)
+    def _read(self, t):
+        """The states (k, 11) and the channels (k, c) at t (k,), or at the end of the motion that is nearer."""
         self.read += len(t)
-        state = self.motion.at(t) if state is None else state
-        return self.channels(self.motion.force(t), state[:, :3])
+        state, force = self.motion.at_and_force(self._within(t))
+        return state, self.channels(force, state[:, :3])
 
-    def _smooth(self, t, state=None):
-        return self._fading(t, self._channels(t, state)) - self._steps(t)
+    def _smooth(self, t):
+        return self._fading(t, self._read(t)[1]) - self._steps(t)
 
     def _faded(self, t):
         return np.cos(np.pi / 2 * np.clip(1 - (self.end - t) / (self.fade or 1e-300), 0, 1))[:, None] ** 2

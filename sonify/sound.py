@@ -85,7 +85,7 @@ class Renderer:
             count = min(size, self.samples - first)
             force = self.sampler.block(first, count)
             stems = np.hstack([self._rigid(force), self._ringing(force)])
-            yield stems * self._envelope(first + np.arange(count))[:, None]
+            yield self._enveloped(stems, first)
 
     def _channels(self, force, attitude):
         """Heave, tilt, the direction of the listener as cosine and sine, and the force on each mode, (k, 4 + m)."""
@@ -153,10 +153,15 @@ class Renderer:
             ringing, where, np.minimum(np.hypot(cosine, sine), 1.0), self._table, self._table.mean(axis=0)
         )
 
-    def _envelope(self, n):
-        rise = np.clip((n + 0.5) / (FADE_IN * self.sample_rate), 0, 1)
-        fall = np.clip((self.samples - n - 0.5) / (FADE_OUT * self.sample_rate), 0, 1)
-        return np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2
+    def _enveloped(self, stems, first):
+        """The stems (k, 4) of the samples from `first` on, under the raised cosines at both ends of the file."""
+        edges = FADE_IN * self.sample_rate, self.samples - FADE_OUT * self.sample_rate
+        if edges[0] < first and first + len(stems) < edges[1]:
+            return stems
+        n = first + np.arange(len(stems)) + 0.5
+        rise = np.clip(n / edges[0], 0, 1)
+        fall = np.clip((self.samples - n) / (self.samples - edges[1]), 0, 1)
+        return stems * (np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2)[:, None]
 
 
 @njit(cache=True)

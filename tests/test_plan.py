@@ -78,12 +78,12 @@ def counted(tmp_path_factory):
 
     def counted_force(self, t):
         sizes["solved"].append(len(np.atleast_1d(t)))
-        return FORCE(self, t)
+        return solved(self, t)
 
-    FORCE = Motion.force
+    solved = Motion.at_and_force
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sonify.sound.OscillatorBank", CountedBank)
-        patch.setattr(Motion, "force", counted_force)
+        patch.setattr(Motion, "at_and_force", counted_force)
         scene = load_scene("published").replace("numerics.time_limit=12.0")
         run = rendered(scene, "standard", tmp_path_factory.mktemp("counted") / "run")
     return SimpleNamespace(**vars(run), **sizes)
