@@ -1,6 +1,7 @@
 """From a scene to its motion: `simulate`."""
 
 import math
+from functools import cache
 from importlib import import_module
 from importlib.util import find_spec
 
@@ -10,7 +11,7 @@ from scipy.interpolate import PPoly
 from .disk import Disk
 from .dissipation import resistance
 from .equations import Law
-from .hybrid import CASCADE, drive
+from .hybrid import CASCADE, STALLED, StalledError, drive
 from .motion import Motion, Outcome, Transition, read_only
 from .regime import R
 from .rolling import RollingDisk
@@ -25,6 +26,7 @@ OUTCOMES = {
     "lift-off": Outcome.LIFTED_OFF,
     "precession stops": Outcome.PRECESSION_STOPPED,
     CASCADE: Outcome.CASCADE,
+    STALLED: Outcome.STALLED,
     None: Outcome.TIME_LIMIT,
 }
 
@@ -50,7 +52,7 @@ def simulate(scene, watch=lambda t, inclination: None) -> Motion:
 
     try:
         path, guard = drive(system, released(disk, scene.release), numerics.time_limit / disk.time_unit, watched)
-    except ImpossibleContactError as error:
+    except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
     return _motion(disk, system, path, OUTCOMES[guard], name)
 
@@ -82,7 +84,8 @@ def _motion(disk, system, path, outcome, name) -> Motion:
         c[order - block.shape[1] :, start : start + n] = block[kept, ::-1].swapaxes(0, 1)
         start += n
     chi = disk.time_unit
-    crossings = (Transition(a.t * chi, str(a.before), str(a.after), a.guard) for a in path.crossings)
+    name_of = cache(str)
+    crossings = (Transition(a.t * chi, name_of(a.before), name_of(a.after), a.guard) for a in path.crossings)
     return Motion(
         disk=disk,
         law=system.law,
