@@ -15,11 +15,15 @@ from annotated_types import Ge, Gt, Le, Lt
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """An isotropic elastic solid: Young's modulus [Pa], Poisson's ratio, loss factor (loss per radian over energy)."""
+    """An isotropic elastic solid: Young's modulus [Pa], Poisson's ratio, loss factor (loss per radian over energy).
+
+    `decay_rates` [1/s], where they have been measured, are those of the first modes in order of their frequencies.
+    """
 
     young: Annotated[float, Gt(0)]
     poisson: Annotated[float, Gt(-1), Lt(0.5)]
     loss_factor: Annotated[float, Ge(0)] = 0.0
+    decay_rates: tuple[Annotated[float, Ge(0)], ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -92,10 +92,18 @@ def solvable(scene: Scene) -> Scene:
 
 
 def planned(scene: Scene) -> tuple[Plan, Modes]:
-    """Return what is to be computed, and the modes, which the plan needs to say which of them sound."""
+    """Return what is to be computed, and the modes, which the plan needs to say which of them sound. Raises SceneError
+    where decay rates are given for more modes than there are."""
     plan = plan_of(scene)
-    modes = with_radiation(eigenmodes(scene, below=plan.highest_mode))
+    modes = damped(with_radiation(eigenmodes(scene, below=plan.highest_mode)), scene.material.decay_rates)
     return with_voices(plan, modes, *after_a_jump(modes, scene)), modes
+
+
+def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
+    """Return the modes, the first of them with the decay rates [1/s] that were `measured`."""
+    if len(measured) > len(modes):
+        raise SceneError(f"material.decay_rates: {len(measured)} values, but only {len(modes)} modes are sought")
+    return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
 
 
 def hear(sound: Sound) -> tuple[Heard | None, list[str]]:

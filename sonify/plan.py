@@ -85,7 +85,12 @@ def plan_of(scene) -> Plan:
                 "jump is near; every sample else; more where it turns faster than the samples can hold",
                 reason="the solution is smooth between its jumps, and these are known exactly",
             ),
-            Decision(subject="radiation", choice=RADIATION[0], reason=RADIATION[1]),
+            Decision(
+                subject="radiation",
+                choice="the upper face in a baffle, at the frequency of every mode",
+                reason="the disk is not small against the wavelengths of its modes",
+            ),
+            damping(scene.material),
         ),
         predictions=() if scene.numerics.accuracy == "reference" else (predicted_end(scene, final),),
         modelled=("A rigid disk rolls and slides on a rigid plane.", CONTACT[scene.support.kind], *HEARD),
@@ -129,6 +134,16 @@ def unsettled(motion) -> list[str]:
     )
 
 
+def damping(material) -> Decision:
+    """Return how the modes decay."""
+    given = len(material.decay_rates)
+    return Decision(
+        subject="decay of the modes",
+        choice=f"the first {given} as measured, the others " * bool(given) + "by loss factor and radiation",
+        reason="material.decay_rates" if given else "some modes lose about as much to the air as in the material",
+    )
+
+
 def stopping_inclination(disk, rate: float) -> float:
     """Return the inclination [rad] at which the contact of a steady disk turns `rate` times a second (dynamics.theory,
     `flat_limit`), but not below LAST_INCLINATION."""
@@ -167,10 +182,6 @@ SOLVER = {
         ),
     ),
 }
-RADIATION = (
-    "the upper face in a baffle, at the frequency of every mode; decay by radiation added to that of the material",
-    "the disk is not small against the wavelengths of its modes; some lose about as much to the air as in the material",
-)
 HEARD = (
     "The upper face radiates into the half space above the table (Rayleigh's integral with the table as baffle): heave "
     "and tilt of the rigid disk, and the elastic modes at their own frequency.",

@@ -13,7 +13,8 @@ import soundfile
 
 from dynamics import Motion
 from dynamics.decline import time_left
-from sonify import load_scene
+from modal import radiation_decay
+from sonify import SceneError, load_scene
 from sonify.force import CALM, STRIDE
 from sonify.levels import LEVELS
 from sonify.oscillators import OscillatorBank
@@ -186,3 +187,23 @@ def test_sounds_of_other_rates_are_not_compared(tmp_path):
         soundfile.write(tmp_path / f"{rate}.wav", np.zeros(100), rate, "FLOAT")
     with pytest.raises(ValueError, match="8000 Hz and 16000 Hz"):
         audible_error(tmp_path / "8000.wav", tmp_path / "16000.wav")
+
+
+def test_decay_rates_may_be_measured_ones(scene):
+    _, modes = planned(scene)
+    plan, measured_modes = planned(scene.replace("material.decay_rates=[3.0, 2.5]"))
+    assert measured_modes.decay_rate[:2].tolist() == [3.0, 2.5]
+    assert np.array_equal(measured_modes.decay_rate[2:], modes.decay_rate[2:])
+    assert "first 2 as measured" in next(d.choice for d in plan.decisions if d.subject == "decay of the modes")
+
+
+def test_more_decay_rates_than_modes_are_refused(scene):
+    with pytest.raises(SceneError, match=r"material.decay_rates: 40 values, but only 9 modes"):
+        planned(scene.replace(f"material.decay_rates={[1.0] * 40}"))
+
+
+def test_modes_lose_to_the_air_as_well(scene):
+    _, modes = planned(scene.replace("support.kind=free"))
+    loss = pi * modes.frequency * scene.material.loss_factor
+    assert modes.decay_rate - loss == pytest.approx(radiation_decay(modes), rel=1e-12)
+    assert (modes.decay_rate > 1.2 * loss).all()
