@@ -9,8 +9,8 @@ import math
 import numpy as np
 
 from .falls import first_fall
-from .hybrid import Arc, Step
-from .regime import ARRAY, FLOAT, STOP_SPEED, V1, V2, Branch, R
+from .hybrid import Arc, StalledError, Step
+from .regime import ARRAY, FLOAT, STOP_SPEED, V1, V2, Branch, R, describe
 
 ORDER = 9
 NODES = (1 - np.cos(np.pi * (np.arange(ORDER) + 0.5) / ORDER)) / 2
@@ -42,7 +42,7 @@ def is_stiff(y, contact, law) -> bool:
 def grazing_step(y, nu, first, regime, branch, law) -> Step:
     """Return the first step of a slide from rest along nu, of a length on which the guards stay positive.
 
-    Raises ArithmeticError where no length down to SHORTEST converges.
+    Raises StalledError where no length down to SHORTEST converges.
     """
     dt, forward = LENGTH * y[R], (math.cos(nu), math.sin(nu))
     while dt > SHORTEST * y[R]:
@@ -50,13 +50,13 @@ def grazing_step(y, nu, first, regime, branch, law) -> Step:
         if states is not None and _valid(states[-1], regime, branch, law):
             return Step(regime, dt, _powers(y, states, forward, regime, branch, law, dt))
         dt /= 2
-    raise ArithmeticError(f"the slide that starts at inclination {y[R] ** 2:.6g} could not be followed")
+    raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")
 
 
 def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
     """Integrate a stiff slide until a guard falls, for `span`, until it is stiff no more, or for MOST_STEPS steps.
 
-    Raises ArithmeticError where no length down to SHORTEST converges.
+    Raises StalledError where no length down to SHORTEST converges from the start.
     """
     branch = Branch.of(regime, law, loads)
     forward = np.array(y[V1 : V2 + 1])
@@ -73,9 +73,11 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
         powers = _step(y, regime, branch, law, dt)
         if powers is None:
             length /= 2
-            if length < SHORTEST:
-                raise ArithmeticError(f"the slow slide at inclination {y[R] ** 2:.6g} could not be followed")
-            continue
+            if length >= SHORTEST:
+                continue
+            if times:
+                break
+            raise StalledError(f"{describe(y)}: the slow slide could not be followed")
         curve = lambda s, rows=powers: np.polynomial.polynomial.polyval(s, rows)  # noqa: E731
         end, fired, values = first_fall(curve, 0.0, dt, guards, values)
         t, y, length = t + end, curve(end), min(1.5 * length, 5 * LENGTH)

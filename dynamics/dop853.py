@@ -5,8 +5,8 @@ from scipy.integrate import DOP853
 
 from .equations import Law
 from .falls import first_fall
-from .hybrid import Arc
-from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime
+from .hybrid import Arc, StalledError
+from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe
 
 MOST_STEPS = 1000
 NODES = np.sin(np.pi / 4 * (1 - np.cos(np.pi * np.arange(8) / 7))) ** 2
@@ -36,7 +36,7 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     while solver.status == "running" and len(times) < MOST_STEPS and fired is None:
         solver.max_step = fastest_clock(solver.y)
         if message := solver.step():
-            raise ArithmeticError(f"DOP853 stopped at r = {solver.y[R]:.6g}: {message}")
+            raise StalledError(f"{describe(solver.y)}: DOP853 stopped: {message}")
         curve = solver.dense_output()
         end, fired, values = first_fall(curve, solver.t_old, solver.t, guards, values)
         coefficients.append(_powers(curve, solver.t_old, solver.t))

@@ -12,6 +12,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 
+class StalledError(ArithmeticError):
+    """The flow cannot be followed any further from a state, however short the steps."""
+
+
 class Arc(NamedTuple):
     """A stretch of one regime: ends of its n pieces, Taylor coefficients (n, order + 1, k), end state, guard fired."""
 
@@ -72,16 +76,28 @@ class Path:
 
 MOST_AT_ONCE = 100
 """Changes of regime that may follow one another while time stands still; more is the outcome `CASCADE`."""
-CASCADE = "cascade"
+CASCADE, STALLED = "cascade", "stalled"
 
 
 def drive(system, y, span, watch=lambda t, y: None) -> tuple[Path, str | None]:
     """Integrate `system` from y over at most `span`; return the path and what ended it, None for the span.
 
-    `watch(t, state)` is called after every arc. More than MOST_AT_ONCE switches that take no time end it as CASCADE.
+    `watch(t, state)` is called after every arc. More than MOST_AT_ONCE switches that take no time end it as CASCADE, a
+    StalledError after the first instant as STALLED.
     """
-    path, at_once = Path(), 0
+    path = Path()
     regime, y = _take(path, system.begin(y))
+    try:
+        return path, _follow(system, path, regime, y, span, watch)
+    except StalledError:
+        if not path.t:
+            raise
+        return path, STALLED
+
+
+def _follow(system, path, regime, y, span, watch) -> str | None:
+    """Extend the path from y in `regime` to its end; return what ended it."""
+    at_once = 0
     while path.t < span:
         start = path.t
         arc = system.advance(y, regime, span - path.t)
@@ -94,12 +110,12 @@ def drive(system, y, span, watch=lambda t, y: None) -> tuple[Path, str | None]:
         now = path.t + sum(step.duration for step in switch.steps if step.regime == before)
         regime, y = _take(path, switch)
         if switch.ended:
-            return path, switch.ended
+            return switch.ended
         path.crossings.append(Crossing(now, before, regime, arc.guard))
         at_once = at_once + 1 if path.t == start else 0
         if at_once > MOST_AT_ONCE:
-            return path, CASCADE
-    return path, None
+            return CASCADE
+    return None
 
 
 def _take(path, switch):

@@ -40,6 +40,7 @@ class Outcome(Enum):
     FELL = "the disk fell flat, with angular velocity left"
     PRECESSION_STOPPED = "the precession came to a stop, where the law of dissipation has no direction"
     CASCADE = "the regimes changed again and again at one instant"
+    STALLED = "the motion became too stiff to be followed, however short the steps"
 
     @property
     def sentence(self) -> str:

@@ -65,6 +65,13 @@ def turnings(y) -> tuple[float, float, float]:
     return projections(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
 
 
+def describe(y) -> str:
+    """Return a state in words, for messages."""
+    r = y[R]
+    omega = ", ".join(f"{r * y[i]:.6g}" for i in (W1, W2, W3))
+    return f"inclination {r * r:.6g} rad, dimensionless omega ({omega}), slip ({r * y[V1]:.6g}, {r * y[V2]:.6g})"
+
+
 class Flow:
     """The flow of every branch, for the kind of scalar that `sin`, `cos`, `sqrt`, `power` act on."""
 

@@ -9,8 +9,8 @@ import numpy as np
 from . import collocation
 from .equations import Law
 from .hybrid import Arc, Switch
-from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, turnings
-from .switching import ImpossibleContactError, describe, follow, slide_to_rest
+from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from .switching import ImpossibleContactError, follow, slide_to_rest
 
 ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
 

@@ -12,8 +12,8 @@ from scipy.optimize import brentq
 
 from .collocation import grazing_step
 from .equations import UNLOADED, Law, separation
-from .hybrid import Step
-from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, turnings
+from .hybrid import StalledError, Step
+from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 
 ROUND_OFF = 1e-12
 START = 1e-5
@@ -48,13 +48,6 @@ def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0
     raise ImpossibleContactError(
         f"{describe(y)}: no rolling, sliding or sticking contact with a pressing force satisfies the balance laws"
     )
-
-
-def describe(y) -> str:
-    """Return a state in words, for messages."""
-    r = y[R]
-    omega = ", ".join(f"{r * y[i]:.6g}" for i in (W1, W2, W3))
-    return f"inclination {r * r:.6g} rad, dimensionless omega ({omega}), slip ({r * y[V1]:.6g}, {r * y[V2]:.6g})"
 
 
 def _separates(y, law, loads) -> bool:
@@ -172,7 +165,7 @@ def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
 def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
     """Take one implicit trapezoidal step of START r, whose unknown is the slip direction at its end.
 
-    That direction is the direction of the mean slip acceleration.
+    That direction is the direction of the mean slip acceleration. Raises StalledError where none is within a radian.
     """
     dt = START * y[R]
     slope = FLOAT.rates(y, first, branch, law)
@@ -182,7 +175,10 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
         last = _along(ahead, angle, regime, branch, law)
         return (first.du2 + last.du2) * math.cos(angle) - (first.du1 + last.du1) * math.sin(angle)
 
-    last = _along(ahead, _root_near(cross, nu, START), regime, branch, law)
+    direction = _root_near(cross, nu, START)
+    if direction is None:
+        raise StalledError(f"{describe(y)}: the slide that starts here has no direction")
+    last = _along(ahead, direction, regime, branch, law)
     return _parabola(regime, dt, y, slope, FLOAT.rates(ahead, last, branch, law))
 
 

@@ -101,6 +101,30 @@ def test_equal_coefficients_slide_without_a_jump_of_the_force():
     assert total_energy_spread(motion) < 1e-11
 
 
+SPAN = 5 * scene().disk.time_unit
+STIFF = [
+    ("collocation.SHORTEST", 1.0, {"mu_dynamic": 0.5}),
+    ("switching._root_near", lambda *_: None, {}),
+]
+
+
+@pytest.mark.parametrize(("name", "value", "friction"), STIFF, ids=["no step is short enough", "no direction"])
+def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(monkeypatch, name, value, friction):
+    wanted = scene({"time_limit": SPAN, "tolerance": 1e-12}, **friction)
+    slip = next(s for s in simulate(wanted).transitions if s.guard == "slip")
+    monkeypatch.setattr(f"dynamics.{name}", value)
+    motion = simulate(wanted)
+    assert motion.outcome is Outcome.STALLED
+    assert motion.t[-1] == pytest.approx(slip.t, rel=1e-9)
+    assert total_energy_spread(motion) < 1e-11
+
+
+def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state(monkeypatch):
+    monkeypatch.setattr("dynamics.switching._root_near", lambda *_: None)
+    with pytest.raises(ImpossibleContactError, match=r"at t = 0 s: inclination 0\.57.*no direction"):
+        simulate(scene(mu_static=0.02, mu_dynamic=0.01))
+
+
 def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
     motion = simulate(conservative(numerics={"time_limit": 5.0}))
     assert motion.transitions == ()
