@@ -1,10 +1,13 @@
 """PRESSURE -> WHAT CAN BE HEARD: A-weighting, the threshold of hearing and loudness."""
 
 from dataclasses import dataclass
+from importlib.util import find_spec
+from math import gcd
 from pathlib import Path
 
 import numpy as np
 import soundfile
+from scipy.signal import resample_poly
 
 from sonify.spectrogram import REFERENCE_PRESSURE, Spectrogram, spectrogram
 
@@ -22,6 +25,14 @@ HANN_BANDWIDTH = 1.5
 """Width in bins over which a Hann window spreads the power of a sine."""
 WINDOW, COLUMNS = 0.4, 600
 """Window [s]: long enough to tell the bands at 20 and 25 Hz apart; greatest number of windows."""
+
+ROUGH_LAST, ROUGH_WINDOW, ROUGH_RATE = 2.0, 0.2, 48000
+"""So much of the end is judged for roughness [s], in windows [s], at the sample rate of the model [Hz]."""
+ROUGHNESS_MISSING = 'The roughness of the sound: it needs mosqito, python -m pip install -e ".[roughness]".'
+
+
+class MissingExtraError(Exception):
+    """What is asked for needs an optional extra that is not installed; the message says which."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,3 +90,32 @@ def loudness_lufs(path: str | Path) -> float:
         if len(samples) < 0.4 * file.samplerate:
             raise ValueError("loudness needs at least 0.4 s")
         return float(Meter(file.samplerate).integrated_loudness(samples[:, :5]))
+
+
+def unheard() -> list[str]:
+    """Return what cannot be judged because an optional extra is not installed, as sentences."""
+    return [] if find_spec("mosqito") else [ROUGHNESS_MISSING]
+
+
+def roughness(path: str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (w,) [s] and roughness (w,) [asper] of a file of pressure, ROUGH_LAST seconds up to `end` [s].
+
+    By the model of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and 60 dB, fully modulated at
+    70 Hz. Raises MissingExtraError where mosqito is not installed, ValueError where less than a window is left.
+    """
+    try:
+        from mosqito.sq_metrics import roughness_dw
+    except ImportError:
+        raise MissingExtraError(ROUGHNESS_MISSING) from None
+    with soundfile.SoundFile(path) as file:
+        rate = file.samplerate
+        last = min(int(end * rate), file.frames)
+        first = max(last - int(ROUGH_LAST * rate), 0)
+        if last - first < ROUGH_WINDOW * rate:
+            raise ValueError(f"roughness needs at least {ROUGH_WINDOW:g} s")
+        file.seek(first)
+        samples = file.read(last - first, always_2d=True).mean(axis=1)
+    common = gcd(rate, ROUGH_RATE)
+    samples = resample_poly(samples, ROUGH_RATE // common, rate // common) if rate != ROUGH_RATE else samples
+    asper, _, _, time = roughness_dw(samples, ROUGH_RATE, overlap=0)
+    return first / rate + np.asarray(time), np.asarray(asper)

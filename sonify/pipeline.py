@@ -10,6 +10,7 @@ from modal.solve import check, density
 from sonify.checks import Check, all_checks
 from sonify.files import claim
 from sonify.findings import Finding, all_findings
+from sonify.hearing import unheard
 from sonify.listen import Heard, RecordingError, listen
 from sonify.plan import Plan, plan_of, with_end, with_voices
 from sonify.progress import Stages
@@ -107,11 +108,11 @@ def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
 
 
 def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
-    """Return what the rendered sound tells by itself, or None and why it tells nothing."""
+    """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
     try:
-        return listen(sound.folder / "pressure.wav"), []
+        return listen(sound.folder / "pressure.wav"), unheard()
     except RecordingError as error:
-        return None, [f"A verdict by ear: {error}."]
+        return None, [f"A verdict by ear: {error}.", *unheard()]
 
 
 def solve_motion(scene: Scene, watch) -> Motion:

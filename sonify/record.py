@@ -12,7 +12,7 @@ import numpy as np
 from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
 from sonify.files import whole
-from sonify.hearing import loudness_lufs
+from sonify.hearing import MissingExtraError, loudness_lufs, roughness
 
 NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
@@ -69,6 +69,7 @@ def run_record(result) -> dict:
             "full_scale_pascal": sound.full_scale,
             "gain_db": float(sound.gain_db),
             "loudness_lufs": loudness(sound),
+            "roughness": roughness_before(sound),
             "stem_peak_pascal": sound.stem_peak,
         },
         "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
@@ -83,6 +84,15 @@ def loudness(sound) -> float | str:
     try:
         return finite(loudness_lufs(sound.folder / "sound.wav"))
     except ValueError as error:
+        return str(error)
+
+
+def roughness_before(sound) -> dict | str:
+    """Return the roughness of the last seconds of the motion, or why there is none."""
+    try:
+        time, asper = roughness(sound.folder / "pressure.wav", sound.source_end)
+        return {"time": time.tolist(), "asper": asper.tolist()}
+    except (ValueError, MissingExtraError) as error:
         return str(error)
 
 

@@ -96,29 +96,32 @@ def _search(seen):
     ends = np.arange(int(0.3 / HOP), last + int(0.2 / HOP), 4)
     even = seen.level.shape[1] // 2 * 2
     halves = np.ascontiguousarray(seen.level[:, :even].reshape(last, -1, 2).transpose(2, 0, 1))
-    score = _scores(halves, ends, np.round(left / HOP).astype(int), np.round(shape).astype(int))
-    i, j, k = np.unravel_index(np.argmax(score), score.shape)
+    i, j, k = _best(halves, ends, np.round(left / HOP).astype(int), np.round(shape).astype(int))
     beginning = np.log2(seen.frequency[0]) + 2 * k / STEPS_PER_OCTAVE
     return np.array([ends[i] * HOP, EXPONENTS[j], beginning + EXPONENTS[j] * np.log2(TIME_LEFT[1])])
 
 
 @njit(cache=True)
-def _scores(halves, ends, left, shape):
-    """Mean level on the curves that begin at every other bin, by end (frames), exponent and beginning.
+def _best(halves, ends, left, shape):
+    """Where (end, exponent, beginning) the mean level on the curves that begin at every other bin is highest.
 
-    `halves` (2, frames, bins / 2) are the even and the odd bins of the map.
+    `halves` (2, frames, bins / 2) are the even and the odd bins of the map, `ends` frames.
     """
     _, frames, beginnings = halves.shape
-    score = np.zeros((len(ends), len(shape), beginnings))
+    highest, best = -np.inf, (0, 0, 0)
     for i in range(len(ends)):
-        for l in range(len(left)):
-            row = ends[i] - left[l]
-            if 0 <= row < frames:
-                for j in range(len(shape)):
+        for j in range(len(shape)):
+            score = np.zeros(beginnings)
+            for l in range(len(left)):
+                row = ends[i] - left[l]
+                if 0 <= row < frames:
                     bins = halves[shape[j, l] % 2, row, shape[j, l] // 2 :]
                     for k in range(len(bins)):
-                        score[i, j, k] += bins[k]
-    return score / len(left)
+                        score[k] += bins[k]
+            k = np.argmax(score)
+            if score[k] > highest:
+                highest, best = score[k], (i, j, k)
+    return best
 
 
 def _lowest_octave(seen, guess):

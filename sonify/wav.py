@@ -12,19 +12,23 @@ from sonify.sound import BLOCK, STEMS, Renderer, Sound
 
 LISTENING_PEAK_DB = -1.0
 """Peak of sound.wav relative to full scale [dB]."""
+MOST_BYTES = 2**32 - 2**12
+"""Samples that take more do not fit into a WAV file: it is RF64 then (EBU Tech 3306), which has lengths of 64 bits."""
+BYTES = {"FLOAT": 4, "PCM_24": 3}
 
 
 def write_sound(renderer: Renderer, folder: str | Path, watch=lambda done: None) -> Sound:
     """Render block by block into pressure.wav, stems/*.wav [Pa] and sound.wav in `folder`; return what was written.
 
     The samples of the stems add up exactly, in double precision and then rounded, to those of pressure.wav. Memory does
-    not grow with the length. `watch(share)` is called with the share done. Raises OSError when the disk is full.
+    not grow with the length, but for the noted energy of the modes. `watch(share)` is called with the share done.
+    Raises OSError when the disk is full.
     """
     folder, rate = Path(folder), renderer.sample_rate
     peaks, finite = np.zeros(1 + len(STEMS)), True
     with ExitStack() as stack:
         paths = [folder / "pressure.wav", *(folder / "stems" / f"{name}.wav" for name in STEMS)]
-        files = [stack.enter_context(_wav(path, rate, "FLOAT")) for path in paths]
+        files = [stack.enter_context(_wav(path, rate, "FLOAT", renderer.samples)) for path in paths]
         for stems in renderer.blocks():
             stems = stems.astype(np.float32)
             columns = np.column_stack([stems.astype(float).sum(axis=1).astype(np.float32), stems])
@@ -52,18 +56,19 @@ def write_sound(renderer: Renderer, folder: str | Path, watch=lambda done: None)
 def _write_listening_copy(sound):
     with (
         soundfile.SoundFile(sound.folder / "pressure.wav") as pressure,
-        _wav(sound.folder / "sound.wav", sound.sample_rate, "PCM_24") as copy,
+        _wav(sound.folder / "sound.wav", sound.sample_rate, "PCM_24", sound.samples) as copy,
     ):
         for block in pressure.blocks(BLOCK):
             copy.write(block / sound.full_scale)
 
 
 @contextmanager
-def _wav(path, rate, subtype):
-    """A WAV file that is whole or not there, and the same bytes for the same samples."""
+def _wav(path, rate, subtype, samples):
+    """A WAV file for so many samples that is whole or not there, and the same bytes for the same samples."""
+    form = "RF64" if samples * BYTES[subtype] > MOST_BYTES else "WAV"
     with whole(path) as temporary:
         try:
-            with soundfile.SoundFile(temporary, "w", rate, 1, subtype, format="WAV") as file:
+            with soundfile.SoundFile(temporary, "w", rate, 1, subtype, format=form) as file:
                 yield file
         except (AssertionError, soundfile.LibsndfileError) as error:  # a short write is all that libsndfile says
             raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error

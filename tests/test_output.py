@@ -7,6 +7,7 @@ files back with other readers; the verdicts that the corrected model is known to
 import json
 import re
 import signal
+import sys
 from types import SimpleNamespace
 
 import meshio
@@ -15,7 +16,7 @@ import pytest
 import soundfile
 
 from dynamics.rates import nutation_frequency, slips
-from sonify import load_scene, run
+from sonify import hearing, load_scene, run
 from sonify.checks import Check, no_sample_clipped
 from sonify.findings import Finding
 
@@ -142,6 +143,15 @@ def test_a_finding_can_be_no(value, holds):
     finding = Finding(claim="x", value=value, unit="1", at_least=2.0, at_most=3.0, source="-")
     assert finding.holds == holds
     assert finding.expectation == "at least 2 and at most 3"
+
+
+def test_without_the_extra_the_run_says_that_roughness_is_left_out(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "mosqito", None)
+    monkeypatch.setitem(sys.modules, "mosqito.sq_metrics", None)
+    monkeypatch.setattr(hearing, "find_spec", lambda name: None)
+    rough = run(load_scene("published").replace("numerics.time_limit=0.6", "name=cut"), out=tmp_path)
+    assert hearing.ROUGHNESS_MISSING in rough.plan.left_out
+    assert json.loads((tmp_path / "run.json").read_text())["sound"]["roughness"] == hearing.ROUGHNESS_MISSING
 
 
 def test_a_motion_that_is_cut_off_says_so(tmp_path):
