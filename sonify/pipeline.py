@@ -97,7 +97,7 @@ def planned(scene: Scene) -> tuple[Plan, Modes]:
     where decay rates are given for more modes than there are."""
     plan = plan_of(scene)
     modes = damped(with_radiation(eigenmodes(scene, below=plan.highest_mode)), scene.material.decay_rates)
-    return with_voices(plan, modes, *after_a_jump(modes, scene)), modes
+    return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
 
 
 def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:

@@ -7,6 +7,7 @@ import numpy as np
 
 from dynamics.simulation import chosen_integrator
 from dynamics.theory import flat_limit
+from sonify.force import STRIDE
 from sonify.levels import LEVELS
 from sonify.predictions import (
     LAST_INCLINATION,
@@ -78,11 +79,12 @@ def plan_of(scene) -> Plan:
                 "the highest rate that is heard or fits the samples",
             ),
             Decision(subject="disk and table", choice="rigid in the motion", reason="surface.kind = 'rigid'"),
-            *SOLVER[scene.support.kind],
             Decision(
                 subject="instants at which the force is read",
-                choice=f"every 16th sample where the contact turns by less than {level.calm:g} rad in between and no "
-                "jump is near; every sample else; more where it turns faster than the samples can hold",
+                choice=f"every {STRIDE}th sample where the contact turns by less than {level.calm:g} rad in between and "
+                f"no jump is near, else {EVERY}"
+                * bool(level.calm)
+                or EVERY,
                 reason="the solution is smooth between its jumps, and these are known exactly",
             ),
             Decision(
@@ -98,7 +100,7 @@ def plan_of(scene) -> Plan:
     )
 
 
-def with_voices(plan: Plan, modes, loudness, energy) -> Plan:
+def with_voices(plan: Plan, scene, modes, loudness, energy) -> Plan:
     """Return the plan completed by the modes that sound, of those found.
 
     `loudness` (m,) is what each radiates after a unit jump of the force, A-weighted [Pa^2 s]; `energy` (m,) what the
@@ -108,13 +110,20 @@ def with_voices(plan: Plan, modes, loudness, energy) -> Plan:
     level = LEVELS[plan.accuracy]
     loud = loudness >= 10 ** (-level.range_db / 10) * loudness.max(initial=0.0)
     voices = np.flatnonzero(loud | (energy >= ENERGY_SHARE * energy.sum()))
-    decision = Decision(
+    solver = Decision(
+        subject="solver of the modes",
+        choice=f"{modes.method}, {modes.unknowns} unknowns for accuracy '{plan.accuracy}'",
+        reason=SOLVER[scene.support.kind],
+    )
+    sounding = Decision(
         subject="modes that sound",
         choice=f"{len(voices)} of {len(modes.frequency)} below {plan.highest_mode:g} Hz",
-        reason=f"the others are predicted more than {level.range_db:g} dB(A) below the loudest"
-        f" and hold less than {ENERGY_SHARE:.0%} of the energy",
+        reason=f"the others are predicted more than {level.range_db:g} dB(A) below the loudest, in either stem of ringing,"
+        f" and hold less than {ENERGY_SHARE:.0%} of the energy"
+        if len(voices) < len(modes.frequency)
+        else "none is left out",
     )
-    plan = replace(plan, voices=tuple(voices.tolist()), decisions=(*plan.decisions, decision))
+    plan = replace(plan, voices=tuple(voices.tolist()), decisions=(*plan.decisions, solver, sounding))
     if plan.accuracy == "reference":
         return plan
     further = predicted_frequencies(modes, plan.accuracy), predicted_sound(modes, loudness, plan.accuracy)
@@ -167,21 +176,11 @@ CONTACT = {
     "free": "The elastic modes are those of the free disk; the contact force drives them where the contact is.",
 }
 SOLVER = {
-    "patch": (
-        Decision(
-            subject="solver of the modes",
-            choice="graded quadratic hexahedra, symmetry classes",
-            reason="support.kind = 'patch': the stress is singular at the edge of the patch",
-        ),
-    ),
-    "free": (
-        Decision(
-            subject="solver of the modes",
-            choice="Fourier series times polynomials",
-            reason="support.kind = 'free': the disk has an axis, and shapes without singularities",
-        ),
-    ),
+    "patch": "support.kind = 'patch': the stress is singular at the edge of the patch, which the mesh follows",
+    "free": "support.kind = 'free': the disk has an axis, and shapes without singularities",
 }
+CALMLY = "every {}th sample where the contact turns by less than {:g} rad in between and no jump is near, else "
+EVERY = "every sample, and more often where the contact turns faster than samples can hold"
 HEARD = (
     "The upper face radiates into the half space above the table (Rayleigh's integral with the table as baffle): heave "
     "and tilt of the rigid disk, and the elastic modes at their own frequency.",
