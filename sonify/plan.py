@@ -81,10 +81,7 @@ def plan_of(scene) -> Plan:
             Decision(subject="disk and table", choice="rigid in the motion", reason="surface.kind = 'rigid'"),
             Decision(
                 subject="instants at which the force is read",
-                choice=f"every {STRIDE}th sample where the contact turns by less than {level.calm:g} rad in between and "
-                f"no jump is near, else {EVERY}"
-                * bool(level.calm)
-                or EVERY,
+                choice=CALMLY.format(STRIDE, level.calm) * bool(level.calm) + EVERY,
                 reason="the solution is smooth between its jumps, and these are known exactly",
             ),
             Decision(
@@ -118,8 +115,8 @@ def with_voices(plan: Plan, scene, modes, loudness, energy) -> Plan:
     sounding = Decision(
         subject="modes that sound",
         choice=f"{len(voices)} of {len(modes.frequency)} below {plan.highest_mode:g} Hz",
-        reason=f"the others are predicted more than {level.range_db:g} dB(A) below the loudest, in either stem of ringing,"
-        f" and hold less than {ENERGY_SHARE:.0%} of the energy"
+        reason=f"the others are predicted more than {level.range_db:g} dB(A) below the loudest, in either stem of "
+        f"ringing, and hold less than {ENERGY_SHARE:.0%} of the energy"
         if len(voices) < len(modes.frequency)
         else "none is left out",
     )
