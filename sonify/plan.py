@@ -93,7 +93,12 @@ def plan_of(scene) -> Plan:
         ),
         predictions=() if scene.numerics.accuracy == "reference" else (predicted_end(scene, final),),
         modelled=("A rigid disk rolls and slides on a rigid plane.", CONTACT[scene.support.kind], *HEARD),
-        left_out=(*LEFT_OUT, *WALL[scene.disk.shape], f"The sound of modes above {heard:g} Hz."),
+        left_out=(
+            *LEFT_OUT,
+            *WALL[scene.disk.shape],
+            f"The sound of modes above {heard:g} Hz.",
+            *([ROUGH_DRAFT] if scene.numerics.accuracy == "draft" else []),
+        ),
     )
 
 
@@ -196,3 +201,4 @@ LEFT_OUT = (
     "heave and tilt is lower.",
     "The resisting moments and the centrifugal loads as drivers of the modes.",
 )
+ROUGH_DRAFT = "The roughness of the sound, in a draft."
