@@ -14,8 +14,8 @@ from sonify.scene_errors import InputError
 
 LONGEST = 240.0
 """Of a longer recording only so much is listened to, up to a little after its loudest second [s]."""
-SHORTEST = 0.2
-"""A shorter recording tells nothing [s]."""
+SHORTEST, SLOWEST = 0.2, 1000
+"""A recording that is shorter [s], or of fewer samples a second, tells nothing."""
 ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
 """The envelope is that of the sound above this frequency [Hz], at this sample rate [Hz]."""
 CARRIER_WINDOW, CARRIERS_FROM = 0.5, 300.0
@@ -67,19 +67,23 @@ def listen(path: str | Path) -> Heard:
 
 
 def read(path: str | Path):
-    """Return samples (n,) (channels averaged), rate [Hz], where they begin and the length of the file [s].
+    """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the file [s].
 
-    Raises RecordingError for what is no sound file, is too short, silent, or holds samples that are not finite.
+    Raises RecordingError for what is no sound file, is too short, too slow, silent, or holds samples that are not
+    finite.
     """
     try:
         with soundfile.SoundFile(path) as file:
             start, count = _part(file)
             file.seek(start)
-            samples, rate, frames = file.read(count, always_2d=True).mean(axis=1), file.samplerate, file.frames
+            channels, rate, frames = file.read(count, always_2d=True), file.samplerate, file.frames
     except (soundfile.LibsndfileError, OSError) as error:
         raise RecordingError(f"{path}: not a sound file that can be read: {_reason(error)}") from None
-    if not np.isfinite(samples).all():
+    if not np.isfinite(channels).all():
         raise RecordingError(f"{path}: holds samples that are not finite")
+    if rate < SLOWEST:
+        raise RecordingError(f"{path}: {rate} samples a second: at least {SLOWEST} are needed")
+    samples = channels[:, np.argmax(np.square(channels).sum(axis=0))]
     if len(samples) < SHORTEST * rate:
         raise RecordingError(f"{path}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed")
     if not np.ptp(samples):

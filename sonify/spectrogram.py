@@ -43,7 +43,7 @@ class Spectrogram:
 
 
 def spectrogram(path: str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)) -> Spectrogram:
-    """Return the spectrogram of a sound file with Hann windows of `window` [s], channels averaged.
+    """Return the spectrogram of a sound file with Hann windows of `window` [s], the mean power of its channels.
 
     Windows overlap by three quarters, in a long file by less: there are at most `columns`. Only the part within `span`
     [s] is read. A part shorter than the window is padded with silence. Memory does not grow with the length.
@@ -61,12 +61,12 @@ def spectrogram(path: str | Path, window: float, columns: int = MOST_COLUMNS, sp
 
 
 def _power(frames):
-    spectra = rfft(frames, axis=1)
-    return spectra.real**2 + spectra.imag**2
+    spectra = rfft(frames, axis=2)
+    return (spectra.real**2 + spectra.imag**2).mean(axis=1)
 
 
 def _frames(file, starts, size, hop):
-    """The windows (t, size) that begin at `starts` (t,), `hop` apart, read at once; zeros after the end of the file."""
+    """The windows (t, channels, size) that begin at `starts` (t,), `hop` apart, read at once; zeros after the end."""
     file.seek(starts[0])
-    samples = file.read(starts[-1] - starts[0] + size, "float32", always_2d=True, fill_value=0.0).mean(axis=1)
-    return sliding_window_view(samples, size)[::hop]
+    samples = file.read(starts[-1] - starts[0] + size, "float32", always_2d=True, fill_value=0.0)
+    return sliding_window_view(samples, size, axis=0)[::hop]

@@ -14,8 +14,10 @@ from click.testing import CliRunner
 from scipy.signal import fftconvolve
 
 from sonify.__main__ import main
+from sonify.hearing import HANN_BANDWIDTH
 from sonify.listen import LONGEST, RecordingError, listen, read
 from sonify.ridge import rising_tone
+from sonify.spectrogram import spectrogram
 
 RATE, END, LENGTH = 22050, 8.0, 10.0
 LAWS = [(1.0, 60.0), (0.5, 100.0), (0.33, 120.0)]
@@ -92,13 +94,30 @@ def test_a_steady_tone_does_not_rise():
 
 
 @pytest.mark.parametrize("rate", [8000, 44100, 96000])
-@pytest.mark.parametrize(("channels", "subtype", "suffix"), [(2, "PCM_16", ".wav"), (1, "PCM_24", ".flac")])
+@pytest.mark.parametrize(
+    ("channels", "subtype", "suffix"), [(2, "PCM_16", ".wav"), (1, "PCM_24", ".flac"), (6, "FLOAT", ".aiff")]
+)
 def test_any_rate_channels_and_format(tmp_path, rate, channels, subtype, suffix):
     path, sound = tmp_path / f"recording{suffix}", recording(1.0, 60.0, 20, rate=rate)
     soundfile.write(path, np.repeat(0.2 * sound[:, None], channels, axis=1), rate, subtype)
     heard = listen(path)
     assert heard.sample_rate == rate
     assert heard.tone.end == pytest.approx(END, abs=0.02)
+
+
+def test_channels_that_cancel_are_heard(tmp_path):
+    sound = 0.2 * recording(1.0, 60.0, 20)
+    soundfile.write(tmp_path / "wide.wav", np.column_stack([sound, -sound]), RATE)
+    assert listen(tmp_path / "wide.wav").tone.end == pytest.approx(END, abs=0.02)
+    wide, one = spectrogram(tmp_path / "wide.wav", 0.2), 0.04 * np.mean(recording(1.0, 60.0, 20) ** 2)
+    total = wide.power.sum(axis=0).mean() / HANN_BANDWIDTH
+    assert total == pytest.approx(one, rel=0.1)
+
+
+def test_what_is_sampled_too_slowly_is_refused(tmp_path):
+    wav(tmp_path / "slow.wav", np.random.default_rng(0).normal(size=400), 100)
+    with pytest.raises(RecordingError, match="at least 1000"):
+        listen(tmp_path / "slow.wav")
 
 
 def wav(path, samples, rate=RATE):
