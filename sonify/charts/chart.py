@@ -16,6 +16,7 @@ DPI = 110
 
 def draw(records: list[Record], title: str, error_label: str, path):
     """Draw one panel per case; failed runs stand in a strip at the top, at the time after which they failed."""
+    records = [r for r in records if not r.left_out]
     cases = list(dict.fromkeys(r.case for r in records))
     figure = Figure(figsize=(8 * len(cases), 7.5), dpi=DPI, layout="constrained")
     for panel, case in zip(figure.subplots(1, len(cases), squeeze=False)[0], cases, strict=True):

@@ -5,16 +5,14 @@ from importlib.util import find_spec
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from dynamics.dop853 import fastest_clock
 from dynamics.hybrid import Arc, drive
-from dynamics.regime import FLOAT, Branch
+from dynamics.regime import FLOAT, V2, W1, Branch, R
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
-from sonify.charts.motion_case import RELEASED, Case, answer_of_scaled, scaled
+from sonify.charts.motion_case import Case, answer_of_scaled, scaled
 from sonify.charts.naive import BUDGET
-from sonify.charts.records import Answer, Failure
+from sonify.charts.records import LEFT_OUT, Answer, Failure
 
-LEFT_OUT = "left out: heyoka is not installed"
 SMALLEST = 1e-9
 """sqrt(inclination) at which a motion counts as over, which none of the cases reaches."""
 MOST_STEPS = 3000
@@ -37,7 +35,7 @@ def follow_events(case: Case, integrate, tolerance: float) -> Answer:
         lasting = lasting if arc.guard is None else 0
         return arc
 
-    path, ended = drive(RollingDisk(case.law, None, SMALLEST, counted, tolerance), scaled(RELEASED), case.span, watch)
+    path, ended = drive(RollingDisk(case.law, None, SMALLEST, counted, tolerance), scaled(case.start), case.span, watch)
     if ended:
         raise Failure(f"ended at tau = {path.t:.4g}: {ended}")
     return answer_of_scaled(last, case.law, steps)
@@ -46,7 +44,7 @@ def follow_events(case: Case, integrate, tolerance: float) -> Answer:
 def ours(case: Case, name: str, tolerance: float) -> Answer:
     """Solve a case with the integrator 'taylor' or 'dop853' of `dynamics`."""
     if name == "taylor" and not find_spec("heyoka"):
-        raise Failure(LEFT_OUT)
+        raise Failure(f"{LEFT_OUT}: heyoka is not installed")
     return follow_events(case, chosen_integrator(name)[1], tolerance)
 
 
@@ -98,7 +96,8 @@ def _until_an_event(y, regime, law, r_end, span, method, tolerance):
 
     y = np.array(y)
     names = tuple(guards(y))
-    options = {"rtol": tolerance, "atol": tolerance, "max_step": 2 * fastest_clock(y)}
+    # half the time of a radian of turning, so that no step hides two roots of a guard
+    options = {"rtol": tolerance, "atol": tolerance, "max_step": 0.5 * y[R] / (1e-3 + np.abs(y[W1 : V2 + 1]).max())}
     solution = solve_ivp(rates, (0.0, span), y, method, events=[event(name) for name in names], **options)
     if solution.status < 0:
         raise Failure(f"{method} stopped: {solution.message}")

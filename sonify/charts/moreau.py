@@ -11,7 +11,7 @@ import math
 from numba import njit
 
 from dynamics.equations import balance
-from sonify.charts.motion_case import RELEASED, Case, answer_of
+from sonify.charts.motion_case import Case, answer_of
 from sonify.charts.records import Answer, Failure
 
 ITERATIONS, ACCURACY = 300, 1e-10
@@ -20,8 +20,8 @@ ITERATIONS, ACCURACY = 300, 1e-10
 
 def moreau(case: Case, step: float) -> Answer:
     """Solve a case by time steps of `step`."""
-    count = round(case.span / step)
-    state, unconverged = stepper()(RELEASED, case.law, case.span / count, count)
+    count = max(1, round(case.span / step))
+    state, unconverged = stepper()(case.start, case.law, case.span / count, count)
     if not 0 < state[0] < math.pi / 2:
         raise Failure("left the table or the model")
     if unconverged > count // 100:

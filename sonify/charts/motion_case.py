@@ -5,7 +5,7 @@ A state is (inclination, omega_1, omega_2, omega_3, slip_1, slip_2).
 
 import json
 from importlib import resources
-from math import pi, sqrt
+from math import pi, sin, sqrt
 from typing import NamedTuple
 
 from dynamics.equations import Law
@@ -16,16 +16,23 @@ PUBLISHED = Law(h=0.0128 / 0.0751, K=1.0, mu_static=0.5, mu_dynamic=0.3, k1=1e-4
 """(7.1), (7.3), with the misprint of (7.2) corrected."""
 RELEASED = (pi / 2 - 1, 0.0, 0.0, -1.0, 0.0, 0.0)
 """(7.4)."""
+FLAT = (1 + 4 / PUBLISHED.K) / (1 + 4 * PUBLISHED.h**2 / (3 * PUBLISHED.K))
+"""Square of the precession rate times inclination, in steady motion at small inclinations."""
+NUTATION_ARMS = (1e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2)
+PIVOTING_ARMS = (0.008, 0.02, 0.05, 0.1, 0.2, 0.5)
+INCLINATIONS = (0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
+"""Paths on which motions become hard: arms k1, k3 over R, inclinations [rad] at the start."""
 EASY = 1.0
 """Up to here the published disk only rolls: the stretch on which every method must prove itself."""
 
 
 class Case(NamedTuple):
-    """A law, and the time until which the motion of RELEASED is asked for; inclination and energy are known there."""
+    """A law, a time, and the state at its start; inclination and energy are known at the end."""
 
     name: str
     law: Law
     span: float
+    start: tuple[float, ...] = RELEASED
 
     @property
     def reference(self) -> tuple[float, float]:
@@ -49,19 +56,32 @@ def published(span: float = 50.0) -> Case:
     return Case("published", PUBLISHED, span)
 
 
+def conservative(span: float = 10.0) -> Case:
+    """The published disk without moments on a rough plane: it rolls for ever, which is solved exactly."""
+    return Case("conservative", PUBLISHED._replace(mu_static=1.0, mu_dynamic=1.0, k1=0.0, k2=0.0, k3=0.0), span)
+
+
 def sticking(span: float = 40.0) -> Case:
     """The case k1/R = 0.01: the nutation sticks from tau = 27.5595 to 28.3098."""
     return Case("sticking", PUBLISHED._replace(k1=0.01), span)
 
 
-def strong(span: float = 5.0) -> Case:
-    """The case k1/R = 0.05: the nutation sticks early, first at tau = 1.51."""
-    return Case("strong", PUBLISHED._replace(k1=0.05), span)
+def nutation_arm(k1: float) -> Case:
+    """The published disk with another k1/R: the nutation sticks within the span from 0.01 on."""
+    return Case(f"k1 = {k1:g}", PUBLISHED._replace(k1=k1), 30.0)
 
 
-def pivoting(span: float = 30.7) -> Case:
-    """The case k3/R = 0.1: the pivoting sticks at tau = 30.66, shortly before the disk falls flat."""
-    return Case("pivoting", PUBLISHED._replace(k3=0.1), span)
+def pivoting_arm(k3: float) -> Case:
+    """The published disk with another k3/R: the pivoting sticks within the span from 0.2 on."""
+    return Case(f"k3 = {k3:g}", PUBLISHED._replace(k3=k3), 12.0)
+
+
+def flat(inclination: float) -> Case:
+    """A disk that rolls all but flat, a tenth faster than steadily, over 1.4 of its nutations."""
+    law = PUBLISHED._replace(mu_static=10.0, mu_dynamic=10.0, k1=0.0)
+    in_plane = 1.1 * sqrt(FLAT / inclination) * sin(inclination)
+    start = (inclination, 0.0, law.h * in_plane, in_plane, 0.0, 0.0)
+    return Case(f"inclination {inclination:g}", law, 5.0 * sqrt(inclination), start)
 
 
 def scaled(state) -> list:

@@ -4,11 +4,12 @@ Below a slip speed TOLERANCE the contact rolls while the cone allows it, and is 
 """
 
 import math
+import warnings
 
 from scipy.integrate import solve_ivp
 
 from dynamics.equations import Law
-from sonify.charts.motion_case import RELEASED, Case, answer_of
+from sonify.charts.motion_case import Case, answer_of
 from sonify.charts.records import Answer, Failure
 from sonify.charts.smooth_state import ROLLING, SLIDING, contact, rates, turnings
 
@@ -16,6 +17,9 @@ TOLERANCE = 1e-6
 """Slip speed, over R/chi, below which the contact is taken to roll."""
 BUDGET = 60_000
 """Evaluations of the right-hand side after which a run is given up; the event-driven runs need a tenth of it."""
+
+FIRST = 1e-4
+"""First step over the span: what an integrator tries by itself may leap off the table."""
 
 
 def sign(x: float) -> float:
@@ -40,8 +44,11 @@ class OutOfBudget(Exception):
     """Raised from within the right-hand side."""
 
 
-def integrate(rhs, case: Case, method: str, tolerance: float, budget: int = BUDGET) -> Answer:
-    """Integrate `rhs(state)` over a case by solve_ivp; raise Failure where it stops, or takes more than `budget`."""
+def integrate(rhs, case: Case, method: str, tolerance: float, budget: int = BUDGET, first=None) -> Answer:
+    """Integrate `rhs(state)` over a case by solve_ivp, whose first step may be given.
+
+    Raises Failure where it stops, or takes more than `budget` evaluations.
+    """
     spent, reached = 0, 0.0
 
     def counted(tau, state):
@@ -53,8 +60,10 @@ def integrate(rhs, case: Case, method: str, tolerance: float, budget: int = BUDG
             raise Failure(f"left the table or the model at tau = {tau:.4g}")
         return rhs(state.tolist())
 
+    options = {"rtol": tolerance, "atol": tolerance, "first_step": first}
     try:
-        solution = solve_ivp(counted, (0.0, case.span), RELEASED, method, rtol=tolerance, atol=tolerance)
+        with warnings.catch_warnings(action="ignore"):  # what LSODA warns of ends in its status
+            solution = solve_ivp(counted, (0.0, case.span), case.start, method, **options)
     except OutOfBudget:
         raise Failure(f"chatters: {budget} evaluations and only tau = {reached:.4g}") from None
     if solution.status < 0:
@@ -64,4 +73,5 @@ def integrate(rhs, case: Case, method: str, tolerance: float, budget: int = BUDG
 
 def naive_sign(case: Case, method: str, tolerance: float) -> Answer:
     """Solve a case with sign() taken at its word."""
-    return integrate(lambda state: rates(state, forces(state, case.law)), case, method, tolerance)
+    first = FIRST * case.span
+    return integrate(lambda state: rates(state, forces(state, case.law)), case, method, tolerance, first=first)

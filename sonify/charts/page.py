@@ -8,7 +8,7 @@ from pathlib import Path
 from sonify.charts.records import Record
 from sonify.files import whole
 
-PACKAGES = ("heyoka", "numba", "numpy", "scikit-fem", "scipy")
+PACKAGES = ("heyoka", "numba", "numpy", "scikit-fem", "scipy", "mujoco", "drake", "pybullet", "ngsolve")
 
 
 def write_page(name: str, title: str, conclusion: list[str], records: list[Record], path: Path):
@@ -31,7 +31,15 @@ def environment() -> list[str]:
     """Return processor, system and versions, one a line."""
     packages = ", ".join(f"{package} {_version(package)}" for package in PACKAGES)
     cores = f"{os.cpu_count()} cores, one process"
-    return [f"{platform.machine()}, {cores}, {platform.system()}, Python {platform.python_version()}", packages]
+    return [f"{_processor()}, {cores}, {platform.system()}, Python {platform.python_version()}", packages]
+
+
+def _processor():
+    """Return the name of the processor where the system tells it, else its kind."""
+    cpuinfo = Path("/proc/cpuinfo")
+    lines = cpuinfo.read_text("utf-8").splitlines() if cpuinfo.is_file() else []
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.processor() or platform.machine()
 
 
 def _seconds(record):
@@ -42,4 +50,4 @@ def _version(package):
     try:
         return version(package)
     except PackageNotFoundError:
-        return "missing"
+        return "not installed"

@@ -1,40 +1,64 @@
-"""The map of failures: methods against what makes it hard, grey where a method fails, with the way it does."""
+"""The map of failures: a panel per hazard, a row per method, its edge to the right.
 
-from textwrap import fill
+A dot where a method is fine, a ring where it is degraded, a cross where it fails: readable without colour.
+"""
 
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from sonify.charts.records import Record
+from sonify.charts.stability import DEGRADED, FAILED, FINE, HAZARDS, rows, state
 from sonify.files import whole
 
-DPI = 110
+DPI = 100
+STYLES = {
+    FINE: {"marker": "o", "color": "#1b7837", "ms": 7},
+    DEGRADED: {"marker": "o", "color": "#d98200", "ms": 8, "mfc": "w", "mew": 2},
+    FAILED: {"marker": "X", "color": "#b2182b", "ms": 9},
+}
+ZERO = 0.01
+"""Where a parameter that is zero is drawn, as a part of the least other one."""
 
 
 def draw_map(records: list[Record], title: str, path):
-    """Draw one table for the motion and one for the oscillators."""
-    tables = [[r for r in records if (r.family == "oscillator") is which] for which in (False, True)]
-    rows = [len({(r.family, r.method, r.setting) for r in table}) for table in tables]
-    figure = Figure(figsize=(13, 0.55 * sum(rows) + 2), dpi=DPI, layout="constrained")
-    panels = figure.subplots(2, 1, height_ratios=rows)
-    for axes, table, name in zip(panels, tables, ("Motion", "Oscillators"), strict=True):
-        _table(axes, table, name)
-    figure.suptitle(title)
+    """Draw every hazard, two panels in a row."""
+    panels = {case: rows([r for r in records if r.case == case and not r.left_out]) for case in HAZARDS}
+    cases = list(panels)
+    heights = [max(len(panels[case]) for case in cases[i : i + 2]) + 2.5 for i in range(0, len(cases), 2)]
+    figure = Figure(figsize=(19, 0.3 * sum(heights) + 1), dpi=DPI, layout="constrained")
+    for axes, (case, methods) in zip(
+        figure.subplots(len(heights), 2, height_ratios=heights).flat, panels.items(), strict=True
+    ):
+        _panel(axes, HAZARDS[case], methods)
+    handles = [Line2D([], [], ls="", label=name, **style) for name, style in STYLES.items()]
+    figure.legend(handles=handles, loc="outside upper right", ncols=3)
+    figure.suptitle(f"{title} (ours in bold; the edge is to the right)")
     with whole(path) as temporary:
         figure.savefig(temporary, metadata={"Software": None})
 
 
-def _table(axes, records, name):
-    methods = list(dict.fromkeys((r.family, r.method, r.setting) for r in records))
-    cases = list(dict.fromkeys(r.case for r in records))
-    for r in records:
-        x, y = cases.index(r.case), methods.index((r.family, r.method, r.setting))
-        axes.fill_between([x, x + 1], y, y + 1, color="0.82" if r.failure else "w")
-        text = fill(r.failure, 30) if r.failure else f"error {r.error:.0e}"
-        axes.text(x + 0.5, y + 0.5, text, ha="center", va="center", fontsize=7)
-    axes.set_xticks([i + 0.5 for i in range(len(cases))], cases)
-    axes.set_yticks([i + 0.5 for i in range(len(methods))], [", ".join(method) for method in methods], fontsize=8)
-    axes.hlines(range(len(methods) + 1), 0, len(cases), color="0.5", lw=0.5)
-    axes.vlines(range(len(cases) + 1), 0, len(methods), color="0.5", lw=0.5)
-    axes.set(xlim=(0, len(cases)), ylim=(len(methods), 0), title=f"{name} (grey: fails)")
-    axes.tick_params(length=0)
-    axes.xaxis.tick_top()
+def _panel(axes, hazard, methods):
+    places = sorted({float(r.setting) for runs in methods.values() for r in runs})
+    zero = ZERO * min(place for place in places if place > 0)
+    for y, runs in enumerate(methods.values()):
+        axes.axhline(y, color="0.9", lw=1, zorder=0)
+        for r in runs:
+            x = float(r.setting) or zero
+            axes.plot([x], [y], ls="", **STYLES[state(r)])
+            if "cents" in hazard.label and r.error > hazard.fine and "grows" not in r.failure:
+                axes.annotate(f"{r.error:.0f}", (x, y), (0, 6), textcoords="offset points", ha="center", fontsize=6)
+    axes.set_xscale("log")
+    if 0.0 in places:
+        axes.axvline(zero, color="0.8", lw=0.8, zorder=0)
+        axes.annotate("0", (zero, 0), (0, 0.01), ("data", "axes fraction"), "axes fraction")
+    axes.set_yticks(range(len(methods)), [f"{family}: {method}" for family, method in methods], fontsize=8)
+    for label, (family, _) in zip(axes.get_yticklabels(), methods, strict=True):
+        label.set_fontweight("bold" if family == "ours" else "normal")
+    axes.set_ylim(len(methods) - 0.4, -0.8)
+    axes.set_title(hazard.title, fontsize=11)
+    axes.set_xlabel(hazard.label, fontsize=9)
+    axes.tick_params(axis="y", length=0)
+    for side in ("top", "right", "left"):
+        axes.spines[side].set_visible(False)
+    if hazard.falls:
+        axes.invert_xaxis()

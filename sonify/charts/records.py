@@ -20,6 +20,10 @@ PATIENCE = 2.0
 """Seconds that the repetitions of one run may take; a longer run is timed once."""
 
 
+LEFT_OUT = "left out"
+"""How the message of a Failure begins where nothing failed but what a method needs is not installed."""
+
+
 class Failure(Exception):
     """The method gave up or gave nonsense; the message names the way in a few words."""
 
@@ -44,6 +48,11 @@ class Record:
     seconds: float = math.nan
     repeats: int = 0
     failure: str = ""
+
+    @property
+    def left_out(self) -> bool:
+        """Whether nothing was run because something is not installed."""
+        return self.failure.startswith(LEFT_OUT)
 
 
 WRONG = 1e-2

@@ -9,7 +9,7 @@ import math
 import numpy as np
 from scipy.integrate import DOP853
 
-from sonify.charts.motion_case import RELEASED, Case, answer_of
+from sonify.charts.motion_case import Case, answer_of
 from sonify.charts.naive import sign
 from sonify.charts.records import Answer, Failure
 from sonify.charts.smooth_state import ROLLING, contact, rates, turnings
@@ -20,7 +20,7 @@ MOST_EVALUATIONS = 400_000
 
 def slip_tolerance(case: Case, start: float, stop: float, longest: float, tolerance: float) -> Answer:
     """Solve a case with slides started at the speed `start` and ended below `stop`, in steps of at most `longest`."""
-    tau, state, sliding, steps, slid, spent = 0.0, np.array(RELEASED), ROLLING, 0, 0.0, 0
+    tau, state, sliding, steps, slid, spent = 0.0, np.array(case.start), ROLLING, 0, 0.0, 0
     while tau < case.span:
         flow = _flow(case.law, sliding)
         solver = DOP853(flow, tau, state, case.span, max_step=longest, rtol=tolerance, atol=tolerance)

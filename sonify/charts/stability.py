@@ -1,87 +1,63 @@
-"""Where methods fail: every method, finely set, on what makes it hard for a motion and for an oscillator.
+"""The map of where methods fail: for every hazard a path to its edge, and on it what each method still gets right.
 
-An oscillator fails that grows, or that is out of tune by more than CENTS, which is what can be heard.
+A run fails that gives up or gives nonsense; it is degraded where it errs more than the hazard's `fine`. The setting of
+a record is its place on the path.
 """
 
-from functools import partial
+from typing import NamedTuple
 
-import numpy as np
+from sonify.charts import stability_modes, stability_motion, stability_sound
+from sonify.charts.records import Record, measure
 
-from sonify.charts import event_driven
-from sonify.charts.moreau import moreau
-from sonify.charts.motion_case import pivoting, published, sticking, strong
-from sonify.charts.naive import naive_sign
-from sonify.charts.records import Record, Work, measure
-from sonify.charts.regularised import tanh_regularised
-from sonify.charts.slip_tolerance import slip_tolerance
-from sonify.charts.sound import OURS
-from sonify.charts.sound_case import RATE
-from sonify.charts.steps import STEPS, first_order_hold, growth_and_tuning
+FINE, DEGRADED, FAILED = "fine", "degraded", "failed"
+
+
+class Hazard(NamedTuple):
+    """What a path is about, the parameter along it, the error up to which a run is fine, whether its edge is low."""
+
+    title: str
+    label: str
+    fine: float
+    falls: bool
+
 
 HAZARDS = {
-    "easy: rolls": published(1.0),
-    "slips begin, end": published(50.0),
-    "nutation sticks": sticking(40.0),
-    "sticks early": strong(5.0),
-    "pivoting sticks": pivoting(30.7),
+    "small inclination": Hazard("Inclination to 0", "inclination at the start [rad]", 1e-6, True),
+    "small slip": Hazard("Slip to 0", "slip speed that counts [R/chi], or the tolerance", 1e-6, True),
+    "nutation sticks": Hazard("The nutation sticks", "arm k1/R (the published one is 1e-4)", 1e-6, False),
+    "pivoting sticks": Hazard("The pivoting sticks", "arm k3/R (the published one is 8e-3)", 1e-6, False),
+    "long steps": Hazard("Long steps", "step x angular frequency (cents out of tune)", stability_sound.HEARD, False),
+    "near half the sample rate": Hazard("Around half the sample rate", "frequency over sample rate", 1e-2, False),
+    "thin disk": Hazard("Thin disk", "thickness over radius", 0.05, True),
+    "incompressible": Hazard("Poisson's ratio to 1/2", "1/2 - Poisson's ratio", 0.05, True),
+    "shift": Hazard("Shift of the eigenproblem", "-shift over the first elastic eigenvalue", 1e-6, False),
+    "point support": Hazard("Support to a point", "half angle of patch, or elements at its edge [degrees]", 0.02, True),
 }
-"""What makes a motion hard, by name."""
-PITCHES = {"0.02 fs": 0.02, "0.1 fs": 0.1, "0.25 fs": 0.25, "0.4 fs": 0.4, "0.49 fs": 0.49}
-"""Frequencies of oscillators, as parts of the sample rate fs."""
-DAMPING = 1e-4
-"""Damping ratio of the oscillators, that of steel."""
-CENTS = 5.0
-"""The least difference of pitch that is heard [cents, 1200 to the octave]."""
-GROWTH = 1e-9
-"""Growth in one step that rounding may cause."""
-METHODS = {
-    ("event-driven", "Taylor (heyoka)", "tol 1e-16"): (event_driven.ours, "taylor", 1e-16),
-    ("event-driven", "our DOP853", "tol 1e-12"): (event_driven.ours, "dop853", 1e-12),
-    ("event-driven", "our DOP853", "tol 1e-7"): (event_driven.ours, "dop853", 1e-7),
-    ("event-driven", "solve_ivp DOP853", "tol 1e-12"): (event_driven.with_solve_ivp, "DOP853", 1e-12),
-    ("event-driven", "solve_ivp DOP853", "tol 1e-6"): (event_driven.with_solve_ivp, "DOP853", 1e-6),
-    **{("naive sign()", m, "tol 1e-8"): (naive_sign, m, 1e-8) for m in ("RK45", "DOP853", "LSODA", "Radau", "BDF")},
-    ("slip tolerance", "DOP853", "1e-4"): (slip_tolerance, 1e-4, 1e-4, 0.01, 1e-9),
-    ("slip tolerance", "DOP853", "1e-12"): (slip_tolerance, 1e-5, 1e-12, 0.1, 1e-6),
-    ("tanh", "LSODA", "width 1e-3"): (tanh_regularised, "LSODA", 1e-3, 1e-6),
-    ("tanh", "LSODA", "width 1e-6"): (tanh_regularised, "LSODA", 1e-6, 1e-9),
-    ("Moreau", "time-stepping", "step 1e-2"): (moreau, 1e-2),
-    ("Moreau", "time-stepping", "step 1e-3"): (moreau, 1e-3),
-}
-"""Family, method and setting, and the call that takes a case first."""
+"""By the case of the records."""
 
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
-    """Return the records of the map; `quick` leaves the long motions out."""
-    hazards = [name for name in HAZARDS if not (quick and HAZARDS[name].span > 10)]
-    records = []
-    for i, (about, (function, *arguments)) in enumerate(METHODS.items()):
-        for j, name in enumerate(hazards):
-            watch((i + j / len(hazards)) / len(METHODS), f"{', '.join(about)}: {name}")
-            case = HAZARDS[name]
-            records.append(measure(Work(*about, name, partial(function, case, *arguments), case.error), repeats=1))
-    return records + oscillators()
+    """Return the records of the map; `quick` keeps both ends of every path."""
+    works = [*stability_motion.works(quick), *stability_modes.works(quick)]
+    records = stability_sound.records()
+    for i, work in enumerate(works):
+        watch(i / len(works), f"{work.case}: {work.family}, {work.method}, {work.setting}")
+        records.append(measure(work, repeats=1))
+    order = list(HAZARDS)
+    return sorted(records, key=lambda r: order.index(r.case))
 
 
-def oscillators() -> list[Record]:
-    """Return one record per method and pitch: error is the mistuning, failure growth or what is heard of it."""
-    steps = {name: step for name, step in STEPS.items() if "zero-order" not in name} | {OURS: first_order_hold}
-    return [_oscillator(name, step, pitch, share) for name, step in steps.items() for pitch, share in PITCHES.items()]
+def state(record: Record) -> str:
+    """Return FINE, DEGRADED or FAILED."""
+    if record.failure:
+        return FAILED
+    return FINE if record.error <= HAZARDS[record.case].fine else DEGRADED
 
 
-def _oscillator(name, step, pitch, share) -> Record:
-    w = np.array([2 * np.pi * share * RATE])
-    relative, tuning = (x[0] for x in growth_and_tuning(step, w, DAMPING * w, 1 / RATE))
-    growth = relative * np.exp(-DAMPING * w[0] / RATE)
-    cents = 1200 * np.log2(tuning) if tuning else -np.inf
-    failure = ""
-    if growth > 1 + GROWTH:
-        failure = f"grows by {20 * np.log10(growth):.2g} dB a step"
-    elif abs(cents) > CENTS:
-        failure = f"out of tune by {cents:.0f} cents"
-    return Record(
-        family="oscillator", method=name, setting=f"{RATE} Hz", case=pitch, error=abs(tuning - 1), failure=failure
-    )
+def rows(records: list[Record]) -> dict[tuple[str, str], list[Record]]:
+    """Return the records by (family, method), ours first."""
+    keys = sorted(dict.fromkeys((r.family, r.method) for r in records), key=lambda key: key[0] != "ours")
+    return {key: [r for r in records if (r.family, r.method) == key] for key in keys}
 
 
 def draw(records: list[Record], title: str, path):
@@ -92,10 +68,28 @@ def draw(records: list[Record], title: str, path):
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return what fails nowhere, and how often the others fail."""
-    lines = []
-    for about in dict.fromkeys((r.family, r.method, r.setting) for r in records):
-        runs = [r for r in records if (r.family, r.method, r.setting) == about]
-        failed = [r.case for r in runs if r.failure]
-        lines.append(f"{', '.join(about)}: " + (f"fails at {'; '.join(failed)}." if failed else "fails nowhere."))
-    return lines
+    """Return one sentence per hazard: what stays fine on the whole path, and from where on the others do not."""
+    here = {case: [r for r in records if r.case == case and not r.left_out] for case in HAZARDS}
+    return [_told(HAZARDS[case], runs) for case, runs in here.items() if runs]
+
+
+def _told(hazard, records):
+    known = {f"{family} ({method})": runs for (family, method), runs in rows(records).items()}
+    others = {name: _where(runs) for name, runs in known.items() if any(state(r) != FINE for r in runs)}
+    fine = ", ".join(name for name in known if name not in others) or "nothing"
+    rest = "; ".join(f"{name} {where}" for name, where in others.items())
+    return f"{hazard.title} ({hazard.label}): {fine}: fine throughout." + (f" Not so: {rest}." if rest else "")
+
+
+def _where(runs):
+    """Say at which places of a path, in its order, a method is degraded and where it fails."""
+    said = []
+    for which in (DEGRADED, FAILED):
+        places = [r.setting for r in runs if state(r) == which]
+        if len(places) == len(runs):
+            said.append(f"{which} everywhere")
+        elif len(places) > 1 and places == [r.setting for r in runs][-len(places) :]:
+            said.append(f"{which} from {places[0]} on")
+        elif places:
+            said.append(f"{which} at {', '.join(places)}")
+    return " and ".join(said)

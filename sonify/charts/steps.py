@@ -94,3 +94,11 @@ def growth_and_tuning(step, w, d, h):
     eigenvalues = np.linalg.eigvals(free)
     largest = eigenvalues[np.arange(len(w)), np.abs(eigenvalues).argmax(axis=1)]
     return np.abs(largest) * np.exp(d * h), np.abs(np.angle(largest)) / (np.sqrt(w * w - d * d) * h)
+
+
+def static_gain(step, w, d, h):
+    """Return the displacement (m,) at rest under a steady force, over the true one."""
+    table = matrices(step, w, d, h)
+    free = np.moveaxis(table[:, :2], -1, 0)
+    steady = table[:, 2:].sum(axis=1).T
+    return w * w * np.linalg.solve(np.eye(2) - free, steady[..., None])[:, 0, 0]

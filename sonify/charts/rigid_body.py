@@ -1,0 +1,79 @@
+"""The disk as general engines of rigid bodies see it: position, rotation and velocities in a fixed frame.
+
+All in the paper's units, m = R = 1 and gravity (K + 4)/4, which suit the engines' defaults. At the start a_1, a_2, a_3
+are the axes x, y, z of the table; the disk's own frame is e_1, -e_3, e_2, its third axis along its axle.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from dynamics.equations import Law
+from sonify.charts.motion_case import Case
+from sonify.charts.records import Answer, Failure
+
+HIGHEST = 1.2
+"""Height of the centre that no disk reaches whose rim stays on the table."""
+
+
+class Pose(NamedTuple):
+    """Centre (3,), rotation (3, 3) from the disk's frame, velocity (3,) of the centre, angular velocity (3,)."""
+
+    centre: np.ndarray
+    rotation: np.ndarray
+    velocity: np.ndarray
+    angular: np.ndarray
+
+
+def gravity(law: Law) -> float:
+    """Return the acceleration of free fall."""
+    return (law.K + 4) / 4
+
+
+def inertia(law: Law) -> tuple[float, float, float]:
+    """Return the moments of inertia in the disk's frame."""
+    return law.K / 4 + law.h**2 / 3, law.K / 4 + law.h**2 / 3, law.K / 2
+
+
+def at_start(case: Case) -> Pose:
+    """Return the pose at the start of a case: the contact at rest, (2.5)."""
+    beta, w1, w2, w3 = case.start[:4]
+    h, sin_a, cos_a = case.law.h, math.cos(beta), math.sin(beta)
+    e, f = h * sin_a + cos_a, h * cos_a - sin_a
+    rotation = np.array([[1.0, 0.0, 0.0], [0.0, sin_a, cos_a], [0.0, -cos_a, sin_a]])
+    return Pose(
+        centre=np.array([0.0, 0.0, e]),
+        rotation=rotation,
+        velocity=np.array([w2 - h * w3, -e * w1, f * w1]),
+        angular=rotation @ [w1, -w3, w2],
+    )
+
+
+def quaternion(case: Case) -> tuple[float, float, float, float]:
+    """Return (w, x, y, z) of the rotation at the start, about x by minus the inclination."""
+    return math.cos(case.start[0] / 2), -math.sin(case.start[0] / 2), 0.0, 0.0
+
+
+def answer(pose: Pose, law: Law, steps: int) -> Answer:
+    """Return inclination and energy (6.1) of a pose. Raises Failure where the disk has left the table."""
+    height = float(pose.centre[2])
+    if not -law.h < height < HIGHEST:  # not a number fails too
+        raise Failure("falls through the table" if height <= -law.h else "is thrown off the table")
+    axle = pose.rotation[:, 2]
+    own = pose.rotation.T @ pose.angular
+    turning = sum(i * w * w for i, w in zip(inertia(law), own, strict=True))
+    energy = (pose.velocity @ pose.velocity + turning) / 2 + gravity(law) * (height - law.h)
+    return Answer((math.atan2(math.hypot(axle[0], axle[1]), axle[2]), float(energy)), steps)
+
+
+def resistance(axle, angular, normal: float, law: Law) -> np.ndarray:
+    """Return the moment (3,) of (3.3) under the normal force, with a naive sign(), for engines that have no such law.
+
+    axle, angular -- the disk's axis and its angular velocity, (3,).
+    """
+    across = math.hypot(axle[0], axle[1])
+    a2 = np.array([axle[0] / across, axle[1] / across, 0.0])
+    a1 = np.array([a2[1], -a2[0], 0.0])
+    rolling = law.k1 * math.copysign(1, angular @ a1) * a1 + law.k2 * math.copysign(1, angular @ a2) * a2
+    return -normal * (rolling + np.array([0.0, 0.0, law.k3 * math.copysign(1, angular[2])]))

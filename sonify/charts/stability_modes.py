@@ -1,0 +1,172 @@
+"""Where modal methods fail: thin disks, rubber, shifts of the eigenproblem, supports that shrink to a point.
+
+Frequencies of the first bending mode are judged by twice as many polynomials; shifts by the modes that one well below
+the elastic ones gives on the same mesh; supports by the exponent with which the frequency follows their size, which for
+a support that is resolved is none.
+"""
+
+from dataclasses import replace
+from functools import cache, partial
+from math import log, pi
+
+import numpy as np
+from scipy.sparse.linalg import ArpackError, eigsh
+from skfem import ElementHex2
+
+from modal import Material, Plate, Support
+from modal.elastic import assemble, inverse_at
+from modal.failures import ELEMENTS, bending, rate, whole_mesh
+from modal.held import COARSE, ROUGH
+from modal.held import solve as solve_held
+from modal.solve import density
+from modal.spectral import problem, solve
+from sonify.charts.modes_case import modes_case
+from sonify.charts.records import Answer, Failure, Work
+
+OURS, RICH = (8, 4), (14, 8)
+"""Polynomials, radial and axial, of our method and of its judge."""
+ASPECTS = (0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 1e-4)
+"""Thickness over radius."""
+COMPRESSIBILITIES = (0.22, 0.1, 0.05, 0.01, 1e-3, 1e-4, 1e-5, 1e-6)
+"""One half minus Poisson's ratio."""
+SHIFTS = (0.0, 1e-14, 1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 0.1, 1.0, 1e2, 1e4, 1e6)
+"""Minus the shift over the square of the first elastic frequency."""
+FEW, COUNT, RIGID = 1e-6, 9, 6
+"""Part of the first elastic eigenvalue below which one is a rigid body's; modes sought, rigid bodies among them."""
+SIZES = (5.0, 2.0, 1.0, 0.5, 0.2, 0.1, 0.05, 0.02, 0.01)
+"""Half angle [degrees] of a square patch."""
+RINGS = (1, 2, 3, 4, 5)
+"""Boxes nested about the edges of a patch that keeps its size; the elements at the edge are as small as they."""
+LOCKED = 0.3
+"""Relative error above which a frequency is another note."""
+FOLLOWS = 0.1
+"""Exponent above which a frequency follows the size of its support without limit."""
+
+
+@cache
+def disk() -> Plate:
+    """Return the published disk."""
+    case = modes_case("free")
+    return Plate(radius=case.radius, thickness=case.thickness, material=case.material, density=density(case.scene.disk))
+
+
+def thin(aspect: float) -> Plate:
+    """Return the disk with another thickness."""
+    return replace(disk(), thickness=aspect * disk().radius)
+
+
+def rubbery(compressibility: float) -> Plate:
+    """Return the disk with Poisson's ratio near one half."""
+    return replace(disk(), material=Material(young=disk().material.young, poisson=0.5 - compressibility))
+
+
+def polynomials(plate: Plate, size=OURS) -> float:
+    """Return the frequency [Hz] of the first bending mode by Fourier series and polynomials."""
+    return float(np.sqrt(solve(plate, problem(plate, 2, -1), size, rate(plate)).values[0])) / (2 * pi)
+
+
+def bent(frequency, plate: Plate) -> Answer:
+    """Return the frequency of the first bending mode, over the true one."""
+    return Answer(frequency(plate) / polynomials(plate, RICH), 0)
+
+
+@cache
+def whole():
+    """Return stiffness and mass of the free disk and the square of the scale of its frequencies [1/s^2]."""
+    solid = assemble(whole_mesh(disk(), 1), ElementHex2(), disk().material, disk().density, intorder=4)
+    return solid.stiffness, solid.mass, (2 * pi * polynomials(disk())) ** 2
+
+
+def elastic(share: float) -> np.ndarray:
+    """Return the three lowest elastic eigenvalues by shift-invert about -share of the first one.
+
+    Raises Failure unless six rigid bodies come before them, or if the factorisation or the iteration fails.
+    """
+    stiffness, mass, scale = whole()
+    try:
+        inverse = inverse_at(stiffness, mass, -share * scale)
+        options = {"OPinv": inverse, "v0": np.ones(stiffness.shape[0]), "return_eigenvectors": False}
+        values = np.sort(eigsh(stiffness, COUNT, mass, -share * scale, **options))
+    except (RuntimeError, ArpackError) as error:
+        raise Failure(f"{type(error).__name__}: {' '.join(str(error).split())}") from None
+    rigid = int(np.count_nonzero(np.abs(values) < FEW * scale))
+    if rigid != RIGID:
+        raise Failure(f"finds {rigid} rigid bodies, not {RIGID}")
+    return values[RIGID:]
+
+
+def shifted(share: float) -> Answer:
+    """Return the elastic eigenvalues about a shift, over those about ours."""
+    ours = (rate(disk()) ** 2) / whole()[2]
+    return Answer(tuple(elastic(share) / elastic(ours)), 0)
+
+
+def lowest(support: Support, mesh) -> np.ndarray:
+    """Return the first and the fourth frequency [Hz] of the disk on a support."""
+    _, _, classes = solve_held(disk(), disk().material, support, disk().density, mesh, {"below": 0.0, "exactly": 2})
+    values = np.sort(np.concatenate([c.values for c in classes]))
+    return np.sqrt(values[[0, 3]]) / (2 * pi)
+
+
+def square(half_angle: float) -> np.ndarray:
+    """Return the two frequencies on a patch as high as it is wide, of a half angle [degrees]."""
+    height = 2 * np.deg2rad(half_angle) * disk().radius
+    return lowest(Support(half_angle_deg=half_angle, height=height), COARSE)
+
+
+def nested(rings: int) -> np.ndarray:
+    """Return the two frequencies on the published patch with `rings` boxes nested about its edges."""
+    return lowest(Support(), replace(ROUGH, rings=rings))
+
+
+def follows(frequencies, which: int, at, finer, ratio: float) -> Answer:
+    """Return the exponent with which a frequency follows a size that is `ratio` times smaller from `at` to `finer`.
+
+    Raises Failure where it has no limit.
+    """
+    exponent = log(frequencies(at)[which] / frequencies(finer)[which]) / log(ratio)
+    if exponent > FOLLOWS:
+        raise Failure(f"falls as the size to the power {exponent:.2f}, without limit")
+    return Answer(abs(exponent), 0)
+
+
+def works(quick: bool) -> list[Work]:
+    """Return every run; `quick` keeps both ends of every path."""
+
+    def some(values):
+        return (values[0], values[-1]) if quick else values
+
+    def away(ratio):
+        return abs(ratio - 1)
+
+    runs = []
+    for hazard, of, path in (("thin disk", thin, ASPECTS), ("incompressible", rubbery, COMPRESSIBILITIES)):
+        rows = {("ours", "Fourier x polynomials"): polynomials}
+        rows |= {("finite elements", element): partial(_bending, element) for element in ELEMENTS}
+        for about, frequency in rows.items():
+            runs += [Work(*about, f"{x:g}", hazard, partial(bent, frequency, of(x)), away, LOCKED) for x in some(path)]
+    for share in some(SHIFTS):
+        about = ("shift-invert", "a free disk")
+        runs.append(Work(*about, f"{share:g}", "shift", partial(shifted, share), lambda v: max(map(away, v)), LOCKED))
+    share = rate(disk()) ** 2 / whole()[2]
+    runs.append(
+        Work("ours", "the shift in use", f"{share:.2g}", "shift", partial(shifted, share), lambda v: max(map(away, v)))
+    )
+    return runs + _supports(some)
+
+
+def _bending(element, plate):
+    return bending(plate, element)
+
+
+def _supports(some):
+    runs = []
+    for which, name in enumerate(("first frequency", "fourth frequency")):
+        for x in some(SIZES):
+            call = partial(follows, square, which, x, x / 2, 2.0)
+            runs.append(Work("shrinking patch", name, f"{x:g}", "point support", call, float, FOLLOWS))
+        for rings in some(RINGS):
+            x = 5.0 * ROUGH.ratio**rings
+            call = partial(follows, nested, which, rings, rings + 1, 1 / ROUGH.ratio)
+            runs.append(Work("ours", f"patch of 5 degrees, {name}", f"{x:.2g}", "point support", call, float, FOLLOWS))
+    return runs

@@ -1,0 +1,118 @@
+"""Claim: physics engines solve the same rolling disk, in steps of first order; with slides they solve another one.
+
+Source: (2.5) and (3.3) for the start and the moments given to them. Oracle: the exact solution of the rolling disk by
+hypergeometric functions, and quadruple precision for the published case. Engines that are not installed are skipped.
+"""
+
+from functools import partial
+from importlib.util import find_spec
+from math import acos, pi, sin, sqrt
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from dynamics import theory
+from sonify.charts import peers
+from sonify.charts.event_driven import ours
+from sonify.charts.motion_case import RELEASED, answer_of, conservative, flat, published
+from sonify.charts.records import LEFT_OUT, Failure, Work, measure
+from sonify.charts.rigid_body import HIGHEST, answer, at_start, quaternion, resistance
+
+POINT_CONTACT = [name for name in (peers.RUNS | peers.WITHOUT_MOMENTS) if "areas" not in name]
+
+
+def error(method, case, which):
+    package, module, function, first, settings = (peers.RUNS | peers.WITHOUT_MOMENTS)[method]
+    if not find_spec(package):
+        pytest.skip(f"{peers.ENGINES[package]} is not installed")
+    return case.error(peers.solved(case, module, function, *first, settings[which]).values)
+
+
+@pytest.mark.parametrize("span", [1.0, 10.0])
+def test_the_reference_of_the_conservative_case_is_the_exact_solution(span):
+    case = conservative(span)
+    h, K, a0 = case.law.h, case.law.K, pi / 2 - RELEASED[0]
+    a1, period = theory.nutation(a0, 0.0, RELEASED[3], h, K)
+    middle, half = (a0 + a1) / 2, (a1 - a0) / 2
+    inclination, energy = case.reference
+
+    def slowness(phi):  # time per phi where a = middle - half cos(phi)
+        speed = theory.nutation_rate_squared(middle - half * np.cos(phi), a0, 0.0, RELEASED[3], h, K)
+        return half * sin(phi) / sqrt(speed)
+
+    phi = acos((middle - (pi / 2 - inclination)) / half)
+    since = quad(slowness, 0, phi, epsabs=1e-12, epsrel=1e-12)[0]
+    rest = span % period
+    assert min(abs(since - rest), abs(period - since - rest)) < 1e-9
+    assert energy == pytest.approx(answer_of(RELEASED, case.law, 0).values[1], rel=1e-14)
+
+
+@pytest.mark.parametrize("case", [published(), conservative(), flat(0.01)], ids=lambda case: case.name)
+def test_the_start_of_the_engines_is_that_of_the_equations(case):
+    pose = at_start(case)
+    assert answer(pose, case.law, 0).values == pytest.approx(answer_of(case.start, case.law, 0).values, rel=1e-12)
+    contact = pose.rotation @ [0.0, 1.0, -case.law.h]  # -e_3 - h e_2
+    assert pose.centre[2] + contact[2] == pytest.approx(0, abs=1e-15)
+    assert np.abs(pose.velocity + np.cross(pose.angular, contact)).max() < 1e-15
+    w, x, _, _ = quaternion(case)
+    turned = [[1, 0, 0], [0, w * w - x * x, -2 * w * x], [0, 2 * w * x, w * w - x * x]]
+    assert np.abs(pose.rotation - turned).max() < 1e-15
+
+
+def test_the_external_moments_lose_energy_along_their_axes():
+    law = published().law
+    axle, angular = np.array([0.0, sin(0.5), np.cos(0.5)]), np.array([0.3, -0.7, 0.2])
+    moment = resistance(axle, angular, 2.0, law)
+    assert moment == pytest.approx([-2 * law.k1, 2 * law.k2, -2 * law.k3])
+
+
+def test_a_disk_that_left_the_table_is_a_failure():
+    pose = at_start(published())
+    for height, how in ((-1.0, "falls through"), (HIGHEST, "thrown off"), (np.nan, "thrown off")):
+        with pytest.raises(Failure, match=how):
+            answer(pose._replace(centre=np.array([0.0, 0.0, height])), published().law, 0)
+
+
+@pytest.mark.parametrize("method", POINT_CONTACT)
+def test_engines_converge_to_the_exact_motion(method):
+    coarse, fine = (error(method, conservative(1.0), which) for which in (0, 1))
+    assert fine < 2e-3
+    assert coarse > 5 * fine
+
+
+@pytest.mark.parametrize("method", peers.RUNS)
+def test_engines_feel_the_moments(method):
+    assert error(method, published(1.0), 1) < 2e-3
+    lossless = conservative(1.0).reference
+    assert published(1.0).error(lossless) > 4e-3
+
+
+@pytest.mark.parametrize("method", [m for m in peers.RUNS if "RK4" not in m])
+def test_engines_with_one_coefficient_of_friction_slide_another_way(method):
+    assert error(method, published(5.0), 1) > 0.1
+
+
+@pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+@pytest.mark.parametrize("case", [conservative(), published(5.0)], ids=lambda case: case.name)
+def test_ours_does_neither(case):
+    assert case.error(ours(case, "taylor", 1e-16).values) < 1e-12
+
+
+@pytest.mark.skipif(not find_spec("pydrake"), reason="Drake is not installed")
+def test_contact_by_areas_takes_energy_from_a_rim_that_rolls():
+    softer, harder = (error("Drake, contact by areas", conservative(1.0), which) for which in (0, 2))
+    assert softer > 0.02
+    assert harder > 2e-3
+
+
+def test_a_missing_engine_is_left_out_and_says_so(monkeypatch):
+    monkeypatch.setattr(peers, "find_spec", lambda package: None)
+    runs = list(peers.runs(conservative(1.0)))
+    assert len(runs) == len(POINT_CONTACT) + 1
+    for method, setting, function, arguments in runs:
+        call = partial(function, conservative(1.0), *arguments)
+        record = measure(Work("engine", method, setting, "conservative", call, float))
+        assert record.left_out
+        assert record.failure.startswith(LEFT_OUT)
+        assert "is not installed" in record.failure
