@@ -11,7 +11,12 @@ from math import ceil, log, pi
 
 import numpy as np
 
-from .plane import LEAD, bilinear, half_squares
+from .plane import bilinear, half_squares
+
+
+THINNEST = 0.03
+"""Least width of the tubes of a patch that ends just below a face, over that of others: a wide one would hold the face
+beyond the corner of the patch."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,10 +35,10 @@ def longest(size):
     return 1.2 * size.width
 
 
-def steps(first, last):
-    """Distances (k, n) from first (n,) to last (n,), k >= 2, about doubled from one to the next; 0 remains 0."""
+def steps(first, last, lead):
+    """Distances (k, n) from first (n,) to last (n,), k >= 2, that shrink by about `lead`; 0 remains 0."""
     growth = np.divide(last, first, out=np.ones(len(first)), where=first > 0)
-    count = max(1, ceil(log(growth.max()) / log(1 / LEAD) - 0.5))
+    count = max(1, ceil(log(growth.max()) / log(1 / lead) - 0.5))
     return first * growth ** (np.arange(count + 1)[:, None] / count)
 
 
@@ -43,10 +48,12 @@ def nest(angle, height, top, size):
     beyond = min(pi - angle, max(angle, width / 4) + width - angle)
     above = rest if rest < 1.5 * longest(size) else longest(size)
     near = min(angle, height, size.depth / 3)
-    inner = steps(np.array([near, near]) / 2, np.minimum([0.75 * angle, 0.75 * height], width))[::-1]
-    outer = steps(np.array([min(near, beyond), 2 * near, min(near, above)]), np.array([beyond, size.depth, above]))
+    inner = steps(np.array([near, near]) / 2, np.minimum([0.75 * angle, 0.75 * height], width), size.lead)[::-1]
+    near = min(near, max(2 * above, THINNEST * near))
+    first, last = np.array([min(near, beyond), 2 * near, min(near, above)]), np.array([beyond, size.depth, above])
+    outer = steps(first, last, size.lead)
     outer += [angle, 0.0, height]
-    inner = np.insert([angle, height] - inner, 1, near * LEAD ** np.arange(len(inner), 0.0, -1.0), axis=1)
+    inner = np.insert([angle, height] - inner, 1, near * 0.5 ** np.arange(len(inner), 0.0, -1.0), axis=1)
     around = max(size.legs, ceil((angle + beyond) / width - 1e-9))
     return Nest(
         boxes=np.vstack([inner, [angle, near, height], outer]),

@@ -1,6 +1,6 @@
 """The modes of a disk on a patch, or free, by finite elements on one sector and its symmetry classes."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 import numpy as np
@@ -13,15 +13,17 @@ from .plane import Blocks
 from .symmetry import Mirror, check_held, classes, free_unknowns, on_patch
 from .unfold import flips, mirror_of, unfolded
 
-COARSE = Blocks(width=pi / 4, depth=0.5, rings=2, legs=1)
+COARSE = Blocks(width=pi / 4, depth=0.5, rings=2, lead=0.25, legs=1)
 ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
-MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=3)
+MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=4, ratio=0.35)
 FINE = Blocks(width=pi / 8, depth=0.38, rings=4, split=2)
 
 LEVELS = {"draft": (ROUGH, COARSE), "standard": (MIDDLE, COARSE), "reference": (FINE, MIDDLE)}
 """Accuracy -> the mesh whose modes are given, and the coarser one whose distance from them estimates their error."""
 SAFETY = 2
 """Errors are estimated as so many times that distance: the coarser mesh may be as little as half again as wrong."""
+WAVES, NARROWEST = 3.5, 0.4
+"""Wave number times radius up to which the levels are as given; beyond it they are narrower, down to this share."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -40,6 +42,14 @@ def shift_for(disk, material, support, density):
         return 0.0
     speed = (material.young / density) ** 0.5
     return -((0.4 * speed * min(disk.thickness, disk.radius) / disk.radius**2) ** 2)
+
+
+def resolving(size, disk, material, density, below):
+    """The `Blocks` narrow enough for thin-plate waves at `below` [Hz]: k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
+    stiffness = material.young * disk.thickness**2 / (12 * (1 - material.poisson**2))
+    number = ((2 * pi * below) ** 2 * density / stiffness) ** 0.25 * disk.radius
+    share = min(1.0, max(NARROWEST, WAVES / number))
+    return replace(size, width=size.width * share, depth=size.depth * share**0.5)
 
 
 def held_nodes(solid, part, disk, support):
@@ -86,7 +96,9 @@ def without_rigid(solved, shift):
 
 def held_modes(disk, material, support, density, below, accuracy) -> Modes:
     """The `Modes` below `below` [Hz] of a solid disk at one of `LEVELS`."""
-    fine, coarse = LEVELS[accuracy]
+    fine, coarse = (resolving(size, disk, material, density, below) for size in LEVELS[accuracy])
+    if support.height:
+        coarse = replace(coarse, rings=coarse.rings - 1)
     limit = (2 * pi * below) ** 2
     shift = shift_for(disk, material, support, density)
     part, solid, solved = solve(disk, material, support, density, fine, {"below": limit})

@@ -50,13 +50,19 @@ def extrude(cells, heights):
 
 
 def hexahedra(nodes):
-    """The scikit-fem mesh (MeshHex2) of cells whose 27 nodes (c, 27, 3) are given; nodes that coincide become one."""
-    corners = nodes[:, :8].reshape(-1, 3)
+    """The MeshHex2 of cells whose nodes (c, 27, 3) are given; nodes that coincide become one."""
+    return joined(nodes, MeshHex, MeshHex2)
+
+
+def joined(nodes, linear, quadratic):
+    """The scikit-fem mesh of class `quadratic` of cells whose nodes (c, n, 3) are given, made from class `linear`."""
+    count = linear.elem.refdom.nnodes
+    corners = nodes[:, :count].reshape(-1, 3)
     near = cKDTree(corners).query_pairs(1e-10 * np.abs(nodes).max(), output_type="ndarray")
     same = coo_matrix((np.ones(len(near)), near.T), shape=(len(corners),) * 2)
     inverse = connected_components(same, directed=False)[1]
     vertices = np.ascontiguousarray(corners[np.unique(inverse, return_index=True)[1]].T)
-    mesh = MeshHex2.from_mesh(MeshHex(vertices, np.ascontiguousarray(inverse.reshape(-1, 8).T)))
+    mesh = quadratic.from_mesh(linear(vertices, np.ascontiguousarray(inverse.reshape(-1, count).T)))
     mesh.doflocs[:, mesh.dofs.element_dofs] = nodes.transpose(2, 1, 0)
     return mesh
 

@@ -11,20 +11,18 @@ from math import ceil, pi
 
 import numpy as np
 
-LEAD = 0.5
-"""Ratio of boxes nested about the middle of a short arc."""
-
 
 @dataclass(frozen=True, kw_only=True)
 class Blocks:
     """How coarse: angular `width` [rad] of a block, `depth` of the rim ring over the radius, `rings` boxes of ratio
-    `ratio` nested about the patch edge, at least `legs` blocks along each edge of a patch that ends within the
-    thickness, every block in `split` cells each way."""
+    `ratio` nested about the patch edge, further ones of ratio `lead` that lead over to the size of the disk, at least
+    `legs` blocks along each edge of a patch that ends within the thickness, every block in `split` cells each way."""
 
     width: float
     depth: float
     rings: int
     ratio: float = 0.25
+    lead: float = 0.5
     legs: int = 2
     split: int = 1
 
@@ -82,7 +80,7 @@ def nested_about_edge(edge, width, size):
 
 def nested_about_middle(half_angle, size):
     """Blocks between the box [0, 2 width] and the box [0, 2 half_angle] at the rim, both split at their middles."""
-    count = max(1, round(np.log(half_angle / size.width) / np.log(LEAD)))
+    count = max(1, round(np.log(half_angle / size.width) / np.log(size.lead)))
     widths = size.width * (half_angle / size.width) ** (np.arange(count + 1) / count)
     depths = widths * size.depth / size.width
     corners = []

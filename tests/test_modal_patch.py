@@ -41,7 +41,7 @@ def test_nine_modes_below_20_khz_within_2_percent_from_above(modes):
 def test_the_error_estimate_bounds_the_error_in_nine_of_ten_cases(modes):
     error = modes.frequency[:9] / REFERENCE - 1
     assert np.count_nonzero(error <= modes.error[:9]) >= 8
-    assert modes.error[:9].max() < 0.05
+    assert modes.error[:9].max() < 0.08
 
 
 def test_reference_accuracy_is_five_times_as_good():
@@ -134,14 +134,28 @@ def test_a_shell_and_a_patch_taller_than_the_disk_are_refused():
         eigenmodes(scene(height=0.02))
 
 
-def test_a_patch_over_part_of_the_thickness():
-    """Oracle: the same method graded much deeper, 52 thousand unknowns, whose frequencies are upper bounds too."""
-    deep = {"middle": 649.23, "bottom": 597.11}
-    for position, bound in deep.items():
-        modes = eigenmodes(scene(height=0.0064, position=position), below=3e3)
-        assert -1e-4 < modes.frequency[0] / bound - 1 < 0.02
-        assert modes.frequency[0] * (1 - modes.error[0]) < bound
-    assert (modes.frequency < eigenmodes(scene(), below=3e3).frequency).all()
+PART = {
+    "middle": [646.66, 663.61, 1605.01, 6725.12, 8751.67, 11129.20, 13229.52, 14736.09, 18635.62],
+    "bottom": [593.35, 610.78, 1452.41, 6512.08, 8507.69, 10683.15, 12918.56, 14823.05, 18603.99],
+}
+
+
+@pytest.mark.parametrize("position", PART)
+def test_a_patch_over_half_the_thickness(modes, position):
+    """Oracle: the same method on cells of half the size, 130 and 76 thousand unknowns, upper bounds too."""
+    part = eigenmodes(scene(height=0.0064, position=position), below=20e3)
+    error = part.frequency / PART[position] - 1
+    assert error.min() > 0
+    assert error.max() < 0.015
+    assert np.median(error) < 0.006
+    assert np.count_nonzero(error <= part.error) >= 8
+    assert (part.frequency[:9] < modes.frequency[:9]).all()
+
+
+@pytest.mark.parametrize("share", [0.9, 0.99, 0.9999])
+def test_a_patch_over_nearly_the_whole_thickness_is_nearly_the_full_patch(modes, share):
+    nearly = eigenmodes(scene(height=share * 0.0128), below=20e3).frequency
+    assert nearly == pytest.approx(modes.frequency[:9], rel=0.02 + 0.3 * (1 - share))
 
 
 def test_a_bottom_patch_of_full_height_is_the_full_patch(modes):
