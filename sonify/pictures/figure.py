@@ -5,11 +5,12 @@ from contextlib import contextmanager
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 from sonify.files import whole
 
-DPI = 110
+DPI, MOST_TICKS = 110, 5
 
 
 @contextmanager
@@ -29,7 +30,10 @@ def figure_at(path, rows, columns, size, **options):
 
 
 def _fix(panel):
-    """Put title and labels in fixed places: matplotlib would measure every tick to find them, which takes long."""
+    """Few ticks, title and labels in fixed places: matplotlib would measure every tick to find them; both take long."""
+    for axis in (panel.xaxis, panel.yaxis):
+        if axis.get_scale() == "linear":
+            axis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 5, 10)))
     width, height = panel.get_window_extent().size / DPI
     panel.set_title(panel.get_title(), y=1.0)
     panel.xaxis.set_label_coords(0.5, -0.3 / height)

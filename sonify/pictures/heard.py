@@ -79,7 +79,7 @@ def level_image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
     level, options = seen.level_db(reference), {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
     time, frequency = seen.time, seen.frequency / unit
     if axes.get_yscale() == "log":
-        return axes.pcolormesh(time, frequency, level, shading="nearest", rasterized=True, **options)
+        return axes.pcolormesh(time, frequency, level, shading="nearest", **options)
     half = (np.diff(time[:2], append=time[0] + 1)[0] / 2, np.diff(frequency[:2])[0] / 2)
     extent = (time[0] - half[0], time[-1] + half[0], frequency[0] - half[1], frequency[-1] + half[1])
     return axes.imshow(level, origin="lower", aspect="auto", interpolation="nearest", extent=extent, **options)
