@@ -13,7 +13,6 @@ import numpy as np
 
 from .plane import bilinear, half_squares
 
-
 THINNEST = 0.03
 """Least width of the tubes of a patch that ends just below a face, over that of others: a wide one would hold the face
 beyond the corner of the patch."""
