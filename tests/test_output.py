@@ -154,6 +154,14 @@ def test_without_the_extra_the_run_says_that_roughness_is_left_out(tmp_path, mon
     assert json.loads((tmp_path / "run.json").read_text())["sound"]["roughness"] == hearing.ROUGHNESS_MISSING
 
 
+def test_the_record_has_the_roughness_of_the_end(result, record):
+    pytest.importorskip("mosqito", reason="the extra `roughness` is not installed")
+    rough, end = record["sound"]["roughness"], result.sound.source_end
+    assert end - 2.0 < rough["time"][0] < rough["time"][-1] < end
+    assert len(rough["asper"]) == 10
+    assert all(0 <= asper < 1 for asper in rough["asper"])
+
+
 def test_a_motion_that_is_cut_off_says_so(tmp_path):
     scene = load_scene("published").replace("numerics.time_limit=0.6", "name=cut")
     cut = run(scene, out=tmp_path / "cut")
