@@ -3,6 +3,7 @@
 from math import pi
 
 import numpy as np
+from scipy.special import jv
 
 from .modes import Modes
 
@@ -10,28 +11,27 @@ AIR_DENSITY = 1.204
 """[kg/m^3] at 20 degrees."""
 SOUND_SPEED = 343.2
 """[m/s] at 20 degrees."""
-DIRECTIONS = 32
-"""Gauss points of the direction cosine, and azimuths: enough for a disk some five wavelengths across."""
+DIRECTIONS = 24
+"""Gauss points of the direction cosine in a half space: enough for a disk some five wavelengths across."""
 
 
-def far_field(modes: Modes, direction_cosine, azimuth) -> np.ndarray:
-    """Complex directivity (m, c, a) [m^2 kg^-1/2]: Rayleigh's integral of the outward motion.
+def directivity(modes: Modes, sine) -> np.ndarray:
+    """Amplitudes (2, n, m, 2, c) [m^2 kg^-1/2] of Rayleigh's integral of the axial motion, D = int w exp(i k . x) dA.
 
-    D = s int w exp(i k . x) dA over the top face, s = 1, for direction cosines > 0, over the bottom one, s = -1, for
-    others: each face is taken to radiate as if baffled, into its own half space.
+    At azimuth phi it is sum_n i^n (A_n cos n phi + B_n sin n phi), with the Hankel transform A_n = 2 pi int w_n(r)
+    J_n(k r sine) r dr of w = sum_n w_n cos n theta + v_n sin n theta, and B_n likewise; A, B are the first index, then
+    come the orders, the modes, the bottom and the top face, the directions with sines (c,) of the angle to the axis.
     """
+    wave = np.fft.rfft(modes.face_shape, axis=3) / len(modes.face_angle)
+    wave[..., 1:] *= 2
+    order = np.arange(wave.shape[3])
     k = 2 * pi * modes.frequency / SOUND_SPEED
-    r, theta = modes.face_radius, modes.face_angle
-    sine = np.sqrt(1 - direction_cosine**2)
-    phase = np.cos(azimuth[:, None] - theta)
-    area = modes.face_weight[:, None] * 2 * pi / len(theta)
-    result = np.empty((len(modes), len(direction_cosine), len(azimuth)), complex)
-    for i in range(len(modes)):
-        path = np.einsum("c,r,at->cart", k[i] * sine, r, phase)
-        top = (direction_cosine > 0).astype(int)
-        w = modes.face_shape[i][top] * np.where(top, 1.0, -1.0)[:, None, None]
-        result[i] = np.einsum("crt,cart,rt->ca", w, np.exp(1j * path), area)
-    return result
+    strong = (np.abs(wave) > 1e-6 * np.abs(wave).max(initial=0.0)).any(axis=(1, 2))
+    bessel = np.zeros((len(order), len(modes), len(sine), len(modes.face_radius)))
+    for i, n in np.argwhere(strong):
+        bessel[n, i] = jv(n, np.multiply.outer(k[i] * sine, modes.face_radius))
+    parts = np.stack([wave.real, -wave.imag])
+    return 2 * pi * np.einsum("pmfrn,nmcr,r->pnmfc", parts, bessel, modes.face_weight, optimize=True)
 
 
 def radiation_decay(modes: Modes) -> np.ndarray:
@@ -39,14 +39,16 @@ def radiation_decay(modes: Modes) -> np.ndarray:
 
     Rayleigh (1896), sections 278 and 302: |p| = rho w |v D|/(2 pi R) with velocity amplitude v = w q, so that
     P = int |p|^2/(2 rho c) R^2 dO = rho w^2 v^2/(8 pi^2 c) int |D|^2 dO; the energy is v^2/2 and d = P/(2 E).
-    Without a baffle the faces short-circuit where the disk is small against the wavelength: there it is an upper bound.
-    The rim's own radiation, all that in-plane modes have, is left out.
+    Each face radiates into its own half space as if a baffle parted them. Without one the two sides of a bending disk
+    cancel where it is small against the wavelength: there this is too large, for a rigid disk that heaves by
+    27 pi^2/(8 (k a)^2), Lamb (1932), section 102: a hundredfold at k a = 0.6, 0.9 kHz for a radius of 37.55 mm. The
+    rim's own radiation, all that in-plane modes have, is left out.
     """
     cosine, weight = np.polynomial.legendre.leggauss(DIRECTIONS)
-    azimuth = np.arange(DIRECTIONS) * 2 * pi / DIRECTIONS
-    power = np.einsum("mca,c->m", np.abs(far_field(modes, cosine, azimuth)) ** 2, weight) * 2 * pi / len(azimuth)
-    rate = 2 * pi * modes.frequency
-    return AIR_DENSITY * rate**2 / (8 * pi**2 * SOUND_SPEED) * power
+    square = directivity(modes, np.sqrt(1 - ((cosine + 1) / 2) ** 2)) ** 2
+    around = np.where(np.arange(square.shape[1]) == 0, 2 * pi, pi)
+    power = np.einsum("pnmfc,n,c->m", square, around, weight / 2)
+    return AIR_DENSITY * (2 * pi * modes.frequency) ** 2 / (8 * pi**2 * SOUND_SPEED) * power
 
 
 def with_radiation(modes: Modes) -> Modes:
