@@ -88,12 +88,10 @@ def loudness(sound) -> float | str:
         return str(error)
 
 
-def rough_end(result) -> dict | str:
-    """Return the roughness of the last seconds of the motion, or why there is none; a draft has no time for it."""
-    if result.scene.numerics.accuracy == "draft":
-        return "left out of a draft"
+def roughness_before(sound) -> dict | str:
+    """Return the roughness of the last seconds of the motion, or why there is none."""
     try:
-        time, asper = roughness(result.sound.folder / "pressure.wav", result.sound.source_end)
+        time, asper = roughness(sound.folder / "pressure.wav", sound.source_end)
         return {"time": time.tolist(), "asper": asper.tolist()}
     except (ValueError, MissingExtraError) as error:
         return str(error)
