@@ -16,6 +16,7 @@ _HOME = {
     "write_uff": "export",
     "as_json": "export",
     "as_faust": "export",
+    "as_faust_library": "export",
     "mesh_modes": "user_mesh",
     "radiation_decay": "radiation",
     "with_radiation": "radiation",

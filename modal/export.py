@@ -78,24 +78,46 @@ def dataset_55(modes, i, number, u):
 def as_faust(modes: Modes, angle=0.0, name="disk") -> str:
     """A Faust program: a force [N], axial at the bottom edge at `angle` [rad], in; velocity [m/s] there out.
 
+    The model is that of `as_faust_library`, with sliders for what it is scaled by. ValueError if there is no mode.
+    """
+    return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
+
+
+def as_faust_library(modes: Modes, angle=0.0, name="disk") -> str:
+    """A Faust library with one function, name(gain, t60_scale, frequency_scale), from force to velocity as `as_faust`.
+
     q'' + 2 d q' + w^2 q = phi F is stepped exactly for a force that is constant between samples: with the pole
     exp(-d T), angle v T, v^2 = w^2 - d^2, each step of F adds the velocity phi^2 exp(-d t) sin(v t)/v in each mode.
+    Frequencies v are multiplied by frequency_scale, and modes beyond half the sample rate are silent; 1/d by t60_scale.
+    ValueError if there is no mode.
     """
     if not len(modes):
         raise ValueError("there is no mode to write")
     phi = modes.at_rim(angle)[:, 0, 2]
-    rate = 2 * np.pi * modes.frequency
-    turn = np.sqrt(rate**2 - modes.decay_rate**2)
+    turn = np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2)
     rows = zip(turn, modes.decay_rate, phi**2 / turn, strict=True)
-    bank = ",\n  ".join(f"mode({w:.9g}, {d:.9g}, {g:.9g})" for w, d, g in rows)
-    return FAUST.format(name=name, count=len(modes), bank=bank)
+    bank = ",\n    ".join(f"mode({w:.15g}, {d:.15g}, {g:.15g})" for w, d, g in rows)
+    return FAUST_LIBRARY.format(name=name, count=len(modes), bank=bank)
 
 
-FAUST = """declare name "{name}";
+FAUST_LIBRARY = """declare name "{name}";
 import("stdfaust.lib");
 // {count} modes: angular rate [rad/s], decay rate [1/s], velocity [m/s] per newton stepped
-mode(w, d, g) = *(g * r * sin(w * T)) : fi.tf2(0, 1, 0, -2 * r * cos(w * T), r * r)
-with {{ T = 1.0 / ma.SR; r = exp(0 - d * T); }};
-process = _ <: (_, mem) : - <:
-  {bank} :> _;
+{name}(gain, t60_scale, frequency_scale) = _ <: (_, mem) : - <:
+    {bank}
+    :> *(gain)
+with {{
+  T = 1.0 / ma.SR;
+  mode(rate, decay, g) = *(g / frequency_scale * (w * T < ma.PI) * r * sin(w * T)) : fi.tf2(0, 1, 0, a1, r * r)
+  with {{
+    w = rate * frequency_scale;
+    r = exp(0 - decay / t60_scale * T);
+    a1 = -2 * r * cos(w * T);
+  }};
+}};
+"""
+FAUST_PROGRAM = """process = {name}(
+  hslider("gain", 1, 0, 10, 0.001), hslider("t60 scale", 1, 0.01, 100, 0.001),
+  hslider("frequency scale", 1, 0.1, 10, 0.0001)
+);
 """

@@ -1,7 +1,7 @@
 """Claim: the exported files say what the modes say, to the programs they are for.
 
 Source: universal file format, datasets 15 and 55; the Faust language. Oracles: pyuff reads back what was written; the
-Faust compiler accepts the program; its recursion is compared with the closed form of a damped oscillator.
+Faust compiler accepts the program; what it makes is compiled, run and compared with the closed form of the oscillators.
 """
 
 import re
@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from modal import Material, Plate, as_faust, plate_modes, write_uff
+from modal import Material, Plate, as_faust, as_faust_library, plate_modes, write_uff
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 
@@ -35,26 +35,87 @@ def test_universal_file_keeps_shapes_and_frequencies(modes, tmp_path):
         assert np.real(read) == pytest.approx(u, abs=1e-4 * np.abs(u).max())
 
 
+PLAIN_CPP = """
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#ifndef FAUSTFLOAT
+#define FAUSTFLOAT double
+#endif
+struct Meta { void declare(const char*, const char*) {} };
+struct UI {
+  void openVerticalBox(const char*) {} void closeBox() {} void declare(FAUSTFLOAT*, const char*, const char*) {}
+  void addHorizontalSlider(const char*, FAUSTFLOAT*, double, double, double, double) {}
+};
+struct dsp { virtual ~dsp() {} };
+<<includeIntrinsic>>
+<<includeclass>>
+int main() {
+  static double force[400], velocity[400];
+  std::fill(force + 1, force + 400, 1.0);
+  double *in[] = {force}, *out[] = {velocity};
+  mydsp disk;
+  disk.init(48000);
+  disk.compute(400, in, out);
+  for (double v : velocity) std::printf("%.17g\\n", v);
+}
+"""
+needs_faust = pytest.mark.skipif(not shutil.which("faust"), reason="the Faust compiler is not installed")
+
+
+def compiled(folder, program, *options):
+    """The answer of Faust, which translates a program in a folder to disk.cpp."""
+    (folder / "disk.dsp").write_text(program)
+    command = ["faust", *options, "disk.dsp", "-o", "disk.cpp"]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+    return (folder / "disk.cpp").read_text()
+
+
+def step_response(modes, gain=1.0, t60_scale=1.0, frequency_scale=1.0):
+    """Velocity (400,) [m/s] at 48 kHz one sample after a force of 1 N sets in at the second one."""
+    phi, t = modes.at_rim(0.0)[:, 0, 2], np.arange(399)[:, None] / 48e3
+    damped = np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2) * frequency_scale
+    heard = phi**2 * (damped < np.pi * 48e3)
+    exact = (heard / damped * np.exp(-modes.decay_rate / t60_scale * t) * np.sin(damped * t)).sum(axis=1)
+    return gain * np.append(0.0, exact)
+
+
+@needs_faust
 def test_faust_program_compiles(modes, tmp_path):
-    if not shutil.which("faust"):
-        pytest.skip("the Faust compiler is not installed")
-    (tmp_path / "disk.dsp").write_text(as_faust(modes))
-    done = subprocess.run(["faust", str(tmp_path / "disk.dsp"), "-o", str(tmp_path / "disk.cpp")], capture_output=True)
-    assert done.returncode == 0, done.stderr.decode()
-    assert (tmp_path / "disk.cpp").stat().st_size > 1000
+    code = compiled(tmp_path, as_faust(modes))
+    for label in ("gain", "t60 scale", "frequency scale"):
+        assert f'"{label}"' in code
+
+
+@needs_faust
+@pytest.mark.skipif(not shutil.which("c++"), reason="there is no C++ compiler")
+@pytest.mark.parametrize("scales", [(1.0, 1.0, 1.0), (2.0, 0.01, 1.3)])
+def test_the_compiled_faust_library_gives_the_exact_step_response(modes, tmp_path, scales):
+    """At 1.3 times their frequencies two of the five modes are beyond half the sample rate, and silent."""
+    (tmp_path / "disk.lib").write_text(as_faust_library(modes))
+    (tmp_path / "plain.cpp").write_text(PLAIN_CPP)
+    compiled(tmp_path, f'process = library("disk.lib").disk{scales};', "-double", "-a", "plain.cpp")
+    subprocess.run(["c++", "-O1", "disk.cpp", "-o", "disk"], cwd=tmp_path, check=True, capture_output=True)
+    told = subprocess.run([tmp_path / "disk"], capture_output=True, text=True, check=True).stdout
+    exact = step_response(modes, *scales)
+    assert np.array(told.split(), float) == pytest.approx(exact, abs=1e-9 * np.abs(exact).max())
 
 
 def test_faust_recursion_is_the_exact_step_response(modes):
     rows = [[float(x) for x in row.split(",")] for row in re.findall(r"mode\((\d[^)]*)\)", as_faust(modes))]
     assert len(rows) == len(modes)
-    time, step = np.arange(400) / 48e3, 1 / 48e3
-    force = np.append(0.0, np.ones(399))
+    step, force = 1 / 48e3, np.append(0.0, np.ones(399))
     sounded = 0.0
     for w, d, g in rows:
         r = np.exp(-d * step)
         recursion = [1, -2 * r * np.cos(w * step), r * r]
         sounded = sounded + lfilter([0, g * r * np.sin(w * step)], recursion, np.diff(force, prepend=0))
-    phi, rate, t = modes.at_rim(0.0)[:, 0, 2], 2 * np.pi * modes.frequency, time[:-1, None]
-    damped = np.sqrt(rate**2 - modes.decay_rate**2)
-    exact = (phi**2 / damped * np.exp(-modes.decay_rate * t) * np.sin(damped * t)).sum(axis=1)
-    assert sounded[1:] == pytest.approx(exact, abs=1e-6 * np.abs(exact).max())
+    exact = step_response(modes)
+    assert sounded == pytest.approx(exact, abs=1e-6 * np.abs(exact).max())
+
+
+def test_a_disk_without_modes_is_not_written(modes):
+    with pytest.raises(ValueError, match="no mode"):
+        as_faust_library(plate_modes(Plate(radius=0.001, thickness=0.001, material=STEEL, density=7737.27), 23e3))
