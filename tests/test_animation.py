@@ -4,6 +4,7 @@ Source: the geometry of a cylinder on a plane, (2.1) to (2.3); H.264 in yuv420p 
 lowest point of the rim and at rest while the disk rolls; the film decoded again, its sound compared with sound.wav.
 """
 
+import signal
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -16,6 +17,7 @@ from scipy.signal import correlate
 
 from dynamics import simulate
 from modal import eigenmodes
+from sonify import animation
 from sonify.__main__ import main
 from sonify.animation import FPS, SIZE, STAGE, STEEPEST, animate, camera_of, clip_of
 from sonify.sound import Renderer
@@ -115,6 +117,23 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
     whole, _ = soundfile.read(result.out / "sound.wav")
     lag = np.argmax(correlate(samples, whole[: len(samples)])) - (len(samples) - 1)
     assert abs(lag) <= DELAY_S * rate
+
+
+def test_a_full_disk_leaves_no_half_film(result, monkeypatch):
+    """A limit on the size of files stands for the full disk."""
+    pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
+    resource = pytest.importorskip("resource", reason="this system cannot limit the size of files")
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    monkeypatch.setattr(animation, "cut_sound", lambda clip, path: result.out / "sound.wav")
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    (result.out / "animation.mp4").unlink(missing_ok=True)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, before[1]))
+    try:
+        with pytest.raises(OSError, match=r"could not be written in full|frames"):
+            animate(result)
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert list(result.out.glob("*.mp4")) + list(result.out.glob(".*")) == []
 
 
 def test_without_the_encoder_one_line_says_how_to_get_it_and_nothing_is_written(tmp_path, monkeypatch):
