@@ -1,6 +1,7 @@
 """Elastic modes by scikit-fem as it comes: uniform straight-sided meshes of the whole disk, scipy's shift-invert.
 
-The patch is held at the nodes up to the one nearest to its edge: a uniform mesh knows its extent to a node only.
+A free disk has the mesh of a circle, refined as often as asked for. A held one has SECTORS sides, of which the patch is
+a whole number, so that its extent is right; its ring next to the rim has as many rows as asked for.
 """
 
 import numpy as np
@@ -12,6 +13,8 @@ from skfem import (
     ElementTetP1,
     ElementTetP2,
     ElementVector,
+    MeshHex,
+    MeshHex2,
     MeshLine,
     MeshTri,
     condense,
@@ -20,11 +23,14 @@ from skfem import (
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
 from modal.mesh import extrude, hexahedra
+from modal.plane import columns, core, part, positive
 from sonify.charts.modes_case import ModesCase
 from sonify.charts.records import Answer, Failure
 
 ELEMENTS = {"P1 tetrahedra": ElementTetP1, "P2 tetrahedra": ElementTetP2, "Q2 hexahedra": ElementHex2}
 PLACES = np.array([0.0, 0.5, 1.0])
+SECTORS, DEPTH = 72, 0.5
+"""Sides of a held disk, and the depth of the ring next to its rim over the radius."""
 FREE_SHIFT = -((2 * np.pi * 3000.0) ** 2)
 """Shift for a free body [1/s^2]: at zero its stiffness is singular."""
 
@@ -47,15 +53,28 @@ def plain_modes(case: ModesCase, element: str, refinements: int, layers: int) ->
 
 def uniform(case: ModesCase, element: str, refinements: int, layers: int):
     """Return the basis on a uniform mesh of the disk, and the number of sides that its rim has."""
-    flat = MeshTri.init_circle(refinements)
-    segments = len(flat.boundary_nodes())
     heights = np.linspace(-case.thickness / 2, case.thickness / 2, layers + 1)
-    flat = flat.scaled(case.radius)
-    if "hexahedra" in element:
-        solid = hexahedra(extrude(quadrilaterals(flat), heights))
+    if case.half_angle is not None:
+        segments, plane = SECTORS, sectors(refinements) * case.radius
+        curved = hexahedra(extrude(plane, heights))
+        solid = MeshHex(curved.doflocs[:, : curved.t.max() + 1], curved.t)
+        solid = MeshHex2.from_mesh(solid) if "hexahedra" in element else solid.to_meshtet()
     else:
+        flat = MeshTri.init_circle(refinements)
+        segments, flat = len(flat.boundary_nodes()), flat.scaled(case.radius)
         solid = (flat * MeshLine(heights)).to_meshtet()
+        if "hexahedra" in element:
+            solid = hexahedra(extrude(quadrilaterals(flat), heights))
     return Basis(solid, ElementVector(ELEMENTS[element]()), intorder=4), segments
+
+
+def sectors(rows: int) -> np.ndarray:
+    """Return the nodes (q, 3, 3, 2) of the unit disk in SECTORS sectors, `rows` deep next to the rim."""
+    angles = np.linspace(0, np.pi, SECTORS // 2 + 1)
+    ring = [part(b, 0, 1, i / rows, (i + 1) / rows) for b in columns(angles, DEPTH) for i in range(rows)]
+    u, v = np.meshgrid(PLACES, PLACES, indexing="ij")
+    cells = np.array([block(u, v) for block in ring + core(angles, DEPTH)])
+    return positive(np.concatenate([cells, cells * [1, -1]]))
 
 
 def quadrilaterals(triangles: MeshTri) -> np.ndarray:

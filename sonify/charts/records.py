@@ -5,6 +5,7 @@ Seconds are those of the processor, so that what else the machine does counts le
 
 import csv
 import math
+import os
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
@@ -71,19 +72,25 @@ class Work(NamedTuple):
     wrong: float = WRONG
 
 
+def spent() -> float:
+    """Return the processor time [s] of this process and of the programs that it has called and seen end."""
+    children = os.times()
+    return process_time() + children.children_user + children.children_system
+
+
 def measure(work: Work, warm: bool = False, repeats: int = REPEATS) -> Record:
     """Run `work` and return its record; with `warm` one run before the first counts for nothing (it compiles)."""
     about = {"family": work.family, "method": work.method, "setting": work.setting, "case": work.case}
-    began = process_time()
+    began = spent()
     try:
         answer = work.call()
     except Failure as failure:
-        return Record(**about, seconds=process_time() - began, repeats=1, failure=str(failure))
-    seconds = [] if warm else [process_time() - began]
+        return Record(**about, seconds=spent() - began, repeats=1, failure=str(failure))
+    seconds = [] if warm else [spent() - began]
     while not seconds or (len(seconds) < repeats and sum(seconds) + seconds[-1] < PATIENCE):
-        began = process_time()
+        began = spent()
         work.call()
-        seconds.append(process_time() - began)
+        seconds.append(spent() - began)
     error = work.error(answer.values)
     wrong = "" if error <= work.wrong else f"wrong by {100 * error:.2g} %"
     return Record(

@@ -127,11 +127,31 @@ def conclusion(records: list[Record]) -> list[str]:
     """Return what the records say, in sentences."""
     lines = []
     for case in dict.fromkeys(r.case for r in records):
-        here = [r for r in records if r.case == case]
-        plain = [r for r in here if r.setting.startswith("1 x")]
-        for r in sorted((r for r in plain if not r.failure), key=lambda r: r.error):
-            lines.append(f"{case}, at {RATE} Hz: {r.method} has the error {r.error:.1e} in {1e3 * r.seconds:.2g} ms.")
-        for r in plain:
-            if r.failure:
-                lines.append(f"{case}, at {RATE} Hz: {r.method} fails: {r.failure}.")
+        plain = [r for r in records if r.case == case and r.setting.startswith("1 x")]
+        good = sorted((r for r in plain if not r.failure), key=lambda r: r.error)
+        best, *others = good
+        lines.append(f"{case}: take {best.method}: at {RATE} Hz its error is {best.error:.1e} in {_ms(best)}.")
+        lines.append(f"{case}, others: {'; '.join(f'{r.method} {r.error:.1e} in {_ms(r)}' for r in others)}.")
+        lines.append(f"{case}, failed: {'; '.join(f'{r.method} ({r.failure})' for r in plain if r.failure)}.")
+        lines += _oversampled(case, best, records)
     return lines
+
+
+def _ms(record):
+    return f"{1e3 * record.seconds:.2g} ms"
+
+
+def _oversampled(case, best, records):
+    """Say what the nearest of the textbook methods takes at a higher rate of samples, and how near it comes."""
+    higher = [r for r in records if r.case == case and r.family == "approximate" and not r.failure]
+    if not higher:
+        return []
+    near = min(higher, key=lambda r: r.error)
+    return (
+        [
+            f"{case}: oversampling does not help: the nearest textbook method, {near.method} at {near.setting}, comes to "
+            f"{near.error:.1e} in {_ms(near)}, {near.seconds / best.seconds:.0f} times as long."
+        ]
+        if near.error > best.error
+        else []
+    )
