@@ -1,29 +1,74 @@
-"""Claim: the picture of the modes shows one drawing per mode, labelled with its frequency."""
+"""Claim: the picture of the modes shows every mode at a slant and from above, labelled with its frequency.
+
+Oracle: the ink in the panels; the area and the volume that the drawn surface encloses.
+"""
 
 from types import SimpleNamespace
 
 import matplotlib.image
+import meshio
+import numpy as np
 import pytest
+import skfem
 
-from modal import Material, Plate, draw_modes, plate_modes
-from modal.pictures import caption
+from modal import Body, Material, Plate, draw_modes, plate_modes
+from modal.pictures import caption, edges, top_face
+from modal.solid_view import skin
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
+DISK = Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27)
 
 
 @pytest.fixture(scope="module")
 def modes():
-    return plate_modes(Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27), 20e3)
+    return plate_modes(DISK, 20e3)
 
 
-def test_the_picture_has_ink_in_every_panel(modes, tmp_path):
+def ink(image, rows, columns):
+    """Share of coloured pixels in one part of a picture."""
+    height, width = image.shape[:2]
+    part = image[int(rows[0] * height) : int(rows[1] * height), int(columns[0] * width) : int(columns[1] * width)]
+    return (part.std(axis=2) > 0.05).mean()
+
+
+def test_the_picture_has_ink_in_both_panels_of_every_mode(modes, tmp_path):
     draw_modes(modes, tmp_path / "modes.png")
     image = matplotlib.image.imread(tmp_path / "modes.png")[..., :3]
-    height, width = image.shape[:2]
     for column in range(len(modes)):
-        panel = image[height // 4 :, column * width // 5 : (column + 1) * width // 5]
-        assert (panel.std(axis=2) > 0.05).mean() > 0.1, "no colour in a panel"
-    assert (image[:, -width // 5 :].std(axis=2) > 0.05).mean() < 0.01, "colour where there is no mode"
+        for rows in ((0.2, 0.5), (0.5, 1.0)):
+            assert ink(image, rows, (column / 5, (column + 1) / 5)) > 0.1, "no colour in a panel"
+    assert ink(image, (0.2, 1.0), (0.8, 1.0)) < 0.01, "colour where there is no mode"
+
+
+@pytest.mark.parametrize("cell", [skfem.MeshHex1, skfem.MeshTet1, skfem.MeshTet2, skfem.MeshHex2])
+def test_the_skin_of_a_cube_is_its_six_sides(cell, tmp_path):
+    linear = skfem.MeshHex1 if "Hex" in cell.__name__ else skfem.MeshTet1
+    cell.from_mesh(linear.init_tensor(*[np.linspace(0, 1, 3)] * 3)).save(str(tmp_path / "cube.vtu"))
+    (block,) = (read := meshio.read(tmp_path / "cube.vtu")).cells
+    body = Body(points=read.points, cells=block.data, cell_type=block.type, displacement=read.points[None])
+    corners = body.points[skin(body)]
+    sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
+    if corners.shape[1] == 4:
+        sides += np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 0]) / 2
+    assert np.linalg.norm(sides, axis=1).sum() == pytest.approx(6)
+
+
+def test_a_hole_is_left_out(modes, tmp_path):
+    ring = plate_modes(Plate(**vars(DISK) | {"inner_radius": 0.02}), 20e3)
+    assert edges(ring) == pytest.approx((0.03755, 0.02), rel=1e-3)
+    assert edges(modes)[1] == 0
+    x, y, _ = top_face(ring, 0, *edges(ring))
+    assert (np.hypot(x, y).min(), np.hypot(x, y).max()) == pytest.approx((0.02, 0.03755), rel=1e-3)
+    points = ring.body.points[skin(ring.body)].mean(axis=1)
+    assert np.hypot(*points[:, :2].T).min() > 0.019
+    draw_modes(ring, tmp_path / "ring.png")
+
+
+def test_a_disk_without_modes_says_so(tmp_path):
+    none = plate_modes(Plate(radius=0.003, thickness=0.001, material=STEEL, density=7737.27), 20e3)
+    assert len(none) == 0
+    draw_modes(none, tmp_path / "none.svg")
+    assert "no mode below" in (tmp_path / "none.svg").read_text()
 
 
 def test_captions_say_what_a_mode_is(modes):
