@@ -1,12 +1,14 @@
 """Pictures of the mode shapes."""
 
 import numpy as np
+from matplotlib import colormaps
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle
 
 from .modes import Modes
-from .solid_view import draw_body, skin
+from .solid_view import skin, view
 
 COLUMNS = 5
 STRETCH = 0.16
@@ -44,7 +46,11 @@ def draw_modes(modes: Modes, path) -> None:
 def draw_solid(axis, modes, polygons, i):
     """One mode at a slant, with its title."""
     radius, _ = edges(modes)
-    draw_body(axis, modes.body, polygons, i, STRETCH * radius / np.abs(modes.body.displacement[i]).max())
+    stretch = STRETCH * radius / np.abs(modes.body.displacement[i]).max()
+    places, far, light = view(modes.body, polygons, i, stretch)
+    colour = colormaps["viridis"](far)
+    colour[:, :3] *= light[:, None]
+    axis.add_collection(PolyCollection(places, facecolors=colour, edgecolors=colour, linewidths=0.4))
     axis.set_aspect("equal")
     axis.set(xlim=(-1.2 * radius, 1.2 * radius), ylim=(-0.95 * radius, 0.95 * radius))
     axis.set_title(caption(modes, i), fontsize=10)

@@ -1,16 +1,14 @@
-"""The deformed body seen at a slant, as shaded polygons sorted by their distance: quicker than matplotlib's own 3-D."""
+"""The deformed body seen at a slant, as lit polygons in the order of their distance."""
 
 import numpy as np
-from matplotlib import colormaps
-from matplotlib.collections import PolyCollection
 
 from .modes import Body
 from .unfold import VTK_HEXAHEDRON27
 
 AZIMUTH, ELEVATION = np.deg2rad(-60), np.deg2rad(32)
 """Where the eye is: below the x axis, which points to the patch, and above the top face."""
-LIGHT = np.array([0.3, -0.5, 0.81])
-COLOURS = colormaps["viridis"]
+LIGHT, DIM = np.array([0.3, -0.5, 0.81]), 0.6
+"""Where the light comes from, and how bright a surface is that it grazes."""
 
 
 def square(axis, end):
@@ -47,17 +45,15 @@ def seen(points):
     return points @ np.array([[-s, c, 0], [-se * c, -se * s, ce], [ce * c, ce * s, se]]).T
 
 
-def draw_body(axis, body: Body, polygons, i, factor):
-    """Draw the polygons of the body moved by factor times mode i, coloured by how far they move, lit from above."""
+def view(body: Body, polygons, i, factor):
+    """The polygons (k, n) of the body moved by factor times mode i, the farthest first, as they are seen.
+
+    Returns places (k, n, 2), how far each moves over the farthest (k,), and how brightly it is lit from above (k,).
+    """
     moved = (body.points + factor * body.displacement[i])[polygons]
     far = np.linalg.norm(body.displacement[i], axis=1)[polygons].mean(axis=1)
     normal = np.cross(moved[:, 2] - moved[:, 0], moved[:, -1] - moved[:, 1])
-    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
-    light = 0.6 + 0.4 * np.abs(normal @ LIGHT)
-    picture = seen(moved)
-    order = np.argsort(picture[..., 2].mean(axis=1))
-    colour = COLOURS(far / far.max())
-    colour[:, :3] *= light[:, None]
-    axis.add_collection(
-        PolyCollection(picture[order][..., :2], facecolors=colour[order], edgecolors=colour[order], linewidths=0.4)
-    )
+    light = DIM + (1 - DIM) * np.abs(normal @ LIGHT) / np.linalg.norm(normal, axis=1)
+    places = seen(moved)
+    order = np.argsort(places[..., 2].mean(axis=1))
+    return places[order, :, :2], far[order] / far.max(), light[order]
