@@ -1,0 +1,97 @@
+"""Machine code of one branch of the flow: its formulas are run once on scalars that write down what is done to them.
+
+What is written down is a straight program without a choice in it, which numba compiles. The formulas stay where they
+are, in equations.py, regime.py and dissipation.py, as they do for heyoka.
+"""
+
+import functools
+import math
+from typing import NamedTuple
+
+from numba import njit, types
+
+from .equations import Law
+from .regime import DISSIPATED, Branch, Flow
+
+ROW = types.float64[::1]
+FLOW = types.void(ROW, ROW, ROW, ROW)
+"""What a compiled branch is called with: state, constants, and where the rates and the guards go."""
+
+
+class Program:
+    """The lines of a straight program; what was computed before is not computed again."""
+
+    def __init__(self):
+        self.names = {}
+
+    def note(self, expression: str) -> "Scalar":
+        """Return the scalar that `expression` computes."""
+        return Scalar(self, self.names.setdefault(expression, f"t{len(self.names)}"))
+
+    def call(self, function: str):
+        """Return a function of scalars that notes a call."""
+        return lambda *arguments: self.note(f"{function}({', '.join(map(str, arguments))})")
+
+    def lines(self) -> list[str]:
+        """Return the assignments in their order."""
+        return [f"{name} = {expression}" for expression, name in self.names.items()]
+
+
+class Scalar:
+    """A number of a program, known by its name."""
+
+    def __init__(self, program: Program, name: str):
+        self.program, self.name = program, name
+
+    def __str__(self):
+        return self.name
+
+    def __neg__(self):
+        return self.program.note(f"-{self}")
+
+
+def _operator(symbol):
+    def forward(self, other):
+        return self.program.note(f"{self} {symbol} {other}")
+
+    def backward(self, other):
+        return self.program.note(f"{other} {symbol} {self}")
+
+    return forward, backward
+
+
+for _name, _symbol in (("add", "+"), ("sub", "-"), ("mul", "*"), ("truediv", "/")):
+    _forward, _backward = _operator(_symbol)
+    setattr(Scalar, f"__{_name}__", _forward)
+    setattr(Scalar, f"__r{_name}__", _backward)
+
+
+class Compiled(NamedTuple):
+    """A branch as a function (FLOW), and the names of its guards in their order."""
+
+    flow: object
+    guards: tuple[str, ...]
+
+
+@functools.cache
+def compiled(branch: Branch) -> Compiled:
+    """Compile one branch, once a process; the constants of a scene are Law, senses and the inclination that ends it."""
+    source, names = program_of(branch)
+    scope = {name: getattr(math, name) for name in ("sin", "cos", "sqrt", "pow")}
+    exec(source, scope)
+    return Compiled(njit(FLOW, error_model="numpy")(scope["flow"]), names)
+
+
+def program_of(branch: Branch) -> tuple[str, tuple[str, ...]]:
+    """Return the source of the function (FLOW) of one branch, and the names of its guards."""
+    program = Program()
+    flow = Flow(*(program.call(name) for name in ("sin", "cos", "sqrt", "pow")))
+    y = [program.note(f"y[{i}]") for i in range(DISSIPATED + 1)]
+    constants = [program.note(f"p[{i}]") for i in range(len(Law._fields) + 4)]
+    law, senses, r_end = Law(*constants[:-4]), constants[-4:-1], constants[-1]
+    contact = flow.contact(y, branch, senses, law)
+    rates = flow.rates(y, contact, branch, law)
+    guards = flow.guards(y, contact, branch, senses, law, r_end)
+    ends = [f"rates[{i}] = {value}" for i, value in enumerate(rates)]
+    ends += [f"guards[{i}] = {value}" for i, value in enumerate(guards.values())]
+    return "\n    ".join(["def flow(y, p, rates, guards):", *program.lines(), *ends]), tuple(guards)
