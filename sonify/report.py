@@ -13,15 +13,17 @@ PICTURES = {
     "motion.png": "Figures 3 to 6 of the paper.",
     "modes.png": "Normal displacement of the upper face; black: the nodal lines.",
 }
+MOST_EMBEDDED = 100_000_000
+"""A longer sound [bytes] is not put into the page, which refers to the file beside it."""
 
 
 def write(result, path: Path):
-    """Write the page of a result, with everything it shows inside."""
+    """Write the page of a result, with everything it shows inside, but not a sound of hours."""
     page = Environment(loader=PackageLoader("sonify"), autoescape=True).get_template("report.html")
     text = page.render(
         result=result,
         zip=zip,
-        sound=embedded(result.out / "sound.wav", "audio/wav"),
+        sound=playable(result.out / "sound.wav"),
         pictures=[
             (embedded(result.out / name, "image/png"), caption)
             for name, caption in PICTURES.items()
@@ -30,6 +32,11 @@ def write(result, path: Path):
     )
     with whole(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
+
+
+def playable(path: Path) -> str:
+    """Return a WAV file as a data URL, or the name of a file too long for that."""
+    return embedded(path, "audio/wav") if path.stat().st_size <= MOST_EMBEDDED else path.name
 
 
 def embedded(path: Path, kind: str) -> str:

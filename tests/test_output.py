@@ -16,7 +16,7 @@ import pytest
 import soundfile
 
 from dynamics.rates import nutation_frequency, slips
-from sonify import hearing, load_scene, run
+from sonify import hearing, load_scene, report, run
 from sonify.checks import Check, no_sample_clipped
 from sonify.findings import Finding
 
@@ -115,6 +115,14 @@ def test_the_page_needs_no_other_file(result):
     assert page.count("data:image/png") == 4
     assert page.count("data:audio/wav") == 1
     assert all(f"{finding.claim[:30]}" in page.replace("&#39;", "'") for finding in result.findings)
+
+
+def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatch):
+    monkeypatch.setattr(report, "MOST_EMBEDDED", 1000)
+    report.write(result, tmp_path / "report.html")
+    page = (tmp_path / "report.html").read_text()
+    assert page.count("data:audio/wav") == 0
+    assert page.count('src="sound.wav"') == 1
 
 
 @pytest.mark.parametrize(
