@@ -139,11 +139,11 @@ def integrate(flow, y, p, count, span, tolerance):
         place, fired = first_fall(flow, p, c, count, guards)
         for j in range(8):
             coefficients[n, j] = c[j] / h**j
-        at(c, place, y)
         t = span if fired < 0 and h == span - t else t + place * h
         times[n] = t
         n += 1
-        if fired < 0:
-            y, rates[0] = y_end.copy(), rates[12]
+        y, rates[0] = y_end.copy(), rates[12]
+        if fired >= 0:
+            at(c, place, y)
         h *= min(GROW, SAFETY * error ** (-1 / 8)) if error > 0 else GROW
     return times[:n].copy(), coefficients[:n].copy(), y, fired
