@@ -5,7 +5,7 @@ import math
 from scipy.integrate import solve_ivp
 
 from sonify.charts.motion_case import Case, answer_of
-from sonify.charts.naive import FIRST, sign
+from sonify.charts.naive import BUDGET, FIRST, sign
 from sonify.charts.records import Answer, Failure
 from sonify.charts.smooth_state import ROLLING, contact, rates, turnings
 
@@ -13,7 +13,13 @@ from sonify.charts.smooth_state import ROLLING, contact, rates, turnings
 def euler_angles(case: Case, tolerance: float) -> Answer:
     """Solve a case that only rolls with (alpha, omega_1..3) as the state, by solve_ivp's DOP853."""
 
-    def rate(_, state):
+    spent = 0
+
+    def rate(tau, state):
+        nonlocal spent
+        spent += 1
+        if spent > BUDGET:
+            raise Failure(f"creeps: {BUDGET} evaluations and only {100 * tau / case.span:.0f} % of the time")
         rolling = _inclined(state.tolist())
         if not 0 < rolling[0] < math.pi / 2:
             raise Failure("the inclination is lost in the last digits of alpha")

@@ -15,16 +15,29 @@ def write_page(name: str, title: str, conclusion: list[str], records: list[Recor
     """Write the Markdown page of a chart."""
     lines = [f"# {title}", "", f"![{title}]({name}.png)", "", "## Conclusion", ""]
     lines += [f"- {line}" for line in conclusion]
-    lines += ["", "## Failures", "", "| case | method | setting | how | seconds |", "|---|---|---|---|---|"]
     lines += [
-        f"| {r.case} | {r.family}: {r.method} | {r.setting} | {r.failure} | {_seconds(r)} |"
-        for r in records
-        if r.failure
+        "",
+        "## Failures",
+        "",
+        *_failures([r for r in records if r.failure]),
+        "",
+        "## Environment",
+        "",
+        *(f"- {line}" for line in environment()),
     ]
-    lines += ["", "## Environment", "", *(f"- {line}" for line in environment())]
-    lines += ["", f"Made by `python -m sonify chart {name}`; every run is a line of `{name}.csv`.", ""]
+    command = f"python -m sonify chart {name.replace('_', '-')}"
+    lines += ["", f"Made by `{command}`; every run is a line of `{name}.csv`.", ""]
     with whole(path) as temporary:
         temporary.write_text("\n".join(lines), encoding="utf-8")
+
+
+def _failures(records):
+    if not records:
+        return ["None."]
+    head = ["| case | method | setting | how | seconds |", "|---|---|---|---|---|"]
+    return head + [
+        f"| {r.case} | {r.family}: {r.method} | {r.setting} | {r.failure} | {_seconds(r)} |" for r in records
+    ]
 
 
 def environment() -> list[str]:

@@ -14,7 +14,7 @@ from sonify.charts.naive import sign
 from sonify.charts.records import Answer, Failure
 from sonify.charts.smooth_state import ROLLING, contact, rates, turnings
 
-MOST_EVALUATIONS = 400_000
+MOST_EVALUATIONS = 250_000
 """Evaluations of the right-hand side after which a run is given up."""
 
 

@@ -142,16 +142,12 @@ def _ms(record):
 
 
 def _oversampled(case, best, records):
-    """Say what the nearest of the textbook methods takes at a higher rate of samples, and how near it comes."""
+    """Say what the nearest of the textbook methods comes to at a higher rate of samples, and what it takes."""
     higher = [r for r in records if r.case == case and r.family == "approximate" and not r.failure]
     if not higher:
         return []
     near = min(higher, key=lambda r: r.error)
-    return (
-        [
-            f"{case}: oversampling does not help: the nearest textbook method, {near.method} at {near.setting}, comes to "
-            f"{near.error:.1e} in {_ms(near)}, {near.seconds / best.seconds:.0f} times as long."
-        ]
-        if near.error > best.error
-        else []
-    )
+    return [
+        f"{case}: of the textbook methods, oversampled, {near.method} at {near.setting} comes nearest: "
+        f"{near.error:.1e} in {_ms(near)}, {near.seconds / best.seconds:.0f} times as long."
+    ]
