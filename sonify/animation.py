@@ -174,7 +174,7 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
     """Return the disk in a frame, its shutter open all the time, and the trace of the contact."""
     disk, last = clip.result.scene.disk, min(t + 1 / FPS, clip.result.sound.source_end)
     state = clip.states(t + (np.arange(EXPOSURES) + 0.5) / EXPOSURES / FPS)
-    image = exposed(camera, empty, rims(state, clip.inclination(state), disk))
+    image = exposed(camera, empty, rims(state, clip.inclination(state), disk), disk.inner_radius / disk.radius)
     turn = 2 * np.pi / abs(precession_rate(clip.states(np.array([last])))[0])
     touching = clip.states(np.linspace(last - min(TRACE, TURNS * turn), last, 100 * TURNS))
     path = contact(touching, clip.inclination(touching), disk)
@@ -195,7 +195,7 @@ def backdrop(clip):
     """Return the still part of the frames, with the spectrogram, and the function from time [s] to its column [px]."""
     figure = Figure(figsize=(SIZE[0] / 100, SIZE[1] / 100), dpi=100, facecolor="w")
     below = (SIZE[1] - STAGE[1] - 74) / SIZE[1]
-    axes = figure.add_axes((0.06, 60 / SIZE[1], 0.84, below), facecolor="k")
+    axes = figure.add_axes((0.066, 60 / SIZE[1], 0.84, below), facecolor="k")
     seen = spectrogram(clip.result.sound.folder / "pressure.wav", WINDOW, span=clip.span).band(*RATES)
     log_frequency(axes, RATES)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")

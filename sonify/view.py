@@ -82,12 +82,15 @@ def table(camera, radius: float) -> Image.Image:
     return image
 
 
-def exposed(camera, empty, bodies) -> np.ndarray:
-    """Return the mean image (h, w, 3) of the disk on the `empty` table; `bodies` (s, 2, n, 3) [m] are its rims."""
+def exposed(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
+    """Return the mean image (h, w, 3) of the disk on the `empty` table; `bodies` (s, 2, n, 3) [m] are its rims.
+
+    `hole` is the radius of a hoop's hole over that of its rim.
+    """
     total = np.zeros((*camera.size[::-1], 3), np.uint32)
     for body in bodies:
         image = empty.copy()
-        _draw_body(ImageDraw.Draw(image), camera, body)
+        _draw_body(ImageDraw.Draw(image), camera, body, hole)
         total += np.asarray(image.reduce(FINER))
     return (total // len(bodies)).astype(np.uint8)
 
@@ -100,7 +103,7 @@ def traced(camera, image, path) -> Image.Image:
     return Image.composite(Image.new("RGB", camera.size, TRACE), Image.fromarray(image), line.reduce(FINER))
 
 
-def _draw_body(pen, camera, body):
+def _draw_body(pen, camera, body, hole):
     """The shadow right below, and whatever of the convex body faces the camera."""
     for rim in body:
         pen.polygon(_flat(camera, rim * [1.0, 1.0, 0.0]), SHADOW)
@@ -122,8 +125,10 @@ def _draw_body(pen, camera, body):
         return
     face, centre, normal = (upper, middle[1], axis) if top else (lower, middle[0], -axis)
     pen.polygon(_flat(camera, face), _shade(normal[None])[0])
+    if hole:
+        pen.polygon(_flat(camera, centre + hole * (face - centre)), SHADOW)
     wedge = face[MARKED.start : MARKED.stop + 1]
-    pen.polygon(_flat(camera, np.concatenate([wedge, (centre + 0.6 * (wedge - centre))[::-1]])), MARK)
+    pen.polygon(_flat(camera, np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]])), MARK)
 
 
 def _shade(normals):
