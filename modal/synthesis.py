@@ -1,8 +1,7 @@
 """A disk on a patch by synthesis: modes of the free disk, the flexibility of those left out, tractions on the patch.
 
 With q the free modes, p the tractions and B their work, (Omega^2 - w^2) q = B^T p and B q + F p = 0, where F is the
-static flexibility of the modes left out; so (Omega^2 + B^T F^-1 B) q = w^2 q. The tractions are Chebyshev and Jacobi
-polynomials over the square roots that the edges of the patch ask for.
+static flexibility of the modes left out; so (Omega^2 + B^T F^-1 B) q = w^2 q. For the tractions see `tractions`.
 """
 
 from dataclasses import dataclass
@@ -12,28 +11,10 @@ from math import pi
 import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.linalg import block_diag, cho_factor, cho_solve, eigh
-from scipy.special import eval_jacobi, eval_legendre, jv, roots_jacobi
 
 from .elastic import lame
-from .modes import Support
 from .spectral import Plate, matrices, problem, rigid_count
-
-CORNER = -0.25
-"""Exponent of the tractions where the patch meets a face, about that of a right corner of held and free sides."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Richness:
-    """How many: basis (radial, axial) of a free order, orders up to `direct` solved one by one and up to `top`
-    interpolated, Chebyshev (around) and Jacobi (through) tractions per component and parity, modes up to `cutoff` times
-    the speed of shear waves over the radius."""
-
-    size: tuple[int, int] = (10, 6)
-    direct: int = 20
-    top: int = 600
-    around: int = 5
-    through: int = 4
-    cutoff: float = 2.6
+from .tractions import STANDARD, Patch, Richness
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,7 +59,7 @@ class FreeDisk:
     """
 
     plate: Plate
-    richness: Richness = Richness()
+    richness: Richness = STANDARD
 
     @property
     def cutoff(self):
@@ -121,51 +102,6 @@ class FreeDisk:
         patch = Patch(plate=self.plate, support=support, richness=self.richness)
         values = np.concatenate([held_class(self, patch, y, even) for y in (1, -1) for even in (1, -1)])
         return np.sort(np.sqrt(values[values < (2 * pi * below) ** 2])) / (2 * pi)
-
-
-@dataclass(frozen=True, kw_only=True)
-class Patch:
-    """The tractions on a patch: Chebyshev polynomials around times Jacobi polynomials through the thickness."""
-
-    plate: Plate
-    support: Support
-    richness: Richness
-
-    def __post_init__(self):
-        support, thickness = self.support, self.plate.thickness
-        if support.kind != "patch" or support.height not in (None, thickness) or support.half_angle_deg > 170:
-            raise ValueError("synthesis is for a patch over the whole thickness and at most 170 degrees to either side")
-
-    def around(self, n, y):
-        """Work (3, k, J) of cos n theta or sin n theta with radial, tangential, axial tractions of the class y [m].
-
-        The integral of T_j(theta/a)/sqrt(1 - (theta/a)^2) with cos n theta is pi a (-1)^(j/2) J_j(n a), j even; with
-        sin n theta pi a (-1)^((j-1)/2) J_j(n a), j odd. The sine partner of a free mode has u_theta ~ -cos n theta.
-        """
-        angle = np.deg2rad(self.support.half_angle_deg)
-        j = np.arange(self.richness.around)
-        cosine = (-1.0) ** j * jv(2 * j, n[:, None] * angle)
-        sine = (-1.0) ** j * jv(2 * j + 1, n[:, None] * angle)
-        plane, swirl = (cosine, sine) if y > 0 else (sine, -cosine)
-        return pi * angle * self.plate.radius * np.stack([plane, swirl, plane])
-
-    def through(self, even):
-        """Work (3, L, nz) of Legendre's polynomials of the free disk with the tractions through the thickness [m].
-
-        The tractions go as distance^CORNER at the faces.
-        """
-        zeta, weight = roots_jacobi(2 * self.richness.size[1] + 2 * self.richness.through, CORNER, CORNER)
-        m, l = np.arange(self.richness.size[1])[:, None], np.arange(self.richness.through)[:, None]
-        work = []
-        for odd in (even < 0, even < 0, even > 0):
-            traction = eval_jacobi(2 * l + odd, CORNER, CORNER, zeta) * weight
-            work.append(traction @ eval_legendre(2 * m + odd, zeta).T)
-        return np.stack(work) * self.plate.thickness / 2
-
-    @property
-    def held(self):
-        """Indices of the held components among radial, tangential, axial."""
-        return [i for i, name in enumerate(("radial", "tangential", "axial")) if name in self.support.held]
 
 
 def held_class(disk, patch, y, even):
