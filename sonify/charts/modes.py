@@ -101,7 +101,7 @@ def works(case: ModesCase, quick: bool) -> list[Work]:
         if family in NEEDS and not NEEDS[family][1]():
             runs.append(work(family, element, "", missing, family))
             continue
-        some = meshes[: 2 if family == PLAIN else 1]
+        some = meshes[1:2] if family == PLAIN else meshes[:1]
         for refinements, layers in some if quick else meshes:
             setting = f"{refinements} refinements, {layers} layers"
             runs.append(work(family, element, setting, SOLVERS[family], case, element, refinements, layers))

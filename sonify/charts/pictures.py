@@ -22,14 +22,16 @@ ZERO = 0.01
 
 def draw_map(records: list[Record], title: str, path):
     """Draw every hazard, two panels in a row."""
-    panels = {case: rows([r for r in records if r.case == case and not r.left_out]) for case in HAZARDS}
-    cases = list(panels)
+    shown = [r for r in records if not r.left_out]
+    cases = [case for case in HAZARDS if any(r.case == case for r in shown)]
+    panels = {case: rows([r for r in shown if r.case == case]) for case in cases}
     heights = [max(len(panels[case]) for case in cases[i : i + 2]) + 2.5 for i in range(0, len(cases), 2)]
     figure = Figure(figsize=(19, 0.3 * sum(heights) + 1), dpi=DPI, layout="constrained")
-    for axes, (case, methods) in zip(
-        figure.subplots(len(heights), 2, height_ratios=heights).flat, panels.items(), strict=True
-    ):
+    every = [*figure.subplots(len(heights), 2, height_ratios=heights, squeeze=False).flat]
+    for axes, (case, methods) in zip(every, panels.items(), strict=False):
         _panel(axes, HAZARDS[case], methods)
+    for axes in every[len(panels) :]:
+        axes.remove()
     handles = [Line2D([], [], ls="", label=name, **style) for name, style in STYLES.items()]
     figure.legend(handles=handles, loc="outside upper right", ncols=3)
     figure.suptitle(f"{title} (ours in bold; the edge is to the right)")
