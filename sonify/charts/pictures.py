@@ -18,6 +18,8 @@ STYLES = {
 }
 ZERO = 0.01
 """Where a parameter that is zero is drawn, as a part of the least other one."""
+WIDE, APART = 10.0, 1.15
+"""Ratios of parameters: above which a path is drawn in logarithms, below which two labels would overlap."""
 
 
 def draw_map(records: list[Record], title: str, path):
@@ -39,6 +41,15 @@ def draw_map(records: list[Record], title: str, path):
         figure.savefig(temporary, metadata={"Software": None})
 
 
+def _label(axes, y, runs):
+    """Write the errors over the marks, but for those too close to the one before."""
+    last = 0.0
+    for r in runs:
+        if (x := float(r.setting)) > APART * last:
+            axes.annotate(f"{r.error:.0f}", (x, y), (0, 6), textcoords="offset points", ha="center", fontsize=7)
+            last = x
+
+
 def _panel(axes, hazard, methods):
     places = sorted({float(r.setting) for runs in methods.values() for r in runs})
     zero = ZERO * min(place for place in places if place > 0)
@@ -47,12 +58,13 @@ def _panel(axes, hazard, methods):
         for r in runs:
             x = float(r.setting) or zero
             axes.plot([x], [y], ls="", **STYLES[state(r)])
-            if "cents" in hazard.label and r.error > hazard.fine and "grows" not in r.failure:
-                axes.annotate(f"{r.error:.0f}", (x, y), (0, 6), textcoords="offset points", ha="center", fontsize=6)
-    axes.set_xscale("log")
+        if "cents" in hazard.label:
+            _label(axes, y, [r for r in runs if r.error > hazard.fine and "grows" not in r.failure])
+    if places[-1] > WIDE * places[0]:
+        axes.set_xscale("log")
     if 0.0 in places:
         axes.axvline(zero, color="0.8", lw=0.8, zorder=0)
-        axes.annotate("0", (zero, 0), (0, 0.01), ("data", "axes fraction"), "axes fraction")
+        axes.text(zero, 0.02, "0", transform=axes.get_xaxis_transform(), ha="center", fontsize=9)
     axes.set_yticks(range(len(methods)), [f"{family}: {method}" for family, method in methods], fontsize=8)
     for label, (family, _) in zip(axes.get_yticklabels(), methods, strict=True):
         label.set_fontweight("bold" if family == "ours" else "normal")
