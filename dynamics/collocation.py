@@ -10,7 +10,7 @@ import numpy as np
 
 from .falls import first_fall
 from .hybrid import Arc, StalledError, Step
-from .regime import ARRAY, FLOAT, STOP_SPEED, V1, V2, Branch, R, describe
+from .regime import ARRAY, FLOAT, PRECESSION, STOP_SPEED, V1, V2, Branch, R, describe
 
 ORDER = 9
 NODES = (1 - np.cos(np.pi * (np.arange(ORDER) + 0.5) / ORDER)) / 2
@@ -18,8 +18,10 @@ NODES = (1 - np.cos(np.pi * (np.arange(ORDER) + 0.5) / ORDER)) / 2
 POWERS = np.arange(ORDER)
 TO_POWERS = np.linalg.inv(NODES[:, None] ** POWERS)
 INTEGRAL = NODES[:, None] ** (POWERS + 1) / (POWERS + 1) @ TO_POWERS
-LENGTH = 0.1
-"""First length of a step to try, in units of r."""
+LENGTH, LONGEST = 0.1, 0.5
+"""First length of a step to try, in units of r, unless the direction relaxes in less; and the longest."""
+GROWTH, SHRINK = 4.0, 0.4
+"""Bounds on the ratio of a step to the last one."""
 SHORTEST = 1e-12
 COMPLEX_STEP = 1e-30
 ACCURACY = 1e-12
@@ -67,12 +69,12 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
         return {**named, "grip": math.copysign(np.hypot(*y[V1 : V2 + 1]), y[V1 : V2 + 1] @ forward) - STOP_SPEED}
 
     y = np.array(y)
-    t, length, times, blocks, fired, values = 0.0, LENGTH, [], [], None, guards(y)
+    t, length, times, blocks, fired, values = 0.0, min(LENGTH, 2 * math.hypot(y[V1], y[V2])), [], [], None, guards(y)
     while t < span and fired is None and len(times) < MOST_STEPS:
         dt = min(length * y[R], span - t)
-        powers = _step(y, regime, branch, law, dt)
+        powers, error = _step(y, regime, branch, law, dt)
         if powers is None:
-            length /= 2
+            length *= SHRINK
             if length >= SHORTEST:
                 continue
             if times:
@@ -80,7 +82,7 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
             raise StalledError(f"{describe(y)}: the slow slide could not be followed")
         curve = lambda s, rows=powers: np.polynomial.polynomial.polyval(s, rows)  # noqa: E731
         end, fired, values = first_fall(curve, 0.0, dt, guards, values)
-        t, y, length = t + end, curve(end), min(1.5 * length, 5 * LENGTH)
+        t, y, length = t + end, curve(end), min(min(GROWTH, 0.8 * error ** (-1 / ORDER)) * length, LONGEST)
         forward = y[V1 : V2 + 1]
         times.append(t)
         blocks.append(powers)
@@ -90,14 +92,18 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
 
 
 def _step(y, regime, branch, law, dt):
-    """Return the powers (ORDER + 1, k) of one step of length dt, or None where it is too long."""
+    """Return the powers (ORDER + 1, k) of one step of length dt, None where it is too long; its error over ACCURACY.
+
+    The error is the last coefficient in Chebyshev's polynomials on the step.
+    """
     forward = y[V1 : V2 + 1]
     states = _newton(_onward(y, regime, branch, law, dt), y, forward, regime, branch, law, dt)
     if states is None:
-        return None
+        return None, math.inf
     powers = np.array(_powers(y, states, forward, regime, branch, law, dt))
-    tail = np.abs(powers[-1]).max() * dt**ORDER
-    return powers if tail < ACCURACY * max(1.0, np.abs(y).max()) else None
+    last = np.abs(powers[-1]).max() * dt**ORDER / 2 ** (2 * ORDER - 1)
+    error = last / (ACCURACY * max(1.0, np.abs(y).max())) + 1e-30
+    return (powers if error < 1 else None), error
 
 
 def _slip(y, forward):
@@ -139,24 +145,36 @@ def _onward(y, regime, branch, law, dt):
 
 
 def _newton(states, y, forward, regime, branch, law, dt):
-    """Solve states = y + dt INTEGRAL rates(states) by Newton's method; None where it does not converge."""
+    """Solve states = y + dt INTEGRAL rates(states) by Newton's method; None where it does not converge.
+
+    What is only integrated along, from PRECESSION on, follows when the rest is known.
+    """
     for _ in range(12):
-        residual = states - y - dt * INTEGRAL @ _rates(states, forward, regime, branch, law)
-        matrix = _matrix(states, forward, regime, branch, law, dt)
-        change = np.linalg.solve(matrix, residual.ravel()).reshape(states.shape)
-        states = states - change
-        if not np.isfinite(states).all():
+        residual = (states - y - dt * INTEGRAL @ _rates(states, forward, regime, branch, law))[:, :PRECESSION]
+        change = np.linalg.solve(_matrix(states, forward, regime, branch, law, dt), residual.ravel())
+        states[:, :PRECESSION] -= change.reshape(residual.shape)
+        size = np.abs(change).max()
+        if not np.isfinite(size):
             return None
-        if np.abs(change).max() < ACCURACY * max(1.0, np.abs(states).max()):
-            return states
+        if size < ACCURACY * max(1.0, np.abs(states[:, :PRECESSION]).max()):
+            return _with_quadratures(states, y, forward, regime, branch, law, dt)
     return None
 
 
+def _with_quadratures(states, y, forward, regime, branch, law, dt):
+    """Return the states with precession and quadratures that follow from the others."""
+    for _ in range(2):  # the path turns with the precession
+        rates = _rates(states, forward, regime, branch, law)
+        states[:, PRECESSION:] = y[PRECESSION:] + dt * (INTEGRAL @ rates)[:, PRECESSION:]
+    return states
+
+
 def _matrix(states, forward, regime, branch, law, dt):
-    """Return 1 - dt INTEGRAL d(rates)/d(states), the slopes by complex steps, which cancel nothing."""
-    n, k = states.shape
-    tilted = states + 1j * COMPLEX_STEP * np.eye(k)[:, None, :]
-    slopes = _rates(tilted.reshape(-1, k), forward, regime, branch, law).imag.reshape(k, n, k) / COMPLEX_STEP
+    """Return 1 - dt INTEGRAL d(rates)/d(states) up to PRECESSION; slopes by complex steps, which cancel nothing."""
+    n, k = len(states), PRECESSION
+    tilted = states + 1j * COMPLEX_STEP * np.eye(k, states.shape[1])[:, None, :]
+    rates = _rates(tilted.reshape(k * n, -1), forward, regime, branch, law)[:, :k]
+    slopes = rates.imag.reshape(k, n, k) / COMPLEX_STEP
     return np.eye(n * k) - dt * np.einsum("ij,bja->iajb", INTEGRAL, slopes).reshape(n * k, n * k)
 
 
