@@ -6,6 +6,7 @@ Oracle: quadruple precision (published case), 80-bit arithmetic (sticking case).
 
 import csv
 import json
+from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -19,7 +20,8 @@ from sonify.charts.event_driven import ours, with_solve_ivp
 from sonify.charts.moreau import moreau
 from sonify.charts.motion_case import conservative, published, references, sticking
 from sonify.charts.naive import naive_sign
-from sonify.charts.records import WRONG, Failure
+from sonify.charts.page import write_page
+from sonify.charts.records import WRONG, Failure, Record
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
 
@@ -106,3 +108,13 @@ def test_every_chart_has_its_module(name):
     module = import_module(f"sonify.charts.{name}")
     assert callable(module.run)
     assert callable(module.conclusion)
+
+
+def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
+    record = Record(family="f", method="m", setting="s", case="c", error=0.1, seconds=1.0, repeats=1)
+    for records, said in (([record], "None."), ([replace(record, failure="falls")], "| c | f: m | s | falls | 1 |")):
+        write_page("end_to_end", "Title", ["One sentence."], records, tmp_path / "page.md")
+        page = (tmp_path / "page.md").read_text("utf-8")
+        assert said in page
+        assert "- One sentence." in page
+        assert "`python -m sonify chart end-to-end`" in page

@@ -7,6 +7,7 @@ hypergeometric functions, and quadruple precision for the published case. Engine
 from functools import partial
 from importlib.util import find_spec
 from math import acos, pi, sin, sqrt
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -116,3 +117,12 @@ def test_a_missing_engine_is_left_out_and_says_so(monkeypatch):
         assert record.left_out
         assert record.failure.startswith(LEFT_OUT)
         assert "is not installed" in record.failure
+
+
+def test_an_engine_that_stops_is_a_failure(monkeypatch):
+    def stops(case):
+        raise RuntimeError("no\nconvergence")
+
+    monkeypatch.setattr(peers, "import_module", lambda name: SimpleNamespace(engine=stops))
+    with pytest.raises(Failure, match="stops: no convergence"):
+        peers.solved(conservative(1.0), "any", "engine")

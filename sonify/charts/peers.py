@@ -43,5 +43,9 @@ def missing(case: Case, package: str) -> Answer:
 
 
 def solved(case: Case, module: str, function: str, *arguments) -> Answer:
-    """Call the function of the module of an engine."""
-    return getattr(import_module(f"sonify.charts.{module}"), function)(case, *arguments)
+    """Call the function of the module of an engine. Raises Failure where the engine stops."""
+    engine = getattr(import_module(f"sonify.charts.{module}"), function)
+    try:
+        return engine(case, *arguments)
+    except RuntimeError as error:
+        raise Failure(f"stops: {' '.join(str(error).split())[:80]}") from None
