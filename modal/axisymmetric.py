@@ -96,7 +96,7 @@ def body_mesh(plate, highest):
     """Nodes (p, 3), cells and `Points` of the whole plate, fine enough to draw waves of the highest order."""
     split = 1 + highest // 6
     if plate.hole:
-        mesh = hexahedra(extrude(annulus(plate, 8 * split, split), np.linspace(0, plate.thickness / 2, split + 1)))
+        mesh = hexahedra(extrude(annulus(plate, 16 * split, split), np.linspace(0, plate.thickness / 2, split + 1)))
     else:
         size = Blocks(width=pi / 8, depth=0.38, rings=1, split=split)
         mesh = sector(plate.radius, plate.thickness, Support(kind="free"), size).mesh
