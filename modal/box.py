@@ -58,7 +58,7 @@ def nest(angle, height, top, size):
         boxes=np.vstack([inner, [angle, near, height], outer]),
         patch=len(inner),
         around=around + around % 2 if angle + beyond > pi - 1e-9 else around,
-        through=max(size.legs, ceil((height + above) / longest(size) - 1e-9)),
+        through=ceil((height + above) / (longest(size) / 2) - 1e-9),
     )
 
 

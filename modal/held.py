@@ -15,7 +15,7 @@ from .unfold import flips, mirror_of, unfolded
 
 COARSE = Blocks(width=pi / 4, depth=0.5, rings=2, lead=0.25, legs=1)
 ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
-MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=4, ratio=0.35)
+MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=3, ratio=0.3)
 FINE = Blocks(width=pi / 8, depth=0.38, rings=4, split=2)
 
 LEVELS = {"draft": (ROUGH, COARSE), "standard": (MIDDLE, COARSE), "reference": (FINE, MIDDLE)}

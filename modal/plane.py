@@ -16,7 +16,7 @@ import numpy as np
 class Blocks:
     """How coarse: angular `width` [rad] of a block, `depth` of the rim ring over the radius, `rings` boxes of ratio
     `ratio` nested about the patch edge, further ones of ratio `lead` that lead over to the size of the disk, at least
-    `legs` blocks along each edge of a patch that ends within the thickness, every block in `split` cells each way."""
+    `legs` blocks along the upper edge of a patch that ends within the thickness; every block is `split` cells wide."""
 
     width: float
     depth: float
