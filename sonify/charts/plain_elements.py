@@ -57,7 +57,7 @@ def uniform(case: ModesCase, element: str, refinements: int, layers: int):
     if case.half_angle is not None:
         segments, plane = SECTORS, sectors(refinements) * case.radius
         curved = hexahedra(extrude(plane, heights))
-        solid = MeshHex(curved.doflocs[:, : curved.t.max() + 1], curved.t)
+        solid = MeshHex(np.ascontiguousarray(curved.doflocs[:, : curved.t.max() + 1]), curved.t)
         solid = MeshHex2.from_mesh(solid) if "hexahedra" in element else solid.to_meshtet()
     else:
         flat = MeshTri.init_circle(refinements)
