@@ -40,7 +40,7 @@ MESHES = {
 }
 """Refinements (rows next to the rim, halvings at the edge of the patch) and layers of the thickness."""
 LONG = [("patch", PLAIN, "Q2 hexahedra")]
-"""Runs of a minute, which the quick chart leaves out."""
+"""Runs of ten seconds, which the quick chart leaves out."""
 SOLVERS = {PLAIN: plain_modes, CALCULIX: calculix_modes, NGSOLVE: ngsolve_modes}
 NEEDS = {CALCULIX: ("CalculiX", lambda: shutil.which("ccx")), NGSOLVE: ("NGSolve", lambda: find_spec("ngsolve"))}
 """Names of the programs that may not be there, and how to find them."""
@@ -84,7 +84,7 @@ def missing(family: str) -> Answer:
 
 
 def works(case: ModesCase, quick: bool) -> list[Work]:
-    """Return every run on one case; `quick` leaves out settings, and what takes a minute."""
+    """Return every run on one case; `quick` leaves out settings, and what takes long."""
 
     def work(family, method, setting, function, *arguments):
         return Work(family, method, setting, case.name, partial(function, *arguments), case.error, WRONG)
