@@ -11,6 +11,10 @@ from .modes import Modes
 from .solid_view import skin, view
 
 COLUMNS = 5
+ACROSS, SLANTED, ABOVE, HEAD = 2.6, 1.9, 2.5, 0.6
+"""Width of a mode, heights of its two views and of the title, over the radius of the disk."""
+INCH = 0.95
+"""Size of a radius [in]."""
 STRETCH = 0.16
 """Largest drawn displacement over the radius, of the rim seen from above."""
 
@@ -21,39 +25,39 @@ def draw_modes(modes: Modes, path) -> None:
     At a slant colour is how far a point moves; from above it is axial motion, black its nodal lines, dashed the rim
     moved in its plane. All are to scale within a mode. A disk without modes gives a picture that says so.
     """
-    rows = max(1, -(-len(modes) // COLUMNS))
-    figure = Figure(figsize=(3.1 * COLUMNS, 5.6 * rows + 1.1), dpi=90)
+    rows, high = max(1, -(-len(modes) // COLUMNS)), HEAD + SLANTED + ABOVE
+    figure = Figure(figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + HEAD)), dpi=100)
     FigureCanvasAgg(figure)
-    heights = [1.0, 1.25] * rows
-    axes = figure.subplots(2 * rows, COLUMNS, squeeze=False, height_ratios=heights)
-    for axis in axes.ravel():
-        axis.set_axis_off()
+    axis = figure.add_axes((0, 0, 1, 1))  # one for all: every other one would cost as much as a mode
+    axis.set(xlim=(0, ACROSS * COLUMNS), ylim=(-high * rows, HEAD))
+    axis.set_axis_off()
     polygons = skin(modes.body) if len(modes) else None
     for i in range(len(modes)):
         row, column = divmod(i, COLUMNS)
-        draw_solid(axes[2 * row, column], modes, polygons, i)
-        draw(axes[2 * row + 1, column], modes, i)
+        x, y = ACROSS * (column + 0.5), -high * row
+        axis.text(x, y - 0.05, caption(modes, i), fontsize=10, ha="center", va="top")
+        draw_solid(axis, modes, polygons, i, (x, y - HEAD - SLANTED / 2))
+        draw_above(axis, modes, i, (x, y - HEAD - SLANTED - ABOVE / 2))
     if not len(modes):
-        figure.text(0.5, 0.45, "no mode below the highest frequency asked for", ha="center", fontsize=14)
-    figure.suptitle(
-        "Modes of the disk. At a slant: exaggerated, bright where it moves most; the patch is to the right.\n"
-        "From above: axial motion of the top face (colour), nodal lines (black), rim (dashed), patch (green)"
-    )
-    figure.tight_layout(rect=(0, 0, 1, 0.99))
+        axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
+    axis.text(ACROSS * COLUMNS / 2, HEAD / 2, LEGEND, fontsize=11, ha="center", va="center")
     figure.savefig(path)
 
 
-def draw_solid(axis, modes, polygons, i):
-    """One mode at a slant, with its title."""
+LEGEND = (
+    "At a slant: exaggerated, bright where it moves most. From above: axial motion of the top face (colour),\n"
+    "nodal lines (black), rim (dashed); where the disk is held at a patch, it is to the right (green)"
+)
+
+
+def draw_solid(axis, modes, polygons, i, at):
+    """One mode at a slant, its centre `at` (x, y) in radii."""
     radius, _ = edges(modes)
     stretch = STRETCH * radius / np.abs(modes.body.displacement[i]).max()
     places, far, light = view(modes.body, polygons, i, stretch)
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
-    axis.add_collection(PolyCollection(places, facecolors=colour, edgecolors=colour, linewidths=0.4))
-    axis.set_aspect("equal")
-    axis.set(xlim=(-1.2 * radius, 1.2 * radius), ylim=(-0.95 * radius, 0.95 * radius))
-    axis.set_title(caption(modes, i), fontsize=10)
+    axis.add_collection(PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4))
 
 
 def edges(modes):
@@ -63,24 +67,24 @@ def edges(modes):
     return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
 
 
-def draw(axis, modes, i):
-    """One mode from above: colour map, nodal lines, rim at rest and displaced."""
+def draw_above(axis, modes, i, at):
+    """One mode from above, its centre `at` (x, y) in radii: colour map, nodal lines, rim at rest and displaced."""
     radius, hole = edges(modes)
     x, y, w = top_face(modes, i, radius, hole)
+    x, y = x / radius + at[0], y / radius + at[1]
     plane = modes.rim_shape[i, :, :2]
     scale = max(np.abs(w).max(), np.abs(plane).max())
     axis.contourf(x, y, w / scale, levels=np.linspace(-1, 1, 21), cmap="RdBu_r")
     if np.abs(w).max() > 0.1 * scale:
         axis.contour(x, y, w / scale, levels=[0.0], colors="black", linewidths=1.3)
-    for r in (radius, hole):
-        axis.add_patch(Circle((0, 0), r, fill=False, color="0.3", lw=1))
-    axis.plot(*moved_rim(modes, i, radius, STRETCH * radius / scale), color="0.1", lw=1, ls=(0, (4, 2)))
+    for r in (1.0, hole / radius):
+        axis.add_patch(Circle(at, r, fill=False, color="0.3", lw=1))
+    moved = moved_rim(modes, i, 1.0, STRETCH / scale)
+    axis.plot(moved[0] + at[0], moved[1] + at[1], color="0.1", lw=1, ls=(0, (4, 2)))
     held = modes.rim_angle[np.abs(modes.rim_shape).max(axis=(0, 2)) < 1e-9 * np.abs(modes.rim_shape).max()]
     if len(held):
         reach = np.rad2deg(np.abs(np.angle(np.exp(1j * held))).max())
-        axis.add_patch(Arc((0, 0), 2 * radius, 2 * radius, theta1=-reach, theta2=reach, color="tab:green", lw=5))
-    axis.set_aspect("equal")
-    axis.set(xlim=(-1.25 * radius, 1.25 * radius), ylim=(-1.25 * radius, 1.25 * radius))
+        axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
 
 
 def caption(modes, i):

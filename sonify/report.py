@@ -11,7 +11,7 @@ PICTURES = {
     "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
     "stems.png": "What can be heard: each cause of sound against the threshold of hearing.",
     "motion.png": "Figures 3 to 6 of the paper.",
-    "modes.png": "Normal displacement of the upper face; black: the nodal lines.",
+    "modes.png": "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines.",
 }
 MOST_EMBEDDED = 100_000_000
 """A longer sound [bytes] is not put into the page, which refers to the file beside it."""

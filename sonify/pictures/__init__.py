@@ -1,9 +1,12 @@
 """PICTURES: what was solved and what is heard, each readable without colour."""
 
-from .heard import draw_recording, draw_spectrogram, draw_stems
-from .solved import draw_modes, draw_motion
+from modal import draw_modes
+from sonify.files import whole
 
-__all__ = ["draw_all", "draw_modes", "draw_motion", "draw_recording", "draw_spectrogram", "draw_stems"]
+from .heard import draw_recording, draw_spectrogram, draw_stems
+from .solved import draw_motion
+
+__all__ = ["draw_all", "draw_motion", "draw_recording", "draw_spectrogram", "draw_stems"]
 
 
 def draw_all(result):
@@ -11,4 +14,5 @@ def draw_all(result):
     draw_spectrogram(result.motion, result.modes, result.sound, result.out / "spectrogram.png")
     draw_stems(result.sound, result.out / "stems.png")
     draw_motion(result.motion, result.out / "motion.png")
-    draw_modes(result.modes, result.out / "modes.png")
+    with whole(result.out / "modes.png") as temporary:
+        draw_modes(result.modes, temporary)

@@ -1,4 +1,4 @@
-"""MOTION, MODES -> PICTURES: the paper's figures 3 to 6, and the mode shapes."""
+"""MOTION -> PICTURE: the paper's figures 3 to 6."""
 
 import numpy as np
 
@@ -35,26 +35,3 @@ def draw_motion(motion, path):
         axes[2, 0].set(xlabel="x/R", aspect="equal")
         lowest, highest = np.percentile(precession_rate(state) * chi, [1, 99])
         axes[2, 1].set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
-
-
-def draw_modes(modes, path):
-    """Draw the normal displacement of the top face of every mode, with the patch to the right where there is one."""
-    count = max(len(modes.frequency), 1)
-    columns = min(count, 5)
-    rows = -(-count // columns)
-    angle = np.append(modes.face_angle, modes.face_angle[0] + 2 * np.pi)
-    rim = modes.face_radius[-1]
-    x, y = (np.outer(modes.face_radius / rim, f(angle)) for f in (np.cos, np.sin))
-    with figure_at(path, 1, 1, (2.3 * columns, 2.7 * rows)) as (figure, axes):
-        figure.subplots_adjust(left=0, right=1, bottom=0, top=1)
-        axes.set(xlim=(-1.15, 2.3 * columns - 1.15), ylim=(1.5 - 2.7 * rows, 1.5), aspect="equal")
-        axes.set_axis_off()
-        for i in range(len(modes.frequency)):
-            shape = modes.face_shape[i, 1][:, np.arange(len(angle)) % len(modes.face_angle)]
-            shape = shape / (np.abs(shape).max() or 1.0)
-            across, down = 2.3 * (i % columns), 2.7 * (i // columns)
-            axes.contourf(x + across, y - down, shape, np.linspace(-1, 1, 17), cmap="RdGy")
-            axes.contour(x + across, y - down, shape, [0.0], colors="k", linewidths=0.8)
-            axes.plot(x[-1] + across, y[-1] - down, color="0.6", lw=0.5)
-            title = f"{modes.frequency[i]:.0f} Hz\n{modes.family[i]}, order {modes.order[i]}"
-            axes.text(across, 1.05 - down, title, fontsize=8, ha="center", va="bottom")
