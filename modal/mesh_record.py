@@ -26,13 +26,22 @@ def body_of(element, solid, shapes):
     return Body(points=solid.points, cells=cells, cell_type=kind, displacement=shapes)
 
 
+INWARDS = (0.0, 1e-6, 1e-3, 3e-3, 0.01, 0.03)
+"""Shares of the radius by which a point beyond the sides of a face is taken further in, until it lies within them."""
+
+
 def on_face(solid, shapes, height, points):
-    """Displacement (m, n, 3) at points (n, 2) of the face at a height: cubic between nodes, the nearest beyond."""
+    """Displacement (m, n, 3) at points (n, 2) of the face at a height: cubic between nodes, the nearest's beyond."""
     nodes = np.flatnonzero(np.abs(solid.points[:, 2] - height) < 1e-3 * np.ptp(solid.points[:, 2]))
     known = shapes[:, nodes].transpose(1, 0, 2).reshape(len(nodes), -1)
-    values = CloughTocher2DInterpolator(solid.points[nodes, :2], known)(points)
-    outside = np.isnan(values[:, 0])
-    values[outside] = NearestNDInterpolator(solid.points[nodes, :2], known)(points[outside])
+    between = CloughTocher2DInterpolator(solid.points[nodes, :2], known)
+    values = NearestNDInterpolator(solid.points[nodes, :2], known)(points)
+    outside = np.ones(len(points), bool)
+    for share in INWARDS:
+        found = between(points[outside] * (1 - share))
+        within = ~np.isnan(found[:, 0])
+        inside = np.flatnonzero(outside)[within]
+        values[inside], outside[inside] = found[within], False
     return values.reshape(len(points), len(shapes), 3).transpose(1, 0, 2)
 
 

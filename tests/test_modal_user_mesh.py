@@ -63,6 +63,17 @@ def test_the_error_estimate_bounds_the_error_of_a_free_disk(tmp_path, refine):
     assert error.max() < (0.01 if refine else 0.1)
 
 
+def test_a_pair_spans_the_plane_of_the_exact_pair(tmp_path):
+    """The mesh turns the two shapes of a pair as it likes; the plane they span is what can be compared."""
+    exact = plate_modes(Plate(**SOLID), 12e3)
+    free_hexahedra(tmp_path / "disk.vtu", 1)
+    modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=12e3)
+    ours, known = (np.linalg.qr(m.rim_shape[:2].reshape(2, -1).T)[0] for m in (modes, exact))
+    assert np.linalg.svd(ours.T @ known, compute_uv=False).min() > 0.9995
+    whole = np.einsum("apx,bpx->ab", modes.body.displacement, modes.body.displacement)
+    assert abs(whole[0, 1]) < 1e-3 * whole[0, 0]
+
+
 @pytest.mark.parametrize("half_angle_deg", [5, 22.5])
 def test_the_error_estimate_bounds_the_error_on_a_patch(tmp_path, half_angle_deg):
     """Oracle: synthesis, which has no mesh. Cells are 5 or 22.5 degrees wide and not graded to the patch."""
