@@ -98,7 +98,7 @@ def _legend(axes):
 
 
 def _mode_lines(axes, frequencies, span):
-    heights = np.array(frequencies) / 1e3
+    heights = np.unique(np.round(frequencies)) / 1e3  # the two of a pair are one line
     places = heights.copy()
     apart = 0.022 * axes.get_ylim()[1]
     for i in range(1, len(places)):  # keep the labels apart
