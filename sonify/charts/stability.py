@@ -7,7 +7,7 @@ a record is its place on the path.
 from typing import NamedTuple
 
 from sonify.charts import stability_modes, stability_motion, stability_sound
-from sonify.charts.records import Record, measure
+from sonify.charts.records import WRONG, Record, measure
 
 FINE, DEGRADED, FAILED = "fine", "degraded", "failed"
 
@@ -70,7 +70,17 @@ def draw(records: list[Record], title: str, path):
 def conclusion(records: list[Record]) -> list[str]:
     """Return one sentence per hazard: what stays fine on the whole path, and from where on the others do not."""
     here = {case: [r for r in records if r.case == case and not r.left_out] for case in HAZARDS}
-    return [_told(HAZARDS[case], runs) for case, runs in here.items() if runs]
+    return [_how_to_read(), *(_told(HAZARDS[case], runs) for case, runs in here.items() if runs)]
+
+
+def _how_to_read():
+    return (
+        "Choose a method that is fine as far towards the edge as you have to go. It fails where it gives up, where a "
+        f"motion is wrong by {100 * WRONG:g} %, a note by {stability_sound.ANOTHER_NOTE:g} cents, a frequency by "
+        f"{100 * stability_modes.LOCKED:g} %; it is degraded where it errs by more than "
+        + ", ".join(f"{hazard.fine:g} ({hazard.title})" for hazard in HAZARDS.values())
+        + "."
+    )
 
 
 def _told(hazard, records):
