@@ -58,7 +58,7 @@ def nest(angle, height, top, size):
         boxes=np.vstack([inner, [angle, near, height], outer]),
         patch=len(inner),
         around=around + around % 2 if angle + beyond > pi - 1e-9 else around,
-        through=ceil((height + above) / (longest(size) / 2) - 1e-9),
+        through=max(1 + (height > 3 * near), ceil((height + above) / (longest(size) / 2) - 1e-9)),
     )
 
 

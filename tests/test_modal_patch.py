@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 
 from modal import Material, Support, as_json, eigenmodes, write_vtu
+from modal.held import MIDDLE
+from modal.mesh import sector
 
 REFERENCE = np.array([800.52, 1080.07, 2261.27, 7266.64, 9654.68, 11629.46, 14611.68, 15235.32, 18788.95])
 
@@ -150,6 +152,19 @@ def test_a_patch_over_half_the_thickness(modes, position):
     assert np.median(error) < 0.006
     assert np.count_nonzero(error <= part.error) >= 8
     assert (part.frequency[:9] < modes.frequency[:9]).all()
+
+
+@pytest.mark.parametrize("position", PART)
+@pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), [(5, 0.34, 0.5), (39, 0.34, 0.24), (180, 1.2, 0.96)])
+def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(position, half_angle_deg, aspect, share):
+    support = Support(half_angle_deg=half_angle_deg, height=share * aspect, position=position)
+    part = sector(1.0, aspect, support, MIDDLE)
+    mesh = part.mesh
+    x, y, z = mesh.p[:, mesh.facets[:, mesh.f2t[1] < 0]]
+    on_rim = np.abs(np.hypot(x, y) - 1).max(axis=0) < 1e-9
+    on_plane = np.abs(y).max(axis=0) < 1e-9
+    on_face = np.min([np.abs(z - level).max(axis=0) for level in (mesh.p[2].min(), mesh.p[2].max())], axis=0) < 1e-9
+    assert (on_rim | on_plane | on_face).all()
 
 
 @pytest.mark.parametrize("share", [0.9, 0.99, 0.9999])
