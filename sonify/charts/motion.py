@@ -32,8 +32,8 @@ def works(case: Case, quick: bool) -> list[Work]:
     def some(settings):
         return settings[:: max(1, len(settings) - 1)] if quick else settings
 
-    def two(settings):
-        return settings[:2] if quick else settings
+    def middle(settings):
+        return settings[1:2] or settings if quick else settings
 
     def work(family, method, setting, function, *arguments):
         return Work(family, method, setting, case.name, partial(function, case, *arguments), case.error, NONSENSE)
@@ -54,7 +54,7 @@ def works(case: Case, quick: bool) -> list[Work]:
     for method in NAIVE:
         for tol in some((1e-4, 1e-6, 1e-8, 1e-10)):
             runs.append(work("naive sign()", method, f"tol {tol:g}", naive_sign, method, tol))
-    for start, stop, longest in two(((1e-3, 1e-3, 0.1), (1e-4, 1e-4, 0.01), (1e-5, 1e-5, 3e-3), (1e-5, 1e-10, 0.1))):
+    for start, stop, longest in middle(((1e-3, 1e-3, 0.1), (1e-4, 1e-4, 0.01), (1e-5, 1e-5, 3e-3), (1e-5, 1e-10, 0.1))):
         setting = f"start {start:g}, stop {stop:g}, steps <= {longest:g}"
         runs.append(work("slip tolerance", "DOP853", setting, slip_tolerance, start, stop, longest, 1e-9))
     for width in some((1e-2, 1e-3, 1e-4, 1e-5, 1e-6)):
@@ -65,7 +65,7 @@ def works(case: Case, quick: bool) -> list[Work]:
         runs.append(work("Moreau", "time-stepping", f"step {step:g}", moreau, step))
     if case.name != "sticking":
         for method, some_runs in groupby(peers.runs(case), itemgetter(0)):
-            for _, setting, function, arguments in two(list(some_runs)):
+            for _, setting, function, arguments in middle(list(some_runs)):
                 runs.append(work("engine", method, setting, function, *arguments))
     return runs
 
