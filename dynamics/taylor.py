@@ -12,6 +12,8 @@ from .regime import Branch, Flow, Regime
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
 STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
 MOST_STEPS = 1000
+LIFT = 1e-300
+"""Added to every guard: of one that is exactly zero where a step starts, heyoka finds that root and misses the next."""
 
 
 @functools.cache
@@ -34,7 +36,7 @@ def compiled(branch: Branch, tolerance: float):
         tol=tolerance,
         compact_mode=any(branch.stuck),
         opt_level=2,
-        t_events=[heyoka.t_event(g, direction=falling) for g in guards.values()],
+        t_events=[heyoka.t_event(g + LIFT, direction=falling) for g in guards.values()],
     )
     return integrator, tuple(guards)
 

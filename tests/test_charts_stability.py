@@ -21,16 +21,7 @@ from sonify.charts.steps import STEPS, growth_and_tuning, static_gain
 
 MOTIONS = {(w.case, w.family, w.method, w.setting): w for w in stability_motion.works(False)}
 MODES = {(w.case, w.family, w.method, w.setting): w for w in stability_modes.works(False)}
-MISSED = pytest.mark.xfail(
-    strict=True,
-    reason="heyoka takes the root of a guard that is exactly zero where its regime begins and misses the next one "
-    "within the same step: dynamics/taylor.py must lift its guards by a tiny number",
-)
-OURS = [
-    pytest.param(key, marks=MISSED if key[2:] == ("Taylor series", "0.002") else [], id=" ".join(key))
-    for key in MOTIONS
-    if key[1] == "ours"
-]
+OURS = [pytest.param(key, id=" ".join(key)) for key in MOTIONS if key[1] == "ours"]
 SLIP, NUTATION, PIVOT, FLAT = "small slip", "nutation sticks", "pivoting sticks", "small inclination"
 FAILS = {
     (FLAT, "Moreau", "step 1e-3", "1e-06"): "left the table",

@@ -94,3 +94,16 @@ def test_several_surfaces_stick_at_once():
     both = [s for s in motion.transitions if s.after.count("sticks") >= 2]
     assert both
     assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
+
+
+@pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+@pytest.mark.parametrize("k1", [0.001, 0.002, 0.003, 0.005])
+def test_a_reversal_soon_after_another_is_not_missed(k1):
+    """Between two reversals of the nutation there may be less than a step, and the first is zero where it begins."""
+    span = {"time_limit": 8 * scene().disk.time_unit}
+    runs = [simulate(scene({"integrator": name, **span}, k1=k1)) for name in ("taylor", "dop853")]
+    ours, other = ([(e.guard, e.after) for e in run.transitions] for run in runs)
+    assert ours == other
+    assert any(guard == "nutation reverses" for guard, _ in ours)
+    times = [[e.t for e in run.transitions] for run in runs]
+    assert times[0] == pytest.approx(times[1], abs=1e-7)
