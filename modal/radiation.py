@@ -11,6 +11,8 @@ AIR_DENSITY = 1.204
 """[kg/m^3] at 20 degrees."""
 SOUND_SPEED = 343.2
 """[m/s] at 20 degrees."""
+BOTTOM, TOP = 0, 1
+"""The faces, as in `Modes.face_shape`."""
 DIRECTIONS = 24
 """Gauss points of the direction cosine in a half space: enough for a disk some five wavelengths across."""
 
@@ -34,8 +36,8 @@ def directivity(modes: Modes, sine) -> np.ndarray:
     return 2 * pi * np.einsum("pmfrn,nmcr,r->pnmfc", parts, bessel, modes.face_weight, optimize=True)
 
 
-def radiation_decay(modes: Modes) -> np.ndarray:
-    """Decay rate (m,) [1/s] by radiation: radiated power over twice the energy of a mode of modal mass 1.
+def radiation_decay(modes: Modes, faces=(BOTTOM, TOP)) -> np.ndarray:
+    """Decay rate (m,) [1/s] by radiation of `faces`: radiated power over twice the energy of a mode of modal mass 1.
 
     Rayleigh (1896), sections 278 and 302: |p| = rho w |v D|/(2 pi R) with velocity amplitude v = w q, so that
     P = int |p|^2/(2 rho c) R^2 dO = rho w^2 v^2/(8 pi^2 c) int |D|^2 dO; the energy is v^2/2 and d = P/(2 E).
@@ -45,12 +47,12 @@ def radiation_decay(modes: Modes) -> np.ndarray:
     rim's own radiation, all that in-plane modes have, is left out.
     """
     cosine, weight = np.polynomial.legendre.leggauss(DIRECTIONS)
-    square = directivity(modes, np.sqrt(1 - ((cosine + 1) / 2) ** 2)) ** 2
+    square = directivity(modes, np.sqrt(1 - ((cosine + 1) / 2) ** 2))[:, :, :, list(faces)] ** 2
     around = np.where(np.arange(square.shape[1]) == 0, 2 * pi, pi)
     power = np.einsum("pnmfc,n,c->m", square, around, weight / 2)
     return AIR_DENSITY * (2 * pi * modes.frequency) ** 2 / (8 * pi**2 * SOUND_SPEED) * power
 
 
-def with_radiation(modes: Modes) -> Modes:
-    """The modes with the decay by radiation added to their material one."""
-    return modes.with_decay(modes.decay_rate + radiation_decay(modes))
+def with_radiation(modes: Modes, faces=(BOTTOM, TOP)) -> Modes:
+    """The modes with the decay by radiation of `faces` added to their material one."""
+    return modes.with_decay(modes.decay_rate + radiation_decay(modes, faces))

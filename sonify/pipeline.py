@@ -6,6 +6,7 @@ from pathlib import Path
 from dynamics import ImpossibleContactError, Motion, simulate
 from dynamics.simulation import chosen_integrator
 from modal import Modes, eigenmodes, with_radiation
+from modal.radiation import TOP
 from modal.solve import check, density
 from sonify.checks import Check, all_checks
 from sonify.files import claim
@@ -96,7 +97,7 @@ def planned(scene: Scene) -> tuple[Plan, Modes]:
     """Return what is to be computed, and the modes, which the plan needs to say which of them sound. Raises SceneError
     where decay rates are given for more modes than there are."""
     plan = plan_of(scene)
-    modes = damped(with_radiation(eigenmodes(scene, below=plan.highest_mode)), scene.material.decay_rates)
+    modes = damped(with_radiation(eigenmodes(scene, below=plan.highest_mode), (TOP,)), scene.material.decay_rates)
     return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
 
 

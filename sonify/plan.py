@@ -150,8 +150,8 @@ def damping(material) -> Decision:
     given = len(material.decay_rates)
     return Decision(
         subject="decay of the modes",
-        choice=f"the first {given} as measured, the others " * bool(given) + "by loss factor and radiation",
-        reason="material.decay_rates" if given else "some modes lose about as much to the air as in the material",
+        choice=f"the first {given} as measured, the others " * bool(given) + "by loss factor and radiation upwards",
+        reason="material.decay_rates" if given else "some modes lose a third as much to the air as in the material",
     )
 
 

@@ -11,7 +11,7 @@ import pytest
 from scipy.special import j1
 
 from modal import Material, Plate, plate_modes, radiation_decay, with_radiation
-from modal.radiation import AIR_DENSITY, SOUND_SPEED, directivity
+from modal.radiation import AIR_DENSITY, BOTTOM, SOUND_SPEED, TOP, directivity
 
 RADIUS = 0.03755
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=2e-4)
@@ -27,6 +27,13 @@ def test_two_faces_moving_as_pistons(modes):
     ka = 2 * np.pi * modes.frequency / SOUND_SPEED * RADIUS
     resistance = AIR_DENSITY * SOUND_SPEED * np.pi * RADIUS**2 * (1 - j1(2 * ka) / ka)
     assert radiation_decay(pistons) == pytest.approx(2 * resistance / 2, rel=1e-6)
+
+
+def test_each_face_takes_its_part(modes):
+    assert radiation_decay(modes, (TOP,)) + radiation_decay(modes, (BOTTOM,)) == pytest.approx(radiation_decay(modes))
+    still = modes.face_shape.copy()
+    still[:, TOP] = 0
+    assert np.abs(radiation_decay(replace(modes, face_shape=still), (TOP,))).max() == 0
 
 
 def slowed(modes, frequency, shape):
