@@ -19,25 +19,27 @@ STRETCH = 0.16
 """Largest drawn displacement over the radius, of the rim seen from above."""
 
 
-def draw_modes(modes: Modes, path) -> None:
-    """Write a picture (png, svg, pdf by suffix) of every mode, the whole body at a slant over what is seen from above.
+def draw_modes(modes: Modes, path, slanted: bool = True) -> None:
+    """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the whole body over it.
 
     At a slant colour is how far a point moves; from above it is axial motion, black its nodal lines, dashed the rim
     moved in its plane. All are to scale within a mode. A disk without modes gives a picture that says so.
     """
-    rows, high = max(1, -(-len(modes) // COLUMNS)), HEAD + SLANTED + ABOVE
+    tall = SLANTED if slanted else 0.0
+    rows, high = max(1, -(-len(modes) // COLUMNS)), HEAD + tall + ABOVE
     figure = Figure(figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + HEAD)), dpi=100)
     FigureCanvasAgg(figure)
     axis = figure.add_axes((0, 0, 1, 1))  # one for all: every other one would cost as much as a mode
     axis.set(xlim=(0, ACROSS * COLUMNS), ylim=(-high * rows, HEAD))
     axis.set_axis_off()
-    polygons = skin(modes.body) if len(modes) else None
+    polygons = skin(modes.body) if slanted and len(modes) else None
     for i in range(len(modes)):
         row, column = divmod(i, COLUMNS)
         x, y = ACROSS * (column + 0.5), -high * row
         axis.text(x, y - 0.05, caption(modes, i), fontsize=10, ha="center", va="top")
-        draw_solid(axis, modes, polygons, i, (x, y - HEAD - SLANTED / 2))
-        draw_above(axis, modes, i, (x, y - HEAD - SLANTED - ABOVE / 2))
+        if slanted:
+            draw_solid(axis, modes, polygons, i, (x, y - HEAD - tall / 2))
+        draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2))
     if not len(modes):
         axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
     axis.text(ACROSS * COLUMNS / 2, HEAD / 2, LEGEND, fontsize=11, ha="center", va="center")

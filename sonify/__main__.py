@@ -60,7 +60,7 @@ def run(scene, out, accuracy, assignments, animation):
         from sonify.animation import animate, require_encoder
 
         require_encoder()
-    from sonify.console import Console, say
+    from sonify.console import Console
 
     with Console() as stages:
         from sonify.pipeline import run as solve
@@ -69,7 +69,7 @@ def run(scene, out, accuracy, assignments, animation):
         if animation:
             with stages.stage("animation") as watch:
                 animate(result, watch)
-    say(result)
+    click.echo(str(result.out))
     sys.exit(0 if result.passed else 1)
 
 

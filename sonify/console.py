@@ -41,13 +41,18 @@ class Console(Stages):
         self._bars.remove_task(self._task)
         self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
+    def answer(self, result):
+        """Print what was found: the sound is written, the pictures follow."""
+        self._bars.stop()
+        say(result)
+
     def watch(self, share: float, note: str = ""):
         """Move the bar of the running stage."""
         self._bars.update(self._task, completed=share, note=note)
 
 
 def say(result):
-    """Print checks and findings, and where the files are."""
+    """Print checks and findings."""
     for c in result.checks:
         verdict = "ok    " if c.passed else "FAILED"
         click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
@@ -55,4 +60,3 @@ def say(result):
         click.echo(f"{'yes' if f.holds else 'no ':6}  {f.claim}: {f.value:.5g} {f.unit} ({f.expectation})")
     for line in unsettled(result.motion):
         click.echo(f"note    {line}")
-    click.echo(str(result.out))

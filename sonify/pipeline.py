@@ -78,6 +78,7 @@ def run(
         seconds=stages.seconds,
         out=out,
     )
+    stages.answer(result)
     write_record(result, stages)
     return result
 

@@ -97,7 +97,7 @@ def plan_of(scene) -> Plan:
             *LEFT_OUT,
             *WALL[scene.disk.shape],
             f"The sound of modes above {heard:g} Hz.",
-            *([ROUGH_DRAFT] if scene.numerics.accuracy == "draft" else []),
+            *(NOT_IN_A_DRAFT if scene.numerics.accuracy == "draft" else []),
         ),
     )
 
@@ -201,4 +201,4 @@ LEFT_OUT = (
     "heave and tilt is lower.",
     "The resisting moments and the centrifugal loads as drivers of the modes.",
 )
-ROUGH_DRAFT = "The roughness of the sound, in a draft."
+NOT_IN_A_DRAFT = ("The roughness of the sound, the picture of its causes, and the modes seen at a slant.",)

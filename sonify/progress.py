@@ -17,5 +17,8 @@ class Stages:
         yield self.watch
         self.seconds[name] = perf_counter() - began
 
+    def answer(self, result):
+        """Take note of what was found, before it is drawn and written."""
+
     def watch(self, share: float, note: str = ""):
         """Note the share of the stage that is done."""

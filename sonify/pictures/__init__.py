@@ -10,9 +10,13 @@ __all__ = ["draw_all", "draw_motion", "draw_recording", "draw_spectrogram", "dra
 
 
 def draw_all(result):
-    """Draw every picture of a run into its folder."""
+    """Draw every picture of a run into its folder; in a draft not that of the stems, and the modes from above only."""
+    whole_story = result.plan.accuracy != "draft"
     draw_spectrogram(result.motion, result.modes, result.sound, result.out / "spectrogram.png")
-    draw_stems(result.sound, result.out / "stems.png")
+    if whole_story:
+        draw_stems(result.sound, result.out / "stems.png")
+    else:
+        (result.out / "stems.png").unlink(missing_ok=True)  # that of another run
     draw_motion(result.motion, result.out / "motion.png")
     with whole(result.out / "modes.png") as temporary:
-        draw_modes(result.modes, temporary)
+        draw_modes(result.modes, temporary, slanted=whole_story)
