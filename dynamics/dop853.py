@@ -10,7 +10,7 @@ from .trace import compiled
 
 __all__ = ["advance", "fastest_clock"]
 
-FINEST = 1e-13
+FINEST = 1e-15
 
 
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:

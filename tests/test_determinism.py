@@ -21,8 +21,8 @@ from sonify.sound import Renderer
 
 HALF_SECOND = 24000
 SAME_DB = -120.0
-BETWEEN_INTEGRATORS, BETWEEN_TOLERANCES = 4.0, 13.0
-"""How long [s] the sound stays the same: of Taylor and DOP853, and of Taylor at two tolerances."""
+AS_LONG = 13.0
+"""How long [s] the sound of the published motion stays the same, whatever solves it."""
 
 
 def test_another_process_writes_the_same_bytes(tmp_path):
@@ -57,18 +57,23 @@ def difference_db(scene, modes, *ways):
 
 
 def test_both_integrators_sound_the_same(scene, modes):
-    """Through some fifty changes of regime; a slip at 4.5 s that all but grazes takes 70 dB of the agreement."""
+    """Through some hundred changes of regime; a slip at 7.5 s that all but grazes takes 60 dB of the agreement."""
     pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
-    changes = ["numerics.time_limit=8", "numerics.tolerance=1e-13"]
-    ways = [[*changes, f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
-    difference = difference_db(scene, modes, *ways)
-    assert difference[: int(2 * BETWEEN_INTEGRATORS)].max() < SAME_DB
-    assert difference.max() < -90
+    ways = [[f"numerics.time_limit={AS_LONG}", f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
+    assert difference_db(scene, modes, *ways).max() < SAME_DB
+
+
+def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
+    """The same disk slowed by the viscous film of air: its motion does not amplify what is wrong."""
+    pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
+    scene = load_scene("moffatt")
+    ways = [[f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
+    assert difference_db(scene, modes, *ways).max() < SAME_DB
 
 
 def test_finer_tolerances_sound_the_same_for_longer(scene, modes):
     pytest.importorskip("heyoka", reason="heyoka is not installed")
-    limit = f"numerics.time_limit={BETWEEN_TOLERANCES}"
+    limit = f"numerics.time_limit={AS_LONG}"
     ways = [[limit, f"numerics.tolerance={tolerance}"] for tolerance in ("1e-15", "1e-16")]
     assert difference_db(scene, modes, *ways).max() < SAME_DB
 
