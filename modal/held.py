@@ -16,6 +16,7 @@ from .unfold import flips, mirror_of, unfolded
 COARSE = Blocks(width=pi / 4, depth=0.5, rings=2, lead=0.25, legs=1)
 ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
 MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=3, ratio=0.3)
+NARROW = replace(MIDDLE, width=pi / 10, depth=0.32)
 FINE = Blocks(width=pi / 8, depth=0.38, rings=4, split=2)
 
 LEVELS = {"draft": (ROUGH, COARSE), "standard": (MIDDLE, COARSE), "reference": (FINE, MIDDLE)}
@@ -50,6 +51,15 @@ def resolving(size, disk, material, density, below):
     number = ((2 * pi * below) ** 2 * density / stiffness) ** 0.25 * disk.radius
     share = min(1.0, max(NARROWEST, WAVES / number))
     return replace(size, width=size.width * share, depth=size.depth * share**0.5)
+
+
+def meshes(accuracy, disk, support):
+    """The two meshes of a level. About a patch over part of the thickness the coarser one must be coarser still; one
+    over all of it leaves so few unknowns that narrower blocks cost next to nothing."""
+    fine, coarse = LEVELS[accuracy]
+    if support.height and support.height < disk.thickness:
+        return fine, replace(coarse, rings=coarse.rings - 1)
+    return NARROW if fine is MIDDLE else fine, coarse
 
 
 def held_nodes(solid, part, disk, support):
@@ -96,9 +106,7 @@ def without_rigid(solved, shift):
 
 def held_modes(disk, material, support, density, below, accuracy) -> Modes:
     """The `Modes` below `below` [Hz] of a solid disk at one of `LEVELS`."""
-    fine, coarse = (resolving(size, disk, material, density, below) for size in LEVELS[accuracy])
-    if support.height:
-        coarse = replace(coarse, rings=coarse.rings - 1)
+    fine, coarse = (resolving(size, disk, material, density, below) for size in meshes(accuracy, disk, support))
     limit = (2 * pi * below) ** 2
     shift = shift_for(disk, material, support, density)
     part, solid, solved = solve(disk, material, support, density, fine, {"below": limit})
