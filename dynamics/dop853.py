@@ -5,10 +5,8 @@ import numpy as np
 from .equations import Law
 from .hybrid import Arc, StalledError
 from .regime import Branch, Regime, describe
-from .runge_kutta import fastest_clock, integrate
+from .runge_kutta import integrate
 from .trace import compiled
-
-__all__ = ["advance", "fastest_clock"]
 
 FINEST = 1e-15
 

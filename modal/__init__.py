@@ -8,7 +8,7 @@ _HOME = {
     "Support": "modes",
     "Modes": "modes",
     "Body": "modes",
-    "Plate": "spectral",
+    "Plate": "basis",
     "FreeDisk": "synthesis",
     "plate_modes": "axisymmetric",
     "draw_modes": "pictures",

@@ -6,10 +6,12 @@ from math import pi
 import numpy as np
 
 from . import sample
+from .basis import Plate
 from .mesh import extrude, hexahedra, sector
 from .modes import Body, Modes, Support
 from .plane import Blocks
-from .spectral import Pairs, Plate, all_pairs, amplitudes, gauss
+from .ritz import gauss
+from .spectral import Pairs, all_pairs, amplitudes
 from .unfold import whole_mesh
 
 TOLERANCES = {"draft": 1e-4, "standard": 3e-6, "reference": 1e-8}

@@ -29,6 +29,12 @@ def lame(material):
     return young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))
 
 
+def bending_number(thickness, material, density, below):
+    """Wave number [1/m] of bending in a thin plate at `below` [Hz]: k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
+    stiffness = material.young * thickness**2 / (12 * (1 - material.poisson**2))
+    return ((2 * np.pi * below) ** 2 * density / stiffness) ** 0.25
+
+
 def assemble(mesh, element, material, density, intorder):
     """The `Solid` of a scikit-fem mesh: K = int lam div u div v + 2 mu eps(u):eps(v), M = int rho u.v.
 

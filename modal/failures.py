@@ -10,11 +10,12 @@ import numpy as np
 from scipy.sparse.linalg import eigsh
 from skfem import ElementHex1, ElementHex2, ElementTetP1, ElementTetP2, MeshHex
 
+from .basis import problem
 from .elastic import assemble, inverse_at, lowest
 from .mesh import extrude, hexahedra
 from .modes import Material
 from .plane import Blocks, half_disk
-from .spectral import problem, solve
+from .spectral import solve
 from .symmetry import Mirror, free_unknowns
 
 ELEMENTS = {"P1": ElementTetP1, "P2": ElementTetP2, "Q1": ElementHex1, "Q2": ElementHex2}

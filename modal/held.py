@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 from skfem import ElementHex2
 
-from .elastic import assemble, lowest, residuals
+from .elastic import assemble, bending_number, lowest, residuals
 from .mesh import sector
 from .modes import Modes
 from .plane import Blocks
@@ -46,9 +46,8 @@ def shift_for(disk, material, support, density):
 
 
 def resolving(size, disk, material, density, below):
-    """The `Blocks` narrow enough for thin-plate waves at `below` [Hz]: k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
-    stiffness = material.young * disk.thickness**2 / (12 * (1 - material.poisson**2))
-    number = ((2 * pi * below) ** 2 * density / stiffness) ** 0.25 * disk.radius
+    """The `Blocks` narrow enough for the bending waves of a thin plate at `below` [Hz]."""
+    number = bending_number(disk.thickness, material, density, below) * disk.radius
     share = min(1.0, max(NARROWEST, WAVES / number))
     return replace(size, width=size.width * share, depth=size.depth * share**0.5)
 

@@ -8,9 +8,9 @@ from scipy.special import jv
 from .modes import Modes
 
 AIR_DENSITY = 1.204
-"""[kg/m^3] at 20 degrees."""
+"""Dry air at 20 degrees and 101325 Pa [kg/m^3]."""
 SOUND_SPEED = 343.2
-"""[m/s] at 20 degrees."""
+"""In the same air [m/s]."""
 BOTTOM, TOP = 0, 1
 """The faces, as in `Modes.face_shape`."""
 DIRECTIONS = 24

@@ -3,8 +3,8 @@
 from math import pi
 
 from . import axisymmetric, held
+from .basis import Plate
 from .modes import Modes
-from .spectral import Plate
 
 BELOW = 24000.0
 """Modes at or above this frequency [Hz] are left out unless asked for."""

@@ -6,11 +6,9 @@ from math import ceil, inf, pi
 import numpy as np
 from scipy.linalg import eigh
 
-from .basis import Plate, Problem, axial, problem, radial, rigid, rigid_count
-from .elastic import residuals
-from .ritz import gauss, matrices
-
-__all__ = ["Pairs", "Plate", "all_pairs", "amplitudes", "gauss", "matrices", "problem", "rigid_count", "solve"]
+from .basis import Problem, axial, problem, radial, rigid
+from .elastic import bending_number, residuals
+from .ritz import matrices
 
 LARGEST = 27
 """Count of radial polynomials beyond which none is grown: a clamped edge is singular and converges slowly."""
@@ -83,10 +81,9 @@ def spectrum(k, m, index, count):
 def first_size(plate, below):
     """Counts of radial and axial polynomials to start with: half the bending waves' number times the radius, plus 3.
 
-    Thin-plate waves at `below` [Hz]: k^4 = w^2 rho 12 (1 - nu^2)/(E h^2); thick plates have longer ones.
+    Waves at `below` [Hz] are as long as in a thin plate, or longer.
     """
-    stiffness = plate.material.young * plate.thickness**2 / (12 * (1 - plate.material.poisson**2))
-    number = ((2 * pi * below) ** 2 * plate.density / stiffness) ** 0.25
+    number = bending_number(plate.thickness, plate.material, plate.density, below)
     return 3 + ceil(number * plate.radius / 2), 2
 
 

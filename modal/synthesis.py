@@ -12,8 +12,9 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.linalg import block_diag, cho_factor, cho_solve, eigh
 
+from .basis import Plate, problem, rigid_count
 from .elastic import lame
-from .spectral import Plate, matrices, problem, rigid_count
+from .ritz import matrices
 from .tractions import STANDARD, Patch, Richness
 
 

@@ -10,8 +10,8 @@ from math import pi
 import numpy as np
 from scipy.special import eval_jacobi, eval_legendre, jv, roots_jacobi
 
+from .basis import Plate
 from .modes import Support
-from .spectral import Plate
 
 CORNER = -0.25
 """Exponent of the tractions where the patch meets a face, about that of a right corner of held and free sides."""

@@ -104,9 +104,8 @@ class ForceSampler:
     def _sampled(self, n):
         """The continuous part at the samples n (k,), and whether it holds no more than samples can (k,)."""
         t = self._times(n)
-        state, channels = self._read(t)
+        state, smooth = self._continuous(t)
         slow = (self._crowd(state) == 1) | (t > self.end + HALF_WIDTH / self.sample_rate)
-        smooth = self._fading(t, channels) - self._steps(t)
         smooth[~slow] = self._low_passed(n[~slow])
         return smooth, slow
 
@@ -118,11 +117,11 @@ class ForceSampler:
         before = CALM // 2 - 1
         first, cells = n[0] // STRIDE, n[-1] // STRIDE - n[0] // STRIDE + 1
         t = self._times((first - before + np.arange(cells + CALM - 1)) * STRIDE)
-        state, channels = self._read(t)
+        state, values = self._continuous(t)
         jumps = np.searchsorted(self.jump_time, t)
         still = (self._turning(state) * STRIDE < self.calm * self.sample_rate) & (t >= 0) & (t <= self.end - self.fade)
         calm = sliding_window_view(still, CALM).all(axis=1) & (jumps[CALM - 1 :] == jumps[: 1 - CALM])
-        nodes = sliding_window_view(self._fading(t, channels) - self._steps(t), CALM, axis=0)
+        nodes = sliding_window_view(values, CALM, axis=0)
         between = np.arange(STRIDE) / STRIDE
         smooth = np.einsum("cin,ns->csi", nodes, lagrange(np.arange(CALM) - before, between), optimize=True)
         here = slice(n[0] - first * STRIDE, n[0] - first * STRIDE + len(n))
@@ -156,8 +155,13 @@ class ForceSampler:
         state, force = self.motion.at_and_force(self._within(t))
         return state, self.channels(force, state[:, :3])
 
+    def _continuous(self, t):
+        """The states (k, 11) and the continuous part (k, c) at t (k,)."""
+        state, channels = self._read(t)
+        return state, self._fading(t, channels) - self._steps(t)
+
     def _smooth(self, t):
-        return self._fading(t, self._read(t)[1]) - self._steps(t)
+        return self._continuous(t)[1]
 
     def _faded(self, t):
         return np.cos(np.pi / 2 * np.clip(1 - (self.end - t) / (self.fade or 1e-300), 0, 1))[:, None] ** 2

@@ -7,7 +7,7 @@ from dynamics import ImpossibleContactError, Motion, simulate
 from dynamics.simulation import chosen_integrator
 from modal import Modes, eigenmodes, with_radiation
 from modal.radiation import TOP
-from modal.solve import check, density
+from modal.solve import check
 from sonify.checks import Check, all_checks
 from sonify.files import claim
 from sonify.findings import Finding, all_findings
@@ -87,7 +87,6 @@ def solvable(scene: Scene) -> Scene:
     """Return the scene. Raises SceneError, before any work, where its disk, support or integrator cannot be solved."""
     try:
         check(scene.disk, scene.support)
-        density(scene.disk)
         chosen_integrator(scene.numerics.integrator)
     except ValueError as error:
         raise SceneError(str(error)) from None

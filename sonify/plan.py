@@ -106,7 +106,7 @@ def with_voices(plan: Plan, scene, modes, loudness, energy) -> Plan:
     """Return the plan completed by the modes that sound, of those found.
 
     `loudness` (m,) is what each radiates after a unit jump of the force, A-weighted [Pa^2 s]; `energy` (m,) what the
-    jump leaves in it [J]: see `contact.after_a_jump`. A mode sounds if it is within the range of the level of the
+    jump leaves in it [J]: see `voices.after_a_jump`. A mode sounds if it is within the range of the level of the
     loudest, or holds ENERGY_SHARE of the energy.
     """
     level = LEVELS[plan.accuracy]

@@ -10,10 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import resample
 
-AIR_DENSITY = 1.204
-"""Dry air at 20 degrees and 101325 Pa [kg/m^3]."""
-SPEED_OF_SOUND = 343.2
-"""In the same air [m/s]."""
+from modal.radiation import AIR_DENSITY
+from modal.radiation import SOUND_SPEED as SPEED_OF_SOUND
+
 AZIMUTHS = 512
 """Directions at which the radiation of a mode is tabulated; between them it is taken linear."""
 SPARE_WAVES = 16
