@@ -11,11 +11,12 @@ from math import ceil, log, pi
 
 import numpy as np
 
-from .plane import bilinear, half_squares
+from .plane import about_edge
 
-THINNEST = 0.03
-"""Least width of the tubes of a patch that ends just below a face, over that of others: a wide one would hold the face
-beyond the corner of the patch."""
+STRIP = 4
+"""Width of the tubes over that of the strip left free beyond the patch, at most: a wider one would hold the face."""
+LONGEST = 3
+"""Most cells along the upper edge of a long patch over `legs`; a short one has `legs`."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,12 +49,13 @@ def nest(angle, height, top, size):
     above = rest if rest < 1.5 * longest(size) else longest(size)
     near = min(angle, height, size.depth / 3)
     inner = steps(np.array([near, near]) / 2, np.minimum([0.75 * angle, 0.75 * height], width), size.lead)[::-1]
-    near = min(near, max(2 * above, THINNEST * near))
+    legs = ceil(size.legs * min(LONGEST, max(1, angle / (3 * height))) - 1e-9)
+    near = min(near, STRIP * above)
     first, last = np.array([min(near, beyond), 2 * near, min(near, above)]), np.array([beyond, size.depth, above])
     outer = steps(first, last, size.lead)
     outer += [angle, 0.0, height]
     inner = np.insert([angle, height] - inner, 1, near * 0.5 ** np.arange(len(inner), 0.0, -1.0), axis=1)
-    around = max(size.legs, ceil((angle + beyond) / width - 1e-9))
+    around = max(legs, ceil((angle + beyond) / width - 1e-9))
     return Nest(
         boxes=np.vstack([inner, [angle, near, height], outer]),
         patch=len(inner),
@@ -105,15 +107,15 @@ def filled(nested, size):
     for side, along in ((beside, through), (above, around)):
         for i in (i for i in range(len(boxes) - 1) if i not in (nested.patch - 1, nested.patch)):
             cells.append(cut(lambda u, v, w, i=i, side=side: side(boxes, i + u, v, w), n, n, along))
-        cells += [cut(tube(nested, side, bilinear(quad)), n, n, along) for quad in half_squares(size)]
+        cells += [cut(tube(nested, side, flat), n, n, along) for flat in about_edge(size)]
     return solid(np.concatenate(cells))
 
 
-def tube(nested, side, quad):
-    """The block along an edge of the patch over a quadrilateral of its cross-section [-1, 1] x [0, 1]."""
+def tube(nested, side, flat):
+    """The block along an edge of the patch over a block of its cross-section [-1, 1] x [0, 1]."""
 
     def block(u, v, w):
-        s, e = np.moveaxis(quad(u, v), -1, 0)
+        s, e = np.moveaxis(flat(u, v), -1, 0)
         return side(nested.boxes, nested.patch + s, e, w)
 
     return block

@@ -76,7 +76,11 @@ def inverse_at(stiffness, mass, shift):
     return LinearOperator(matrix.shape, matvec=factor.solve, dtype=float)
 
 
-def lowest(stiffness, mass, below, shift=0.0, start=4, exactly=None):
+TOLERANCE = 1e-9
+"""Of an eigenvalue, relative; the error is that of the residual squared, and lies at round-off."""
+
+
+def lowest(stiffness, mass, below, shift=0.0, start=8, exactly=None):
     """All eigenpairs with eigenvalue <= below [1/s^2], or exactly so many; values (k,), M-orthonormal columns (n, k).
 
     Shift-invert Lanczos about `shift`, which must not be an eigenvalue: 0 for a held body, negative for a free one.
@@ -87,7 +91,7 @@ def lowest(stiffness, mass, below, shift=0.0, start=4, exactly=None):
     count = exactly or start
     while True:
         count = min(count, size - 2)
-        values, vectors = eigsh(stiffness, k=count, M=mass, sigma=shift, OPinv=inverse, v0=first)
+        values, vectors = eigsh(stiffness, k=count, M=mass, sigma=shift, OPinv=inverse, v0=first, tol=TOLERANCE)
         if exactly or values[-1] > below or count == size - 2:
             break
         count *= 2

@@ -1,5 +1,6 @@
 """The modes of a disk on a patch, or free, by finite elements on one sector and its symmetry classes."""
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from math import pi
 
@@ -7,22 +8,27 @@ import numpy as np
 from skfem import ElementHex2
 
 from .elastic import assemble, bending_number, lowest, residuals
-from .mesh import sector
+from .mesh import held_height, sector
 from .modes import Modes
 from .plane import Blocks
 from .symmetry import Mirror, check_held, classes, free_unknowns, on_patch
 from .unfold import flips, mirror_of, unfolded
 
-COARSE = Blocks(width=pi / 4, depth=0.5, rings=2, lead=0.25, legs=1)
+COARSE = Blocks(width=pi / 4, depth=0.5, rings=1, lead=0.25, legs=1)
+WIDE = Blocks(width=pi / 5, depth=0.5, rings=1, lead=0.4)
 ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
-MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=3, ratio=0.3)
-NARROW = replace(MIDDLE, width=pi / 10, depth=0.32)
-FINE = Blocks(width=pi / 8, depth=0.38, rings=4, split=2)
+MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=2)
+NARROW = Blocks(width=pi / 10, depth=0.32, rings=4, ratio=0.5)
+FINE = Blocks(width=pi / 8, depth=0.38, rings=3, split=2)
 
-LEVELS = {"draft": (ROUGH, COARSE), "standard": (MIDDLE, COARSE), "reference": (FINE, MIDDLE)}
+LEVELS = {"draft": (ROUGH, COARSE), "standard": (NARROW, WIDE), "reference": (FINE, MIDDLE)}
 """Accuracy -> the mesh whose modes are given, and the coarser one whose distance from them estimates their error."""
-SAFETY = 2
-"""Errors are estimated as so many times that distance: the coarser mesh may be as little as half again as wrong."""
+PART = LEVELS | {"draft": (replace(ROUGH, rings=1), replace(COARSE, rings=0)), "standard": (MIDDLE, COARSE)}
+"""The same for a patch over part of the thickness, which needs many more cells."""
+SAFETY = 2.5
+"""Errors are estimated as so many times that distance: the coarser mesh may be as little as 1.4 times as wrong."""
+LEAST = 0.5
+"""Least estimate over the median of all modes: by chance a mode may have the same error on both meshes."""
 WAVES, NARROWEST = 3.5, 0.4
 """Wave number times radius up to which the levels are as given; beyond it they are narrower, down to this share."""
 
@@ -53,12 +59,9 @@ def resolving(size, disk, material, density, below):
 
 
 def meshes(accuracy, disk, support):
-    """The two meshes of a level. About a patch over part of the thickness the coarser one must be coarser still; one
-    over all of it leaves so few unknowns that narrower blocks cost next to nothing."""
-    fine, coarse = LEVELS[accuracy]
-    if support.height and support.height < disk.thickness:
-        return fine, replace(coarse, rings=coarse.rings - 1)
-    return NARROW if fine is MIDDLE else fine, coarse
+    """The two meshes of a level."""
+    part = held_height(disk.thickness, support) < disk.thickness
+    return (PART if part else LEVELS)[accuracy]
 
 
 def held_nodes(solid, part, disk, support):
@@ -81,15 +84,22 @@ def solve_class(solid, part, mirror, disk, support, held, shift, **which):
 
 
 def solve(disk, material, support, density, size, which):
-    """The sector, its matrices and every class; which[i] selects the pairs of class i (see `lowest`)."""
+    """The sector, its matrices and every class; which[i] selects the pairs of class i (see `lowest`).
+
+    The classes are solved at once, a thread for each: SuperLU lets other threads run.
+    """
     part = sector(disk.radius, disk.thickness, support, size)
     solid = assemble(part.mesh, ElementHex2(), material, density, intorder=4)
     shift = shift_for(disk, material, support, density)
     mirrors, held = classes(part.quarter), held_nodes(solid, part, disk, support)
     if isinstance(which, dict):
         which = [which] * len(mirrors)
-    solved = [solve_class(solid, part, m, disk, support, held, shift, **w) for m, w in zip(mirrors, which, strict=True)]
-    return part, solid, solved
+
+    def of_class(mirror, some):
+        return solve_class(solid, part, mirror, disk, support, held, shift, **some)
+
+    with ThreadPoolExecutor() as pool:
+        return part, solid, list(pool.map(of_class, mirrors, which))
 
 
 def without_rigid(solved, shift):
@@ -112,7 +122,11 @@ def held_modes(disk, material, support, density, below, accuracy) -> Modes:
     check = [{"below": limit, "exactly": max(1, len(c.values))} for c in solved]
     _, _, rough = solve(disk, material, support, density, coarse, check)
     solved, rough = without_rigid(solved, shift), without_rigid(rough, shift)
-    error = [
-        SAFETY * np.abs(np.sqrt(b.values[: len(a.values)] / a.values) - 1) for a, b in zip(solved, rough, strict=True)
-    ]
-    return unfolded(part, solid, solved, np.concatenate(error), disk, material)
+    return unfolded(part, solid, solved, estimates(solved, rough), disk, material)
+
+
+def estimates(solved, rough):
+    """Estimated relative errors (m,) of the frequencies of all classes, from those of a coarser mesh."""
+    pairs = zip(solved, rough, strict=True)
+    error = SAFETY * np.concatenate([np.abs(np.sqrt(b.values[: len(a.values)] / a.values) - 1) for a, b in pairs])
+    return np.maximum(error, LEAST * np.median(error)) if len(error) else error

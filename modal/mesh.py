@@ -100,11 +100,22 @@ def over_part(radius, bottom, top, angle, height, size):
     return np.concatenate(cells)
 
 
+WHOLE = 0.985
+"""Share of the thickness from which a patch is taken to cover all of it: the strip left free would change no frequency
+by more than 0.4 %, and is so thin that cells about it err by more."""
+
+
+def held_height(thickness, support):
+    """The height [m] over which the patch of a `Support` is modelled; that of a free disk is its thickness."""
+    height = support.height or thickness
+    return height if height < WHOLE * thickness else thickness
+
+
 def sector(radius, thickness, support, size):
     """The `Sector` of a disk [m] on a `Support`, graded to the patch edge as the `Blocks` size says."""
     half, free = thickness / 2, support.kind == "free"
-    height = support.height or thickness
-    whole = free or height > (1 - 1e-6) * thickness
+    height = held_height(thickness, support)
+    whole = free or height == thickness
     middle = whole or support.position == "middle"
     bottom = 0.0 if middle else -half
     reach = height / 2 if middle else height

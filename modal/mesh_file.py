@@ -11,6 +11,8 @@ from .unfold import VTK_HEXAHEDRON27
 SUPPORTED = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
 LARGEST, SMALLEST = 2.0, 1e-3
 """Diameters [m] beyond which the unit of length is doubted: millimetres read as metres are a thousandfold too large."""
+FLAT = 1e-13
+"""Least volume over that of the median cell, both where they are integrated: cells may shrink towards an edge."""
 SIDES = {"quad8": ("quad", 4), "quad9": ("quad", 4), "triangle6": ("triangle", 3)}
 """Sides with nodes in the middle of their edges -> what they are without, and their corners."""
 
@@ -73,7 +75,7 @@ def check_mesh(mesh, name):
         raise ValueError(f"{name}: {size:g} m across: lengths are in metres; were millimetres meant?")
     with np.errstate(divide="ignore", invalid="ignore"):
         volume = mesh.mapping().detDF(CellBasis(mesh, mesh.elem()).X)
-    flat = np.abs(volume).min(axis=1) <= 1e-9 * np.median(np.abs(volume))
+    flat = np.abs(volume).min(axis=1) <= FLAT * np.median(np.abs(volume))
     folded = (volume > 0).any(axis=1) & (volume < 0).any(axis=1)
     signs = np.sign(volume.mean(axis=1)) if not isinstance(mesh, MeshTet1) else np.ones(1)
     for what, bad in (("flat or folded", flat | folded), ("numbered inside out", signs != np.sign(signs.sum() or 1))):

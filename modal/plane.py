@@ -14,15 +14,16 @@ import numpy as np
 
 @dataclass(frozen=True, kw_only=True)
 class Blocks:
-    """How coarse: angular `width` [rad] of a block, `depth` of the rim ring over the radius, `rings` boxes of ratio
-    `ratio` nested about the patch edge, further ones of ratio `lead` that lead over to the size of the disk, at least
-    `legs` blocks along the upper edge of a patch that ends within the thickness; every block is `split` cells wide."""
+    """How coarse: angular `width` [rad] of a block, `depth` of the rim ring over the radius, `rings` about the patch
+    edge (see `about_edge`), each `ratio` times as wide as the last, boxes of ratio `lead` that lead over to the size of
+    the disk, at least `legs` blocks along the upper edge of a patch that ends within the thickness; every block is
+    `split` cells wide."""
 
     width: float
     depth: float
     rings: int
-    ratio: float = 0.25
-    lead: float = 0.5
+    ratio: float = 0.3
+    lead: float = 0.6
     legs: int = 2
     split: int = 1
 
@@ -61,28 +62,80 @@ def between(inner, angles, depth):
     return block
 
 
-def half_squares(size):
-    """Corners (n, 4, 2) of the cells of [-1, 1] x [0, 1] about its origin: half-square rings, two cells inside them."""
-    corners = []
-    widths = size.ratio ** np.arange(size.rings + 1.0)
+DEEP = 1.1
+"""Depth over half-width of the box about the edge of an arc that boxes lead over from to the size of the disk."""
+REACH = 0.6
+"""Width of the squared cells over that of the box about the edge that they are linked to."""
+QUARTER = np.array([1, 1 + 1j, 1.3j, -1 + 1j, -1]) ** 0.5
+"""Corners (5,) of the outer sides of four cells of the plane w, convex; their squares are those of half a square, but
+for its top."""
+
+
+def about_edge(size, aspect=1.0):
+    """Blocks of [-1, 1] x [0, 1], `aspect` times as deep as half its width, about the origin, where u ~ r^(1/2).
+
+    Squared, z = w^2, a quarter turn becomes the half turn about the origin, and linear functions of w become
+    r^(1/2) cos(theta/2), r^(1/2) sin(theta/2): quadratic cells of the plane w hold both the map and the field, as
+    quarter-point elements do along their sides (Henshell & Shaw 1975, Barsoum 1976). Rings of four cells lead to the
+    origin, geometrically; the outermost one is the link to the box. Without any ring two plain cells are left.
+    """
+    corners = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0)], float)
+    if not size.rings:
+        return [bilinear([corners[i], corners[i + 1], corners[i + 2], (0, 0)]) for i in (0, 2)]
+    scale = REACH * np.array([min(1, aspect), min(1, 1 / aspect)])
+    widths = size.ratio ** np.arange(float(size.rings))
+    first, last = QUARTER, widths[-1] * QUARTER
+    blocks = [link(corners[i : i + 2], squared([first[i], first[i + 1]] * 2, scale)) for i in range(4)]
     for w, s in pairwise(widths):
-        corners += [[(-w, 0), (-s, 0), (-s, s), (-w, w)], [(-w, w), (-s, s), (0, s), (0, w)]]
-        corners += [[(0, w), (0, s), (s, s), (w, w)], [(s, 0), (w, 0), (w, w), (s, s)]]
-    w = widths[-1]
-    corners += [[(-w, 0), (0, 0), (0, w), (-w, w)], [(0, 0), (w, 0), (w, w), (0, w)]]
-    return np.array(corners)
+        rings = [[w * first[i], w * first[i + 1], s * first[i + 1], s * first[i]] for i in range(4)]
+        blocks += [squared(quad, scale) for quad in rings]
+    right, middle, left = last[::2] / 2
+    inner = [[0, right, middle, left], [right, last[0], last[1], middle], [middle, *last[1:4]]]
+    return blocks + [squared(quad, scale) for quad in [*inner, [left, middle, *last[3:]]]]
+
+
+def squared(corners, scale):
+    """The image under z = w^2, times scale (2,), of the straight block with corners (4,) in the plane w."""
+    flat = bilinear([(w.real, w.imag) for w in np.array(corners, complex)])
+
+    def block(u, v):
+        x, y = np.moveaxis(flat(u, v), -1, 0)
+        return scale * np.stack([x**2 - y**2, 2 * x * y], -1)
+
+    return block
+
+
+def link(line, curve):
+    """The block between a straight line, two points (2, 2), and the lower side of another block."""
+    start, stop = line
+
+    def block(u, v):
+        return (1 - v[..., None]) * (start + u[..., None] * (stop - start)) + v[..., None] * curve(u, 0 * v)
+
+    return block
 
 
 def nested_about_edge(edge, width, size):
     """Blocks in the box of half-width `width` about the angle `edge`."""
-    return [polar([edge, 0] + [width, width * size.depth / size.width] * corners) for corners in half_squares(size)]
+    aspect = DEEP if width < size.width else size.depth / size.width
+    return [around_rim(edge, width * np.array([1, aspect]), flat) for flat in about_edge(size, aspect)]
+
+
+def around_rim(edge, scale, flat):
+    """The block at the rim whose place in angle about `edge` and depth is scale (2,) times a flat one's."""
+
+    def block(u, v):
+        angle, depth = np.moveaxis([edge, 0] + scale * flat(u, v), -1, 0)
+        return np.stack([(1 - depth) * np.cos(angle), (1 - depth) * np.sin(angle)], -1)
+
+    return block
 
 
 def nested_about_middle(half_angle, size):
     """Blocks between the box [0, 2 width] and the box [0, 2 half_angle] at the rim, both split at their middles."""
     count = max(1, round(np.log(half_angle / size.width) / np.log(size.lead)))
     widths = size.width * (half_angle / size.width) ** (np.arange(count + 1) / count)
-    depths = widths * size.depth / size.width
+    depths = size.depth * (DEEP * half_angle / size.depth) ** (np.arange(count + 1) / count)
     corners = []
     for w, s, d, e in zip(widths, widths[1:], depths, depths[1:], strict=False):
         corners += [[(2 * s, 0), (2 * w, 0), (2 * w, d), (2 * s, e)]]

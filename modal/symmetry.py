@@ -46,21 +46,17 @@ def on_patch(points, radius, half_angle, patch):
     return on_rim & inside & (np.abs(np.arctan2(y, x)) < half_angle + 1e-9)
 
 
-def free_unknowns(points, held, components, mirror, scale):
-    """T (3p, n): columns span the displacements that keep the class and leave the held components of the patch at zero.
+def free_unknowns(points, held, components, mirror=None, scale=1.0):
+    """T (3p, n): columns span the displacements that keep the class, if there is one, and leave the held components of
+    the patch at zero.
 
     Nodes of the patch are turned to radial, tangential, axial components, all others stay Cartesian.
     """
-    zero = mirror.zero(points, scale)
+    zero = mirror.zero(points, scale) if mirror else np.zeros((len(points), 3), bool)
     free = sp.identity(3 * len(points), format="csc")
-    if set(components) == set(COMPONENTS):
-        zero[held] = True
-    else:
+    if set(components) != set(COMPONENTS):
         free = turned(points, held)
-        on_plane = zero[held, 1]
-        zero[held] = [c in components for c in COMPONENTS]
-        zero[np.nonzero(held)[0][on_plane], 1] = True
-        zero[held] |= mirror.zero(points[held], scale)
+    zero[held] |= [c in components for c in COMPONENTS]
     return free[:, np.nonzero(~zero.ravel())[0]]
 
 

@@ -15,6 +15,7 @@ from .mesh import joined
 from .mesh_file import patch_facets, read_mesh
 from .mesh_record import record
 from .modes import Modes
+from .symmetry import check_held, free_unknowns
 
 SAFETY = 1.5
 """Errors are estimated as so many times that distance: where a patch ends, cutting cells no more than halves them."""
@@ -73,18 +74,20 @@ def on_facets(mesh, facets, places):
     return (np.isin(mesh.t2f, facets).T.astype(int) @ on) > 0
 
 
-def pairs(level, below, shift, exactly=None):
-    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs, and how many rigid-body modes there are."""
-    solid, index = level.solid, np.flatnonzero(np.repeat(~level.held, 3))
-    k, m = solid.stiffness[index][:, index], solid.mass[index][:, index]
+def pairs(level, components, below, shift, exactly=None):
+    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs.
+
+    ArithmeticError unless a free body has exactly six rigid-body modes, a held one none.
+    """
+    solid = level.solid
+    free = free_unknowns(solid.points, level.held, components)
+    k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
     values, vectors = lowest(k, m, (2 * pi * below) ** 2, shift, start=16, exactly=exactly)
     rigid = np.count_nonzero(values < 1e-6 * abs(shift))
     if rigid != (6 if shift else 0):
         raise ArithmeticError(f"{rigid} rigid-body modes were found, not {6 if shift else 0}")
-    shapes = np.zeros((len(values), 3 * len(solid.points)))
-    shapes[:, index] = vectors.T
-    shapes = shapes.reshape(len(values), -1, 3)[rigid:]
-    return values[rigid:], shapes, residuals(k, m, values, vectors)[rigid:]
+    shapes = (free @ vectors).T.reshape(len(values), -1, 3)
+    return values[rigid:], shapes[rigid:], residuals(k, m, values, vectors)[rigid:]
 
 
 def mesh_modes(path, material, density, support, below=24000.0, patch=None, promote=True, refine=True) -> Modes:
@@ -95,7 +98,8 @@ def mesh_modes(path, material, density, support, below=24000.0, patch=None, prom
     False. `error` is of the body as meshed: what straight sides cut off a round one is not in it. The finer mesh has
     eight times the unknowns, some 20 to 50 times the seconds; without `refine` the mesh is solved as given, and
     `error` is the distance between linear and quadratic elements, far too large where nothing is singular.
-    ValueError, with a sentence, for a mesh that won't do, an empty patch, or a height or angle no facet lies in.
+    ValueError, with a sentence, for a mesh that won't do, an empty patch, a height or angle no facet lies in, or held
+    components that leave the body free to move.
     """
     mesh = read_mesh(path)
     free = support.kind == "free"
@@ -109,7 +113,9 @@ def mesh_modes(path, material, density, support, below=24000.0, patch=None, prom
     radius = np.hypot(*finer.solid.points[:, :2].T).max()
     thickness = np.ptp(finer.solid.points[:, 2])
     shift = -material.young / density * (0.4 * thickness / radius**2) ** 2 if free else 0.0
-    values, shapes, residual = pairs(finer, below, shift)
-    rough = pairs(coarse, below, shift, exactly=max(1, len(values)) + 6 * free)[0][: len(values)]
+    if not free:
+        check_held(finer.solid.points, finer.held, support.held)
+    values, shapes, residual = pairs(finer, support.held, below, shift)
+    rough = pairs(coarse, support.held, below, shift, exactly=max(1, len(values)) + 6 * free)[0][: len(values)]
     error = SAFETY * np.abs(np.sqrt(rough / values) - 1)
     return record(finer.element, finer.solid, material, values, shapes, residual, error, radius)

@@ -1,4 +1,4 @@
-"""Claim: the modes of the disk held on a patch are right to 2 % from above, and say how wrong they may be.
+"""Claim: the modes of the disk held on a patch are right to half a per cent from above, and say how wrong they may be.
 
 Source: Kessler & O'Reilly (2002), footnote 4, for material and support.
 Oracle: frequencies of the +-5 degree patch computed by a different method, free modes with residual flexibility and
@@ -33,11 +33,11 @@ def modes():
     return eigenmodes(scene())
 
 
-def test_nine_modes_below_20_khz_within_2_percent_from_above(modes):
+def test_nine_modes_below_20_khz_within_half_a_percent_from_above(modes):
     error = modes.frequency[modes.frequency < 20e3] / REFERENCE - 1
     assert error.min() > -3e-5
-    assert error.max() < 0.02
-    assert np.median(error) < 0.005
+    assert error.max() < 0.005
+    assert np.median(error) < 0.004
 
 
 def test_the_error_estimate_bounds_the_error_in_nine_of_ten_cases(modes):
@@ -148,14 +148,17 @@ def test_a_patch_over_half_the_thickness(modes, position):
     part = eigenmodes(scene(height=0.0064, position=position), below=20e3)
     error = part.frequency / PART[position] - 1
     assert error.min() > 0
-    assert error.max() < 0.015
+    assert error.max() < 0.012
     assert np.median(error) < 0.006
     assert np.count_nonzero(error <= part.error) >= 8
     assert (part.frequency[:9] < modes.frequency[:9]).all()
 
 
+PATCHES = [(5, 0.34, 0.5), (39, 0.34, 0.24), (180, 1.2, 0.96), (3, 0.34, 0.984)]
+
+
 @pytest.mark.parametrize("position", PART)
-@pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), [(5, 0.34, 0.5), (39, 0.34, 0.24), (180, 1.2, 0.96)])
+@pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), PATCHES)
 def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(position, half_angle_deg, aspect, share):
     support = Support(half_angle_deg=half_angle_deg, height=share * aspect, position=position)
     part = sector(1.0, aspect, support, MIDDLE)
@@ -167,7 +170,7 @@ def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(position, half_a
     assert (on_rim | on_plane | on_face).all()
 
 
-@pytest.mark.parametrize("share", [0.9, 0.99, 0.9999])
+@pytest.mark.parametrize("share", [0.9, 0.98, 0.99])
 def test_a_patch_over_nearly_the_whole_thickness_is_nearly_the_full_patch(modes, share):
     nearly = eigenmodes(scene(height=share * 0.0128), below=20e3).frequency
     assert nearly == pytest.approx(modes.frequency[:9], rel=0.02 + 0.3 * (1 - share))
