@@ -86,7 +86,7 @@ def solve_class(solid, part, mirror, disk, support, held, shift, **which):
 def solve(disk, material, support, density, size, which):
     """The sector, its matrices and every class; which[i] selects the pairs of class i (see `lowest`).
 
-    The classes are solved at once, a thread for each: SuperLU lets other threads run.
+    Two classes are solved at a time: SuperLU lets another thread run, Python does not, and three gain nothing.
     """
     part = sector(disk.radius, disk.thickness, support, size)
     solid = assemble(part.mesh, ElementHex2(), material, density, intorder=4)
@@ -98,7 +98,7 @@ def solve(disk, material, support, density, size, which):
     def of_class(mirror, some):
         return solve_class(solid, part, mirror, disk, support, held, shift, **some)
 
-    with ThreadPoolExecutor() as pool:
+    with ThreadPoolExecutor(2) as pool:
         return part, solid, list(pool.map(of_class, mirrors, which))
 
 
