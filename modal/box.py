@@ -47,14 +47,15 @@ def nest(angle, height, top, size):
     width, rest = size.width, top - height
     beyond = min(pi - angle, max(angle, width / 4) + width - angle)
     above = rest if rest < 1.5 * longest(size) else longest(size)
-    near = min(angle, height, size.depth / 3)
+    near = min(angle, height, size.depth / 3, STRIP * above)
     inner = steps(np.array([near, near]) / 2, np.minimum([0.75 * angle, 0.75 * height], width), size.lead)[::-1]
     legs = ceil(size.legs * min(LONGEST, max(1, angle / (3 * height))) - 1e-9)
-    near = min(near, STRIP * above)
     first, last = np.array([min(near, beyond), 2 * near, min(near, above)]), np.array([beyond, size.depth, above])
     outer = steps(first, last, size.lead)
     outer += [angle, 0.0, height]
-    inner = np.insert([angle, height] - inner, 1, near * 0.5 ** np.arange(len(inner), 0.0, -1.0), axis=1)
+    inner = np.insert(
+        [angle, height] - inner * [beyond > 0, 1], 1, near * 0.5 ** np.arange(len(inner), 0.0, -1.0), axis=1
+    )
     around = max(legs, ceil((angle + beyond) / width - 1e-9))
     return Nest(
         boxes=np.vstack([inner, [angle, near, height], outer]),
@@ -64,30 +65,35 @@ def nest(angle, height, top, size):
     )
 
 
-def beside(boxes, s, e, t):
-    """Places (..., 3) on the side of box s that faces along the rim, at e of its depth, t of its height.
-
-    Box s (...) lies between the successive ones (b, 3), which are numbered 0, 1, ...
-    """
-    angle, depth, height = within(boxes, s)
+def beside(nested, s, e, t):
+    """Places (..., 3) on the side of box s that faces along the rim, at e of its depth, t of its height."""
+    angle, depth, height = between(nested, s)
     return np.stack([angle, e * depth, t * height], -1)
 
 
-def above(boxes, s, e, t):
+def above(nested, s, e, t):
     """Places (..., 3) on the side of box s that faces along the axis, at e of its depth, t of its angle."""
-    angle, depth, height = within(boxes, s)
+    angle, depth, height = between(nested, s)
     return np.stack([t * angle, e * depth, height], -1)
 
 
-def below(boxes, s, t, w):
+def below(nested, s, t, w):
     """Places (..., 3) on the side of box s that faces inwards, at t of its angle, w of its height."""
-    angle, depth, height = within(boxes, s)
+    angle, depth, height = between(nested, s)
     return np.stack([t * angle, depth, w * height], -1)
 
 
-def within(boxes, s):
-    """Angle, depth and height (...) of box s (...)."""
-    return [np.interp(s, np.arange(len(boxes)), column) for column in boxes.T]
+def between(nested, s):
+    """Angle, depth and height (...) of box s (...), which lies between the successive ones, numbered 0, 1, ...
+
+    In proportion, but next to the box of the patch by a parabola, as the tubes about its edges ask for smoothness; not
+    where the patch goes all around.
+    """
+    numbers, t = np.arange(len(nested.boxes)), s - nested.patch
+    share = np.array([t * (t - 1), 2 - 2 * t**2, t * (t + 1)]) / 2
+    smooth = (np.abs(t) <= 1) & (nested.boxes[nested.patch + 1] > nested.boxes[nested.patch])[:, *[None] * np.ndim(t)]
+    parabola = np.tensordot(nested.boxes[nested.patch - 1 : nested.patch + 2], share, (0, 0))
+    return np.where(smooth, parabola, [np.interp(s, numbers, column) for column in nested.boxes.T])
 
 
 def cut(block, *counts):
@@ -103,10 +109,10 @@ def filled(nested, size):
     around, through = n * nested.around, n * nested.through
     cells = [cut(lambda u, v, w: np.stack([v, u, w], -1) * boxes[0], n, around, through)]
     for i in range(len(boxes) - 1):
-        cells.append(cut(lambda u, v, w, i=i: below(boxes, i + u, v, w), n, around, through))
+        cells.append(cut(lambda u, v, w, i=i: below(nested, i + u, v, w), n, around, through))
     for side, along in ((beside, through), (above, around)):
         for i in (i for i in range(len(boxes) - 1) if i not in (nested.patch - 1, nested.patch)):
-            cells.append(cut(lambda u, v, w, i=i, side=side: side(boxes, i + u, v, w), n, n, along))
+            cells.append(cut(lambda u, v, w, i=i, side=side: side(nested, i + u, v, w), n, n, along))
         cells += [cut(tube(nested, side, flat), n, n, along) for flat in about_edge(size)]
     return solid(np.concatenate(cells))
 
@@ -116,7 +122,7 @@ def tube(nested, side, flat):
 
     def block(u, v, w):
         s, e = np.moveaxis(flat(u, v), -1, 0)
-        return side(nested.boxes, nested.patch + s, e, w)
+        return side(nested, nested.patch + s, e, w)
 
     return block
 

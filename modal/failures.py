@@ -52,10 +52,10 @@ def exact(plate):
 
 
 def bending(plate, element, split=2, curved=True):
-    """Its frequency [Hz] by finite elements."""
+    """Its frequency [Hz] by finite elements; 0 where round-off has made the stiffness negative."""
     k, m, _ = quarter_problem(plate, element, split, curved)
     values, _ = lowest(k, m, np.inf, shift=-(rate(plate) ** 2), exactly=2)
-    return np.sqrt(values[1]) / (2 * pi)
+    return max(values[1], 0.0) ** 0.5 / (2 * pi)
 
 
 def locking(plate, aspects=(0.3, 0.1, 0.03, 0.01), poissons=(0.28, 0.45, 0.49, 0.4999), split=2):

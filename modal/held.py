@@ -23,7 +23,10 @@ FINE = Blocks(width=pi / 8, depth=0.38, rings=3, split=2)
 
 LEVELS = {"draft": (ROUGH, COARSE), "standard": (NARROW, WIDE), "reference": (FINE, MIDDLE)}
 """Accuracy -> the mesh whose modes are given, and the coarser one whose distance from them estimates their error."""
-PART = LEVELS | {"draft": (replace(ROUGH, rings=1), replace(COARSE, rings=0)), "standard": (MIDDLE, COARSE)}
+PART = LEVELS | {
+    "draft": (replace(ROUGH, rings=1), replace(COARSE, rings=0)),
+    "standard": (MIDDLE, replace(COARSE, lead=0.15)),
+}
 """The same for a patch over part of the thickness, which needs many more cells."""
 SAFETY = 2.5
 """Errors are estimated as so many times that distance: the coarser mesh may be as little as 1.4 times as wrong."""

@@ -62,16 +62,15 @@ def between(inner, angles, depth):
     return block
 
 
-DEEP = 1.1
-"""Depth over half-width of the box about the edge of an arc that boxes lead over from to the size of the disk."""
-REACH = 0.6
-"""Width of the squared cells over that of the box about the edge that they are linked to."""
+REACH, WIDEST = 0.6, 0.3
+"""Width of the squared cells over that of the box about the edge that they are linked to, and at most [rad]: quadratic
+cells of the plane w cannot follow a longer arc of the rim."""
 QUARTER = np.array([1, 1 + 1j, 1.3j, -1 + 1j, -1]) ** 0.5
 """Corners (5,) of the outer sides of four cells of the plane w, convex; their squares are those of half a square, but
 for its top."""
 
 
-def about_edge(size, aspect=1.0):
+def about_edge(size, aspect=1.0, reach=REACH):
     """Blocks of [-1, 1] x [0, 1], `aspect` times as deep as half its width, about the origin, where u ~ r^(1/2).
 
     Squared, z = w^2, a quarter turn becomes the half turn about the origin, and linear functions of w become
@@ -82,7 +81,7 @@ def about_edge(size, aspect=1.0):
     corners = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0)], float)
     if not size.rings:
         return [bilinear([corners[i], corners[i + 1], corners[i + 2], (0, 0)]) for i in (0, 2)]
-    scale = REACH * np.array([min(1, aspect), min(1, 1 / aspect)])
+    scale = reach * np.array([min(1, aspect), min(1, 1 / aspect)])
     widths = size.ratio ** np.arange(float(size.rings))
     first, last = QUARTER, widths[-1] * QUARTER
     blocks = [link(corners[i : i + 2], squared([first[i], first[i + 1]] * 2, scale)) for i in range(4)]
@@ -117,8 +116,18 @@ def link(line, curve):
 
 def nested_about_edge(edge, width, size):
     """Blocks in the box of half-width `width` about the angle `edge`."""
-    aspect = DEEP if width < size.width else size.depth / size.width
-    return [around_rim(edge, width * np.array([1, aspect]), flat) for flat in about_edge(size, aspect)]
+    depth = depth_of_short(width, size)
+    blocks = about_edge(size, depth / width, min(REACH, WIDEST / width))
+    return [around_rim(edge, np.array([width, depth]), flat) for flat in blocks]
+
+
+DEEP = 1.1
+"""Depth over half-width of the box about the edge of a short arc, which gives nearly incompressible disks room."""
+
+
+def depth_of_short(half_angle, size):
+    """Depth of the box about the edge of an arc no wider than a block; that of the rim ring if it is as wide."""
+    return min(DEEP * half_angle, size.depth * (half_angle / size.width) ** 0.5)
 
 
 def around_rim(edge, scale, flat):
@@ -135,7 +144,7 @@ def nested_about_middle(half_angle, size):
     """Blocks between the box [0, 2 width] and the box [0, 2 half_angle] at the rim, both split at their middles."""
     count = max(1, round(np.log(half_angle / size.width) / np.log(size.lead)))
     widths = size.width * (half_angle / size.width) ** (np.arange(count + 1) / count)
-    depths = size.depth * (DEEP * half_angle / size.depth) ** (np.arange(count + 1) / count)
+    depths = size.depth * (depth_of_short(half_angle, size) / size.depth) ** (np.arange(count + 1) / count)
     corners = []
     for w, s, d, e in zip(widths, widths[1:], depths, depths[1:], strict=False):
         corners += [[(2 * s, 0), (2 * w, 0), (2 * w, d), (2 * s, e)]]
@@ -165,16 +174,20 @@ def columns(angles, depth):
 
 
 def core(angles, depth):
-    """Blocks inside the rim ring: a ring between its columns and a square of two macro cells, and the square."""
+    """Blocks inside the rim ring: a ring between its columns and a square of two macro cells, and the square.
+
+    The corners of the square lie half way between their even directions and those of the columns that end there.
+    """
     half = (len(angles) - 1) // 2
     m, n = ceil(half / 2), half // 2
-    side, corner = 0.5 * (1 - depth), 0.42 * (1 - depth)
-    outline = [(side, 0), (corner, corner), (0, side), (-corner, corner), (-side, 0)]
+    turned = (np.linspace(0, pi, 5) + angles[[0, m, half, half + n, 2 * half]]) / 2
+    reach = np.array([0.5, 0.6, 0.5, 0.6, 0.5])[:, None] * (1 - depth)
+    outline = reach * np.stack([np.cos(turned), np.sin(turned)], axis=1)
     steps = [np.linspace(a, b, k + 1)[1:] for a, b, k in zip(outline, outline[1:], (m, n, n, m), strict=False)]
     points = np.vstack([outline[:1], *steps])
     blocks = [between(points[i : i + 2], angles[i : i + 2], depth) for i in range(2 * half)]
-    for sign in (1, -1):
-        macro = bilinear([(0, 0), (sign * side, 0), (sign * corner, corner), (0, side)])
+    for corner in (1, 3):
+        macro = bilinear([(0, 0), outline[2 * corner - 2], outline[corner], outline[2]])
         for i in range(n):
             for j in range(m):
                 blocks.append(part(macro, i / n, (i + 1) / n, j / m, (j + 1) / m))

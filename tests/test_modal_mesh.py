@@ -1,0 +1,87 @@
+"""Claim: the cells about a patch fill the disk without folds or gaps, and hold the field of its edge exactly.
+
+Source: at an edge between held and free sides u ~ r^(1/2) (Williams 1952); quarter-point elements hold it along their
+sides (Henshell & Shaw 1975, Barsoum 1976), squared ones all over.
+Oracles: sqrt(z) itself; the volume of a cylinder; every side of a cell belongs to two cells or to the boundary.
+"""
+
+import numpy as np
+import pytest
+from skfem import CellBasis
+
+from modal import Support
+from modal.held import COARSE, MIDDLE, NARROW, ROUGH
+from modal.mesh import sector
+from modal.plane import Blocks, about_edge
+from modal.sample import quadratic
+
+PLAIN = Blocks(width=np.pi / 8, depth=0.38, rings=0)
+
+
+def interpolation_errors(block, power):
+    """Largest errors of the biquadratic interpolants of Re z^power and Im z^power on a block, at points of its image.
+
+    The image is that of its nine nodes, as the cell has it.
+    """
+    nodes = block(*np.meshgrid([0, 0.5, 1], [0, 0.5, 1], indexing="ij"))
+    u, v = np.meshgrid(np.linspace(0.05, 0.95, 7), np.linspace(0.05, 0.95, 7))
+
+    def interpolated(values):
+        return np.einsum("abi,abj,ij->ab", quadratic(u), quadratic(v), values)
+
+    field = (nodes[..., 0] + 1j * nodes[..., 1]) ** power
+    exact = (interpolated(nodes[..., 0]) + 1j * interpolated(nodes[..., 1])) ** power
+    error = interpolated(field) - exact
+    return np.abs([error.real, error.imag]).max()
+
+
+def test_squared_cells_hold_the_square_root_exactly():
+    ring, inner = about_edge(NARROW)[:4], about_edge(NARROW)[4:]
+    assert max(interpolation_errors(block, 0.5) for block in inner) < 1e-14
+    assert max(interpolation_errors(block, 1) for block in inner) < 1e-14
+    assert 1e-3 < max(interpolation_errors(block, 0.5) for block in ring) < 0.03
+    assert max(interpolation_errors(block, 0.5) for block in about_edge(PLAIN)) > 0.1
+
+
+def test_squared_cells_touch_the_edge_and_the_sides_it_parts():
+    """On the sides of a half turn z is real: free to the right of the edge, held to the left."""
+    blocks = about_edge(MIDDLE)
+    edge = [block(np.zeros(1), np.zeros(1)) for block in blocks]
+    assert np.abs(edge).sum(axis=2).min() == 0
+    corners = np.concatenate([block(*np.meshgrid([0, 1], [0, 1])).reshape(-1, 2) for block in blocks])
+    assert corners[:, 1].min() == pytest.approx(0, abs=1e-15)
+    assert corners[:, 0].min() == -1
+    assert corners[:, 0].max() == 1
+
+
+PATCHES = [(5, 0.34, 0.5), (39, 0.34, 0.24), (180, 1.2, 0.96), (3, 0.34, 0.984), (10, 0.1, 0.3), (0.5, 2, 0.05)]
+SIZES = {"middle": MIDDLE, "narrow": NARROW, "rough": ROUGH, "coarse": COARSE}
+
+
+def sectors(half_angle_deg, aspect, share, size):
+    for position in ("middle", "bottom"):
+        support = Support(half_angle_deg=half_angle_deg, height=share * aspect, position=position)
+        yield sector(1.0, aspect, support, size)
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), PATCHES)
+def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(half_angle_deg, aspect, share, size):
+    for part in sectors(half_angle_deg, aspect, share, SIZES[size]):
+        mesh = part.mesh
+        x, y, z = mesh.p[:, mesh.facets[:, mesh.f2t[1] < 0]]
+        on_rim = np.abs(np.hypot(x, y) - 1).max(axis=0) < 1e-9
+        on_plane = np.abs(y).max(axis=0) < 1e-9
+        levels = (mesh.p[2].min(), mesh.p[2].max())
+        on_face = np.min([np.abs(z - level).max(axis=0) for level in levels], axis=0) < 1e-9
+        assert (on_rim | on_plane | on_face).all()
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), [*PATCHES, (1, 0.34, 1), (100, 0.05, 1), (20, 1, 1)])
+def test_no_cell_folds_and_the_volume_is_that_of_the_disk(half_angle_deg, aspect, share, size):
+    for part in sectors(half_angle_deg, aspect, share, SIZES[size]):
+        basis = CellBasis(part.mesh, part.mesh.elem(), intorder=8)
+        volume = part.mesh.mapping().detDF(basis.X)
+        assert (volume.min(axis=1) > 0).all()
+        assert part.copies * basis.dx.sum() == pytest.approx(np.pi * aspect, rel=2e-3)
