@@ -1,7 +1,8 @@
 """Claim: the solver converges as theory says, holds static limits, and a disk on points has no modes worth the name.
 
 Source: eigenvalues of smooth problems converge with twice the degree of the elements; u ~ r^(1/2) at a patch edge
-gives order 1 on uniform meshes; in three dimensions u ~ 1/r at a point load, so a held point resists as its size.
+gives order 1 on uniform meshes, twice that where cells are squared about it; in three dimensions u ~ 1/r at a point
+load, so a held point resists as its size.
 Oracles: fitted slopes; static deflections computed by another program.
 """
 
@@ -12,7 +13,7 @@ import pytest
 from scipy.sparse.linalg import spsolve
 from skfem import ElementHex2
 
-from modal import Material, Plate, Support, eigenmodes
+from modal import FreeDisk, Material, Plate, Support, eigenmodes
 from modal.elastic import assemble, lowest
 from modal.held import held_nodes, meshes, resolving, solve
 from modal.mesh import extrude, hexahedra
@@ -60,6 +61,22 @@ def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
         SimpleNamespace(**vars(scene(half_angle_deg=45)), numerics=SimpleNamespace(accuracy="reference"))
     )
     assert slope(1 / splits, frequency / (exact.frequency[0] * 0.9999) - 1) == pytest.approx(1, abs=0.25)
+
+
+def test_squared_cells_about_the_edge_double_the_order():
+    """Linear functions of the plane w are the u ~ r^(1/2) that spoils the order; one ring of its cells is enough."""
+    plate = Plate(radius=DISK.radius, thickness=DISK.thickness, material=STEEL, density=DENSITY)
+    exact = FreeDisk(plate=plate).frequencies(Support(half_angle_deg=45), 12e3)[0]
+    splits = np.array([1, 2, 3])
+    orders, errors = [], []
+    for rings in (0, 1):
+        sizes = [Blocks(width=np.pi / 4, depth=0.5, rings=rings, split=s) for s in splits]
+        error = first_frequencies(Support(half_angle_deg=45), sizes) / exact - 1
+        orders.append(slope(1 / splits, error))
+        errors.append(error[-1])
+    assert orders[0] == pytest.approx(1, abs=0.2)
+    assert orders[1] > 1.9
+    assert errors[1] < 0.1 * errors[0]
 
 
 def on_neighbouring_points(size, mirror):
