@@ -2,7 +2,7 @@
 
 In (angle, depth below the rim, height over the lower plane), lengths over the radius, a box is [0, angle] x [0, depth]
 x [0, height], and the patch is the outer side of one of them. Along its two edges, where u ~ r^(1/2), the boxes next
-to it give way to a tube whose cross-section shrinks geometrically to the edge, mitred at the corner of the patch.
+to it give way to a tube whose cross-section is that of `about_edge`, mitred at the corner of the patch.
 """
 
 from dataclasses import dataclass
@@ -43,23 +43,24 @@ def steps(first, last, lead):
 
 
 def nest(angle, height, top, size):
-    """The `Nest` of a patch of a half-angle [rad] and a height below `top`; size is a `Blocks`."""
+    """The `Nest` of a patch of a half-angle [rad] and a height below `top`; size is a `Blocks`.
+
+    A patch that goes all around has boxes that do.
+    """
     width, rest = size.width, top - height
     beyond = min(pi - angle, max(angle, width / 4) + width - angle)
     above = rest if rest < 1.5 * longest(size) else longest(size)
     near = min(angle, height, size.depth / 3, STRIP * above)
-    inner = steps(np.array([near, near]) / 2, np.minimum([0.75 * angle, 0.75 * height], width), size.lead)[::-1]
+    inwards = steps(np.full(2, near / 2), np.minimum([0.75 * angle, 0.75 * height], width), size.lead)[::-1]
+    depths = near * 0.5 ** np.arange(len(inwards), 0.0, -1.0)
+    inside = np.column_stack([angle - inwards[:, 0] * (beyond > 0), depths, height - inwards[:, 1]])
+    first = np.array([min(near, beyond), 2 * near, min(near, above)])
+    outside = np.array([angle, 0.0, height]) + steps(first, np.array([beyond, size.depth, above]), size.lead)
     legs = ceil(size.legs * min(LONGEST, max(1, angle / (3 * height))) - 1e-9)
-    first, last = np.array([min(near, beyond), 2 * near, min(near, above)]), np.array([beyond, size.depth, above])
-    outer = steps(first, last, size.lead)
-    outer += [angle, 0.0, height]
-    inner = np.insert(
-        [angle, height] - inner * [beyond > 0, 1], 1, near * 0.5 ** np.arange(len(inner), 0.0, -1.0), axis=1
-    )
     around = max(legs, ceil((angle + beyond) / width - 1e-9))
     return Nest(
-        boxes=np.vstack([inner, [angle, near, height], outer]),
-        patch=len(inner),
+        boxes=np.vstack([inside, [angle, near, height], outside]),
+        patch=len(inside),
         around=around + around % 2 if angle + beyond > pi - 1e-9 else around,
         through=max(1 + (height > 3 * near), ceil((height + above) / (longest(size) / 2) - 1e-9)),
     )
