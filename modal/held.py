@@ -32,7 +32,7 @@ SAFETY = 2.5
 """Errors are estimated as so many times that distance: the coarser mesh may be as little as 1.4 times as wrong."""
 LEAST = 0.5
 """Least estimate over the median of all modes: by chance a mode may have the same error on both meshes."""
-WAVES, NARROWEST = 3.5, 0.4
+WAVES, NARROWEST = 3.5, 0.2
 """Wave number times radius up to which the levels are as given; beyond it they are narrower, down to this share."""
 
 
@@ -55,10 +55,13 @@ def shift_for(disk, material, support, density):
 
 
 def resolving(size, disk, material, density, below):
-    """The `Blocks` narrow enough for the bending waves of a thin plate at `below` [Hz]."""
+    """The `Blocks` narrow enough for the bending waves of a thin plate at `below` [Hz], down to NARROWEST.
+
+    The rim ring, in which the boxes about the patch lie, shrinks a little less.
+    """
     number = bending_number(disk.thickness, material, density, below) * disk.radius
     share = min(1.0, max(NARROWEST, WAVES / number))
-    return replace(size, width=size.width * share, depth=size.depth * share**0.5)
+    return replace(size, width=size.width * share, depth=size.depth * share**0.75)
 
 
 def meshes(accuracy, disk, support):

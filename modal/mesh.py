@@ -91,7 +91,7 @@ def over_part(radius, bottom, top, angle, height, size):
     rest = round((pi - last[0]) / size.width)
     rest += (n + rest) % 2
     angles = np.append(np.linspace(0, last[0], n + 1), np.linspace(last[0], pi, rest + 1)[1:])
-    ring, inner = columns(angles, size.depth), core(angles, size.depth)
+    ring, inner = columns(angles, size.depth), core(angles, size.depth, size.layers)
     middle = bottom + last[2] * radius
     lower = np.linspace(bottom, middle, size.split * nested.through + 1)
     cells = [placed(filled(nested, size), radius, bottom), extrude(divided(ring[n:] + inner, size) * radius, lower)]

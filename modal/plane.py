@@ -27,6 +27,11 @@ class Blocks:
     legs: int = 2
     split: int = 1
 
+    @property
+    def layers(self):
+        """Layers of blocks between the rim ring and the square inside it, about as wide as the others."""
+        return max(1, round((1 - self.depth) / 2 / self.width))
+
 
 def bilinear(corners):
     """The block with four corners (4, 2), counter-clockwise in (u, v)."""
@@ -116,7 +121,7 @@ def link(line, curve):
 
 def nested_about_edge(edge, width, size):
     """Blocks in the box of half-width `width` about the angle `edge`."""
-    depth = depth_of_short(width, size)
+    depth = depth_about_edge(width, size)
     blocks = about_edge(size, depth / width, min(REACH, WIDEST / width))
     return [around_rim(edge, np.array([width, depth]), flat) for flat in blocks]
 
@@ -125,8 +130,10 @@ DEEP = 1.1
 """Depth over half-width of the box about the edge of a short arc, which gives nearly incompressible disks room."""
 
 
-def depth_of_short(half_angle, size):
-    """Depth of the box about the edge of an arc no wider than a block; that of the rim ring if it is as wide."""
+def depth_about_edge(half_angle, size):
+    """Depth of the box about the edge of an arc; that of the rim ring where it is as wide as a block or wider."""
+    if half_angle >= size.width:
+        return size.depth
     return min(DEEP * half_angle, size.depth * (half_angle / size.width) ** 0.5)
 
 
@@ -144,7 +151,7 @@ def nested_about_middle(half_angle, size):
     """Blocks between the box [0, 2 width] and the box [0, 2 half_angle] at the rim, both split at their middles."""
     count = max(1, round(np.log(half_angle / size.width) / np.log(size.lead)))
     widths = size.width * (half_angle / size.width) ** (np.arange(count + 1) / count)
-    depths = size.depth * (depth_of_short(half_angle, size) / size.depth) ** (np.arange(count + 1) / count)
+    depths = size.depth * (depth_about_edge(half_angle, size) / size.depth) ** (np.arange(count + 1) / count)
     corners = []
     for w, s, d, e in zip(widths, widths[1:], depths, depths[1:], strict=False):
         corners += [[(2 * s, 0), (2 * w, 0), (2 * w, d), (2 * s, e)]]
@@ -173,19 +180,21 @@ def columns(angles, depth):
     return [polar([(a, 0), (b, 0), (b, depth), (a, depth)]) for a, b in pairwise(angles)]
 
 
-def core(angles, depth):
-    """Blocks inside the rim ring: a ring between its columns and a square of two macro cells, and the square.
+def core(angles, depth, layers=1):
+    """Blocks inside the rim ring: a ring of layers between its columns and a square of two macro cells, and the square.
 
-    The corners of the square lie half way between their even directions and those of the columns that end there.
+    The corners of the square lie where the columns that end there point to, within half a right angle of even ones.
     """
     half = (len(angles) - 1) // 2
     m, n = ceil(half / 2), half // 2
-    turned = (np.linspace(0, pi, 5) + angles[[0, m, half, half + n, 2 * half]]) / 2
+    even = np.linspace(0, pi, 5)
+    turned = np.clip(angles[[0, m, half, half + n, 2 * half]], even - pi / 4, even + pi / 4)
     reach = np.array([0.5, 0.6, 0.5, 0.6, 0.5])[:, None] * (1 - depth)
     outline = reach * np.stack([np.cos(turned), np.sin(turned)], axis=1)
     steps = [np.linspace(a, b, k + 1)[1:] for a, b, k in zip(outline, outline[1:], (m, n, n, m), strict=False)]
     points = np.vstack([outline[:1], *steps])
-    blocks = [between(points[i : i + 2], angles[i : i + 2], depth) for i in range(2 * half)]
+    ring = [between(points[i : i + 2], angles[i : i + 2], depth) for i in range(2 * half)]
+    blocks = [part(block, 0, 1, j / layers, (j + 1) / layers) for block in ring for j in range(layers)]
     for corner in (1, 3):
         macro = bilinear([(0, 0), outline[2 * corner - 2], outline[corner], outline[2]])
         for i in range(n):
@@ -219,7 +228,7 @@ def half_disk(half_angle, size):
         ring = columns(angles, size.depth)
     else:
         ring, angles = rim_ring(edge, size)
-    cells = divided(ring + core(angles, size.depth), size)
+    cells = divided(ring + core(angles, size.depth, size.layers), size)
     return positive(cells * [-1, 1]) if reflect else cells
 
 
