@@ -78,7 +78,8 @@ def dataset_55(modes, i, number, u):
 def as_faust(modes: Modes, angle=0.0, name="disk") -> str:
     """A Faust program: a force [N], axial at the bottom edge at `angle` [rad], in; velocity [m/s] there out.
 
-    The model is that of `as_faust_library`, with sliders for what it is scaled by. ValueError if there is no mode.
+    The model is that of `as_faust_library`, with sliders for what it is scaled by. ValueError if there is no mode,
+    or an overdamped one.
     """
     return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
 
@@ -89,10 +90,13 @@ def as_faust_library(modes: Modes, angle=0.0, name="disk") -> str:
     q'' + 2 d q' + w^2 q = phi F is stepped exactly for a force that is constant between samples: with the pole
     exp(-d T), angle v T, v^2 = w^2 - d^2, each step of F adds the velocity phi^2 exp(-d t) sin(v t)/v in each mode.
     Frequencies v are multiplied by frequency_scale, and modes beyond half the sample rate are silent; 1/d by t60_scale.
-    ValueError if there is no mode.
+    ValueError if there is no mode, or an overdamped one, d >= w, which has no v.
     """
     if not len(modes):
         raise ValueError("there is no mode to write")
+    for i in np.flatnonzero(modes.decay_rate >= 2 * np.pi * modes.frequency):
+        f, d = modes.frequency[i], modes.decay_rate[i]
+        raise ValueError(f"mode {i + 1} of {f:.1f} Hz does not oscillate: its decay rate of {d:.4g} 1/s is too large")
     phi = modes.at_rim(angle)[:, 0, 2]
     turn = np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2)
     rows = zip(turn, modes.decay_rate, phi**2 / turn, strict=True)

@@ -106,8 +106,8 @@ by more than 0.4 %, and is so thin that cells about it err by more."""
 
 
 def held_height(thickness, support):
-    """The height [m] over which the patch of a `Support` is modelled; that of a free disk is its thickness."""
-    height = support.height or thickness
+    """The height [m] over which the patch of a `Support` is modelled; without one the thickness."""
+    height = support.height if support.kind == "patch" and support.height else thickness
     return height if height < WHOLE * thickness else thickness
 
 

@@ -102,7 +102,7 @@ def patch_facets(mesh, support, name=None):
     height = support.height or high - low
     bottom = low if support.position == "bottom" else (low + high - height) / 2
     on_rim = (np.hypot(x, y) > 0.99 * radius).all(axis=0) & (np.ptp(z, axis=0) > 1e-6 * radius)
-    inside = np.abs(np.arctan2(y.mean(axis=0), x.mean(axis=0))) < np.deg2rad(support.half_angle_deg)
+    inside = np.abs(np.arctan2(y.mean(axis=0), x.mean(axis=0))) <= np.deg2rad(support.half_angle_deg) + 1e-9
     z = z.mean(axis=0)
     found = facets[on_rim & inside & (z > bottom) & (z < bottom + height)]
     if not len(found):

@@ -32,6 +32,8 @@ INWARDS = (0.0, 1e-6, 1e-3, 3e-3, 0.01, 0.03)
 
 def on_face(solid, shapes, height, points):
     """Displacement (m, n, 3) at points (n, 2) of the face at a height: cubic between nodes, the nearest's beyond."""
+    if not len(shapes):
+        return np.zeros((0, len(points), 3))
     nodes = np.flatnonzero(np.abs(solid.points[:, 2] - height) < 1e-3 * np.ptp(solid.points[:, 2]))
     known = shapes[:, nodes].transpose(1, 0, 2).reshape(len(nodes), -1)
     between = CloughTocher2DInterpolator(solid.points[nodes, :2], known)
@@ -46,7 +48,12 @@ def on_face(solid, shapes, height, points):
 
 
 def record(element, solid, material, values, shapes, residual, error, radius) -> Modes:
-    """The `Modes` of solved pairs: sampled on the bottom edge and the two faces of the disk the mesh stands for."""
+    """The `Modes` of solved pairs: sampled on the bottom edge and the two faces of the disk the mesh stands for.
+
+    values (m,) [1/s^2], shapes (m, p, 3), residual, error (m,), radius [m] of the rim. The faces are sampled from the
+    axis to the rim, as if they were whole: across a hole `face_shape` is interpolated from the nodes about it, and its
+    area counts as part of the face.
+    """
     angle, (r, weight, theta) = sample.rim_angles(), sample.face_grid(radius)
     low, high = solid.points[:, 2].min(), solid.points[:, 2].max()
     rim = radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)

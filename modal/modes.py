@@ -31,12 +31,13 @@ class Support:
     """How the disk is held: by an arc `patch` of its lateral surface, centred at angle 0, or `free`.
 
     The patch reaches `half_angle_deg` to either side and over `height` [m], the whole thickness unless given, in the
-    middle of the thickness or from the bottom rim up; `held` names the components that vanish there.
+    middle of the thickness or from the bottom rim up; `held` names the components that vanish there. On smaller
+    patches the lowest modes are lost in round-off.
     """
 
     kind: Literal["patch", "free"] = "patch"
-    half_angle_deg: Annotated[float, Gt(0), Le(180)] = 5.0
-    height: Annotated[float, Gt(0)] | None = None
+    half_angle_deg: Annotated[float, Ge(0.01), Le(180)] = 5.0
+    height: Annotated[float, Ge(1e-5)] | None = None
     position: Literal["middle", "bottom"] = "middle"
     held: tuple[Literal["radial", "tangential", "axial"], ...] = ("radial", "tangential", "axial")
 

@@ -7,7 +7,7 @@ from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle
 
-from .modes import Modes
+from .modes import Modes, Support
 from .solid_view import skin, view
 
 COLUMNS = 5
@@ -19,11 +19,12 @@ STRETCH = 0.16
 """Largest drawn displacement over the radius, of the rim seen from above."""
 
 
-def draw_modes(modes: Modes, path, slanted: bool = True) -> None:
+def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None = None) -> None:
     """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the whole body over it.
 
     At a slant colour is how far a point moves; from above it is axial motion, black its nodal lines, dashed the rim
-    moved in its plane. All are to scale within a mode. A disk without modes gives a picture that says so.
+    moved in its plane. All are to scale within a mode. The arc of the rim over which the patch of `support` holds it,
+    where it is given, is green. A disk without modes gives a picture that says so.
     """
     tall = SLANTED if slanted else 0.0
     rows, high = max(1, -(-len(modes) // COLUMNS)), HEAD + tall + ABOVE
@@ -39,7 +40,7 @@ def draw_modes(modes: Modes, path, slanted: bool = True) -> None:
         axis.text(x, y - 0.05, caption(modes, i), fontsize=10, ha="center", va="top")
         if slanted:
             draw_solid(axis, modes, polygons, i, (x, y - HEAD - tall / 2))
-        draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2))
+        draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2), support)
     if not len(modes):
         axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
     axis.text(ACROSS * COLUMNS / 2, HEAD / 2, LEGEND, fontsize=11, ha="center", va="center")
@@ -69,8 +70,8 @@ def edges(modes):
     return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
 
 
-def draw_above(axis, modes, i, at):
-    """One mode from above, its centre `at` (x, y) in radii: colour map, nodal lines, rim at rest and displaced."""
+def draw_above(axis, modes, i, at, support):
+    """One mode from above, its centre `at` (x, y) in radii: colours, nodal lines, rim at rest and displaced, patch."""
     radius, hole = edges(modes)
     x, y, w = top_face(modes, i, radius, hole)
     x, y = x / radius + at[0], y / radius + at[1]
@@ -83,9 +84,8 @@ def draw_above(axis, modes, i, at):
         axis.add_patch(Circle(at, r, fill=False, color="0.3", lw=1))
     moved = moved_rim(modes, i, 1.0, STRETCH / scale)
     axis.plot(moved[0] + at[0], moved[1] + at[1], color="0.1", lw=1, ls=(0, (4, 2)))
-    held = modes.rim_angle[np.abs(modes.rim_shape).max(axis=(0, 2)) < 1e-9 * np.abs(modes.rim_shape).max()]
-    if len(held):
-        reach = np.rad2deg(np.abs(np.angle(np.exp(1j * held))).max())
+    if support and support.kind == "patch":
+        reach = support.half_angle_deg
         axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
 
 

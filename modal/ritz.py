@@ -1,7 +1,7 @@
 """Stiffness and mass of an axisymmetric solid in the basis of basis.py, by Gauss quadrature that is exact for it."""
 
 from functools import cache
-from math import atanh, ceil, pi
+from math import atanh, ceil, log, pi
 
 import numpy as np
 
@@ -9,6 +9,8 @@ from .basis import axial, radial
 from .elastic import lame
 
 leggauss = cache(np.polynomial.legendre.leggauss)
+DIGITS = 16
+"""Decimal digits to which the pole on the axis is integrated: all there are."""
 
 
 def strain_of(term, n):
@@ -29,19 +31,32 @@ def gauss(plate, n, size):
     """Gauss points rho in [hole, 1] and zeta in [-1, 1], weights [m^2] and [m]; exact for the basis.
 
     About the axis the integrands are polynomials in rho^2, of which the points are those of Gauss. About a hole they
-    are polynomials over rho: Gauss points of rho, so many more that the pole, which they see at a distance of
-    2 atanh(sqrt(hole)) in the logarithm of its ellipse, is lost in round-off.
+    are polynomials over rho, integrated by `graded`.
     """
     zeta, wz = leggauss(2 * size[1] + 2)
     around = 2 * pi if n == 0 else pi
     if plate.hole:
-        x, wx = leggauss(size[0] + 2 + ceil(9.2 / atanh(plate.hole**0.5)))
-        rho = (1 + plate.hole) / 2 + (1 - plate.hole) / 2 * x
-        wx = wx * 2 * (1 - plate.hole) * rho
+        rho, wx = graded(plate.hole, size[0])
+        wx = 4 * wx * rho
     else:
         x, wx = leggauss(size[0] + n // 2 + 4)
         rho = ((x + 1) / 2) ** 0.5
     return rho, zeta, around * wx / 4 * plate.radius**2, wz * plate.thickness / 2
+
+
+def graded(hole, count):
+    """Points and weights (k,) for int f drho over [hole, 1], f a polynomial of degree 2 count over rho.
+
+    Gauss points in parts of equal ratio, each a decade at most. To a part that begins at the share s of its end the
+    pole lies on the ellipse of log-radius e = 2 atanh(sqrt(s)); n points leave exp(-2 n e) of it (Trefethen,
+    Approximation Theory and Approximation Practice, theorem 19.3), 10^-DIGITS with n = DIGITS ln(10)/(2 e).
+    """
+    parts = ceil(-log(hole) / log(10))
+    share = hole ** (1 / parts)
+    x, weight = leggauss(count + 2 + ceil(DIGITS * log(10) / (4 * atanh(share**0.5))))
+    end = share ** np.arange(parts)[::-1, None]
+    half = end * (1 - share) / 2
+    return (end - half + half * x).ravel(), (half * weight).ravel()
 
 
 def on_grid(plate, term, size, rho, zeta):

@@ -2,9 +2,13 @@
 
 from math import pi
 
+import numpy as np
+
 from . import axisymmetric, held
 from .basis import Plate
+from .mesh import held_height
 from .modes import Modes
+from .symmetry import check_held
 
 BELOW = 24000.0
 """Modes at or above this frequency [Hz] are left out unless asked for."""
@@ -28,12 +32,25 @@ def inner_radius(disk) -> float:
 
 
 def check(disk, support):
-    """ValueError if the disk has no volume, if the patch does not fit on it, or if it is to hold a shell."""
+    """ValueError if the disk has no volume, if the patch does not fit on it, if it leaves a rigid body free to move, or
+    if it is to hold a shell."""
     inner_radius(disk)
     if support.kind == "patch" and disk.shape != "solid":
         raise ValueError(f"support.kind = 'patch': a disk of disk.shape = {disk.shape!r} must be 'free'")
     if support.kind == "patch" and (support.height or 0) > disk.thickness:
         raise ValueError(f"support.height = {support.height:g} must not exceed disk.thickness = {disk.thickness:g}")
+    if support.kind == "patch":
+        edge = patch_edge(disk, support)
+        check_held(edge, np.ones(len(edge), bool), support.held)
+
+
+def patch_edge(disk, support):
+    """Points (6, 3) [m] of the lower and the upper edge of the patch."""
+    angle = np.deg2rad(support.half_angle_deg) * np.array([-1, 0, 1])
+    height = held_height(disk.thickness, support)
+    bottom = -disk.thickness / 2 if support.position == "bottom" else -height / 2
+    x, y = disk.radius * np.cos(angle), disk.radius * np.sin(angle)
+    return np.concatenate([np.stack([x, y, np.full(3, z)], axis=1) for z in (bottom, bottom + height)])
 
 
 def eigenmodes(scene, below=BELOW) -> Modes:
@@ -41,8 +58,11 @@ def eigenmodes(scene, below=BELOW) -> Modes:
 
     Reads scene.disk (radius, thickness [m], mass [kg], shape, of a shell the wall [m]), scene.material, scene.support
     and, if there is one, scene.numerics.accuracy ("draft", "standard" or "reference"). Raises ValueError if the patch
-    is taller than the disk, if a shell has no wall or is held.
+    is taller than the disk or leaves a rigid body free to move, if a shell has no wall or is held, or if `below` is not
+    positive; ArithmeticError if the patch is so small that round-off does.
     """
+    if not below > 0:
+        raise ValueError(f"below = {below:g} must be a frequency above 0 Hz")
     check(scene.disk, scene.support)
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
     disk, rho = scene.disk, density(scene.disk)

@@ -79,4 +79,6 @@ def check_held(points, where, components):
     strain = np.linalg.svd(seen / size, compute_uv=False)
     free = 6 - np.count_nonzero(strain > 1e-9 * strain[0])
     if free:
-        raise ValueError(f"support.held = {list(components)} leaves the disk {free} rigid-body motion(s)")
+        raise ValueError(
+            f"support.held = {list(components)} leaves the disk {free} rigid-body motion(s): hold more components"
+        )

@@ -21,7 +21,10 @@ CORNER = -0.25
 class Richness:
     """How many: basis (radial, axial) of a free order, orders up to `direct` solved one by one and up to `top`
     interpolated, Chebyshev (around) and Jacobi (through) tractions per component and parity, modes up to `cutoff` times
-    the speed of shear waves over the radius."""
+    the speed of shear waves over the radius.
+
+    ValueError if `through` is more than the axial count: the basis could not tell so many tractions apart.
+    """
 
     size: tuple[int, int] = (10, 6)
     direct: int = 20
@@ -29,6 +32,10 @@ class Richness:
     around: int = 5
     through: int = 4
     cutoff: float = 2.6
+
+    def __post_init__(self):
+        if self.through > self.size[1]:
+            raise ValueError(f"through = {self.through} is more than the {self.size[1]} axial functions of the basis")
 
 
 STANDARD = Richness()

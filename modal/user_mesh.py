@@ -10,7 +10,9 @@ from math import pi
 import numpy as np
 from skfem import ElementHex1, ElementHex2, ElementTetP1, ElementTetP2, MeshHex1, MeshHex2, MeshTet1, MeshTet2
 
+from .basis import Plate
 from .elastic import Solid, assemble, lowest, residuals
+from .held import shift_for
 from .mesh import joined
 from .mesh_file import patch_facets, read_mesh
 from .mesh_record import record
@@ -19,6 +21,8 @@ from .symmetry import check_held, free_unknowns
 
 SAFETY = 1.5
 """Errors are estimated as so many times that distance: where a patch ends, cutting cells no more than halves them."""
+SPARE = 6
+"""Pairs solved beyond a count asked for: Lanczos's method finds the copies of a multiple eigenvalue late."""
 TETRAHEDRA = [(0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3)]
 TETRAHEDRA += [(4, 5, 6, 8), (4, 6, 7, 8), (5, 6, 8, 9), (6, 7, 8, 9)]
 """The eight parts of a tetrahedron by its corners and the middles of its edges."""
@@ -75,23 +79,24 @@ def on_facets(mesh, facets, places):
 
 
 def pairs(level, components, below, shift, exactly=None):
-    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs.
+    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs, k = 0 if there are none.
 
     ArithmeticError unless a free body has exactly six rigid-body modes, a held one none.
     """
     solid = level.solid
     free = free_unknowns(solid.points, level.held, components)
     k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
-    values, vectors = lowest(k, m, (2 * pi * below) ** 2, shift, start=16, exactly=exactly)
+    values, vectors = lowest(k, m, (2 * pi * below) ** 2, shift, start=16, exactly=exactly and exactly + SPARE)
+    values, vectors = values[:exactly], vectors[:, :exactly]
     rigid = np.count_nonzero(values < 1e-6 * abs(shift))
     if rigid != (6 if shift else 0):
         raise ArithmeticError(f"{rigid} rigid-body modes were found, not {6 if shift else 0}")
-    shapes = (free @ vectors).T.reshape(len(values), -1, 3)
+    shapes = (free @ vectors).T.reshape(len(values), len(solid.points), 3)
     return values[rigid:], shapes[rigid:], residuals(k, m, values, vectors)[rigid:]
 
 
 def mesh_modes(path, material, density, support, below=24000.0, patch=None, promote=True, refine=True) -> Modes:
-    """The `Modes` below `below` [Hz] of the volume mesh in a file.
+    """The `Modes` below `below` [Hz] of the volume mesh in a file; empty if it has none there.
 
     material -- `Material`; density [kg/m^3]; support -- `Support`, whose patch is found by its angle unless `patch`
     names a surface of the mesh (a physical group, a set). Linear cells are given quadratic elements unless promote is
@@ -112,7 +117,8 @@ def mesh_modes(path, material, density, support, below=24000.0, patch=None, prom
     coarse = level(mesh, facets, other, whole, material, density)
     radius = np.hypot(*finer.solid.points[:, :2].T).max()
     thickness = np.ptp(finer.solid.points[:, 2])
-    shift = -material.young / density * (0.4 * thickness / radius**2) ** 2 if free else 0.0
+    disk = Plate(radius=radius, thickness=thickness, material=material, density=density)
+    shift = shift_for(disk, material, support, density)
     if not free:
         check_held(finer.solid.points, finer.held, support.held)
     values, shapes, residual = pairs(finer, support.held, below, shift)

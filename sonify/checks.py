@@ -86,6 +86,18 @@ def mode_residuals(modes) -> Check:
     )
 
 
+def mode_errors(modes) -> Check:
+    """The largest estimated relative error of a frequency."""
+    return Check(
+        name="no frequency may be wrong by as much as itself",
+        value=float(modes.error.max(initial=0.0)),
+        expected=1.0,
+        tolerance=0.0,
+        source="distance between two meshes or bases",
+        one_sided=True,
+    )
+
+
 def discrete_mass(modes, disk) -> Check:
     """The mass of the elastic model over that of the disk."""
     return Check(
@@ -116,6 +128,7 @@ def all_checks(scene, motion, modes, sound) -> list[Check]:
         friction_cone(motion, scene.friction),
         pushing_contact(motion),
         mode_residuals(modes),
+        mode_errors(modes),
         discrete_mass(modes, scene.disk),
         no_sample_clipped(sound),
     ]

@@ -22,6 +22,7 @@ class Console(Stages):
             TextColumn("{task.fields[note]}"),
             console=self._console,
             transient=True,
+            disable=not self._console.is_terminal,
         )
 
     def __enter__(self):
@@ -36,9 +37,11 @@ class Console(Stages):
         """Time the block as stage `name` and say how long it took."""
         self._bars.start()
         self._task = self._bars.add_task(name, total=1.0, note="")
-        with super().stage(name):
-            yield self.watch
-        self._bars.remove_task(self._task)
+        try:
+            with super().stage(name):
+                yield self.watch
+        finally:
+            self._bars.remove_task(self._task)
         self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
     def answer(self, result):

@@ -22,6 +22,18 @@ def claim(folder: str | Path) -> Path:
 
 
 @contextmanager
+def claimed(folder: str | Path):
+    """Yield the `claim`ed folder; it is removed again if nothing came to be written in it. Raises OutputError."""
+    new = not Path(folder).exists()
+    folder = claim(folder)
+    try:
+        yield folder
+    finally:
+        if new and not any(folder.iterdir()):
+            folder.rmdir()
+
+
+@contextmanager
 def whole(path: str | Path):
     """Yield a temporary path beside `path`, renamed to it if the block ends well and removed if it does not."""
     path = Path(path)

@@ -41,13 +41,14 @@ class LogMap:
 def log_map(samples: np.ndarray, rate: float) -> LogMap:
     """Return the map of samples (n,), with a window for every band that suits a tone rising as 1/(t_end - t)."""
     time = np.arange(0, len(samples) / rate, HOP)
-    bands = [band for band in BANDS if band[0] < rate / 2]
-    frequency = BANDS[0][0] * 2 ** (np.arange(0, np.log2(bands[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE))
+    frequency = BANDS[0][0] * 2 ** (np.arange(0, np.log2(BANDS[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE))
     frequency = frequency[frequency < 0.45 * rate]
     level = np.zeros((len(time), len(frequency)), np.float32)
     samples = np.asarray(samples, np.float32)
-    for low, high, window in reversed(bands):
+    for low, high, window in reversed(BANDS):
         here = (frequency >= low) & (frequency < high)
+        if not here.any():  # above what the samples hold
+            continue
         down = max(int(rate / (4 * frequency[here][-1])), 1)  # the samples that this band and those below it need
         samples, rate = resample_poly(samples, 1, down) if down > 1 else samples, rate / down
         level[:, here] = _levels(samples, rate, time, frequency[here], window)

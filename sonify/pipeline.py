@@ -9,7 +9,7 @@ from modal import Modes, eigenmodes, with_radiation
 from modal.radiation import TOP
 from modal.solve import check
 from sonify.checks import Check, all_checks
-from sonify.files import claim
+from sonify.files import claimed
 from sonify.findings import Finding, all_findings
 from sonify.hearing import unheard
 from sonify.listen import Heard, RecordingError, listen
@@ -53,7 +53,12 @@ def run(
     written, and OSError when the disk is full. No file is ever left half written.
     """
     scene = solvable(scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene)
-    out, stages = claim(out or Path("outputs") / scene.name), stages or Stages()
+    with claimed(out or Path("outputs") / scene.name) as folder:
+        return solved(scene, folder, stages or Stages())
+
+
+def solved(scene: Scene, out: Path, stages: Stages) -> Result:
+    """Solve `scene`, write every file into the folder `out`."""
     with stages.stage("modes"):
         plan, modes = planned(scene)
     with stages.stage("motion") as watch:
@@ -95,9 +100,13 @@ def solvable(scene: Scene) -> Scene:
 
 def planned(scene: Scene) -> tuple[Plan, Modes]:
     """Return what is to be computed, and the modes, which the plan needs to say which of them sound. Raises SceneError
-    where decay rates are given for more modes than there are."""
+    where the patch is lost in round-off, and where decay rates are given for more modes than there are."""
     plan = plan_of(scene)
-    modes = damped(with_radiation(eigenmodes(scene, below=plan.highest_mode), (TOP,)), scene.material.decay_rates)
+    try:
+        elastic = eigenmodes(scene, below=plan.highest_mode)
+    except ArithmeticError as error:
+        raise SceneError(f"support: {error}") from None
+    modes = damped(with_radiation(elastic, (TOP,)), scene.material.decay_rates)
     return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
 
 

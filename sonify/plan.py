@@ -7,6 +7,7 @@ import numpy as np
 
 from dynamics.simulation import chosen_integrator
 from dynamics.theory import flat_limit
+from sonify.findings import HEARING
 from sonify.force import STRIDE
 from sonify.levels import LEVELS
 from sonify.predictions import (
@@ -17,8 +18,6 @@ from sonify.predictions import (
     predicted_sound,
 )
 
-HEARING_LIMIT = 20e3
-"""No tone above this is heard [Hz]."""
 ENERGY_SHARE = 0.01
 """A mode that takes this share of the energy of all counts, even where it cannot be heard."""
 
@@ -60,7 +59,7 @@ class Plan:
 
 def plan_of(scene) -> Plan:
     """Return the plan of a scene as far as it can be made before its modes are known. What the scene sets, stands."""
-    level, heard = LEVELS[scene.numerics.accuracy], min(HEARING_LIMIT, scene.audio.sample_rate / 2)
+    level, heard = LEVELS[scene.numerics.accuracy], min(HEARING[1], scene.audio.sample_rate / 2)
     integrator, _ = chosen_integrator(scene.numerics.integrator)
     tolerance = scene.numerics.tolerance or getattr(level, integrator)
     final = scene.numerics.final_inclination or stopping_inclination(scene.disk, heard * level.beyond)
@@ -128,7 +127,7 @@ def with_voices(plan: Plan, scene, modes, loudness, energy) -> Plan:
     plan = replace(plan, voices=tuple(voices.tolist()), decisions=(*plan.decisions, solver, sounding))
     if plan.accuracy == "reference":
         return plan
-    further = predicted_frequencies(modes, plan.accuracy), predicted_sound(modes, loudness, plan.accuracy)
+    further = predicted_frequencies(scene, modes), predicted_sound(scene, modes, loudness)
     return replace(plan, predictions=plan.predictions + further)
 
 

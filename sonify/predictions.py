@@ -34,9 +34,9 @@ def predicted_end(scene, final_inclination: float) -> Prediction:
     return Prediction(name=END, error=left[0] - left[1], unit="s", source="quasi-steady decline of a steady disk")
 
 
-def predicted_frequencies(modes, accuracy: str) -> Prediction:
+def predicted_frequencies(scene, modes) -> Prediction:
     """The median of the expected relative errors of the frequencies."""
-    error = true_error(modes, accuracy)
+    error = true_error(scene, modes)
     return Prediction(
         name=FREQUENCIES,
         error=float(np.median(error)) if len(error) else 0.0,
@@ -45,16 +45,17 @@ def predicted_frequencies(modes, accuracy: str) -> Prediction:
     )
 
 
-def predicted_sound(modes, loudness, accuracy: str) -> Prediction:
+def predicted_sound(scene, modes, loudness) -> Prediction:
     """The distance of two sounds of modes that are a little out of tune, as loud as `loudness` (m,), plus what is left
     out.
 
     Two decaying sines that start together differ by 2 D^2/(D^2 + 4 d^2) of their energy, D the difference of their
     frequencies [rad/s], d their decay rate.
     """
-    apart = 2 * pi * modes.frequency * true_error(modes, accuracy)
-    lost = 2 * apart**2 / (apart**2 + 4 * modes.decay_rate**2)
-    unheard = 10 ** (-LEVELS[accuracy].range_db / 10)
+    apart = 2 * pi * modes.frequency * true_error(scene, modes)
+    square = apart**2
+    lost = 2 * np.divide(square, square + 4 * modes.decay_rate**2, out=np.zeros_like(square), where=square > 0)
+    unheard = 10 ** (-LEVELS[scene.numerics.accuracy].range_db / 10)
     return Prediction(
         name=SOUND,
         error=float(np.sqrt((loudness @ lost) / (loudness.sum() or 1.0) + unheard)),
@@ -63,10 +64,10 @@ def predicted_sound(modes, loudness, accuracy: str) -> Prediction:
     )
 
 
-def true_error(modes, accuracy: str) -> np.ndarray:
+def true_error(scene, modes) -> np.ndarray:
     """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
-    level = LEVELS[accuracy]
-    return modes.error * (level.free if (modes.partner >= 0).any() else level.patch)
+    level = LEVELS[scene.numerics.accuracy]
+    return modes.error * (level.free if scene.support.kind == "free" else level.patch)
 
 
 def measured(run, reference) -> dict[str, float]:

@@ -10,13 +10,15 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import resample
 
-from modal.radiation import AIR_DENSITY
-from modal.radiation import SOUND_SPEED as SPEED_OF_SOUND
+from modal.radiation import AIR_DENSITY, SOUND_SPEED
 
 AZIMUTHS = 512
 """Directions at which the radiation of a mode is tabulated; between them it is taken linear."""
 SPARE_WAVES = 16
 """Waves round the axis beyond those of shape and path, for the nearness of the listener."""
+LEAST_SINE = 0.06
+"""Sine of the turn in a sample, near half a turn, below which the taps turn the phase no further: what they differ by
+goes as its inverse, and at half the sample rate it would be infinite. 0.06 is reached 2 % below that."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,11 +32,11 @@ class Listener:
     @property
     def delay(self) -> float:
         """Time from the centre of the disk to the listener [s]."""
-        return self.distance / SPEED_OF_SOUND
+        return self.distance / SOUND_SPEED
 
     def transit(self, radius: float) -> float:
         """Half the time that a plane wave to the listener needs across the disk [s]."""
-        return radius * np.cos(self.elevation) / SPEED_OF_SOUND
+        return radius * np.cos(self.elevation) / SOUND_SPEED
 
 
 def rayleigh(face, points, weights, wavenumber, listener_at) -> np.ndarray:
@@ -58,7 +60,7 @@ def directions(modes, listener: Listener, still: bool = False, count: int = AZIM
     points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
     weights = np.repeat(modes.face_weight, len(modes.face_angle)) * 2 * np.pi / len(modes.face_angle)
     face = modes.face_shape[:, 1].reshape(len(modes.frequency), -1)
-    k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / SPEED_OF_SOUND
+    k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / SOUND_SPEED
     waves = len(modes.face_angle) // 4 + int(k.max(initial=0.0) * modes.face_radius.max()) + SPARE_WAVES
     azimuth = 2 * np.pi * np.arange(min(2 * waves, count)) / min(2 * waves, count)
     found = np.array([rayleigh(face, points, weights, k, _position(listener, a)) for a in azimuth])
@@ -74,7 +76,8 @@ def taps(modes, listener: Listener, sample_rate: float) -> np.ndarray:
     turn = 2 * np.pi * modes.frequency / sample_rate
     at_mode, at_rest = directions(modes, listener), directions(modes, listener, still=True).real
     both = (at_rest - at_mode.real) / (1 - np.cos(turn))
-    apart = at_mode.imag * np.sin(turn) / np.maximum(np.sin(turn) ** 2, 0.06**2)
+    square = np.sin(turn) ** 2
+    apart = at_mode.imag * np.sin(turn) / np.where(turn > np.pi / 2, np.maximum(square, LEAST_SINE**2), square)
     return np.stack([(both + apart) / 2, at_rest - both, (both - apart) / 2], axis=2)
 
 
@@ -99,7 +102,7 @@ def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
         transit = listener.transit(r)
         far_step, far_taps = _kernel(transit, h, _tilt_far)
         near_step, near_taps = _kernel(transit, h, _tilt_near)
-        late, close = transit / max(transit, h), transit * SPEED_OF_SOUND / listener.distance
+        late, close = transit / max(transit, h), transit * SOUND_SPEED / listener.distance
         return lambda t: late * far_step(t) + close * near_step(t), late * far_taps + close * near_taps
 
     return _without(whole, radius, hole, (hole / radius) ** 3)

@@ -3,7 +3,7 @@
 import json
 import tomllib
 from copy import deepcopy
-from dataclasses import dataclass, field
+from dataclasses import asdict, dataclass, field
 from importlib import resources
 from math import isfinite
 from pathlib import Path
@@ -75,8 +75,8 @@ class Scene:
 
     @property
     def document(self) -> dict:
-        """The TOML document that this scene came from, as nested plain values (a copy)."""
-        return deepcopy(self._document)
+        """The TOML document that this scene came from, or would come from, as nested plain values (a copy)."""
+        return deepcopy(self._document) if hasattr(self, "_document") else _document(self)
 
     def replace(self, *assignments: str) -> "Scene":
         """Return this scene with `section.key=value` applied in turn; values are TOML, a bare word is a string.
@@ -127,6 +127,20 @@ def _summary(text: str) -> str:
 
 def _shipped():
     return resources.files("sonify") / "scenes"
+
+
+def _document(scene):
+    """The document of a scene that was not read from one: every key that has a value."""
+    document = _given(asdict(scene))
+    if scene.disk.density is not None:
+        del document["disk"]["mass"]  # it follows from the density
+    return document
+
+
+def _given(section):
+    """A section without the keys that are None, tuples as lists."""
+    plain = {key: list(value) if isinstance(value, tuple) else value for key, value in section.items()}
+    return {key: _given(v) if isinstance(v, dict) else v for key, v in plain.items() if v is not None}
 
 
 def _find(source):

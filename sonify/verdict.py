@@ -10,7 +10,7 @@ from sonify.sound import STEMS
 from sonify.spectrogram import spectrogram
 
 LAST = 1.0
-"""The last stretch before the end of the motion, where the pitch is said to rise sharply [s]."""
+"""The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
 
 
 def all_verdicts(heard: Heard | None, motion, modes, sound) -> list[Finding]:
@@ -26,8 +26,7 @@ def all_verdicts(heard: Heard | None, motion, modes, sound) -> list[Finding]:
     tone = heard.tone
     return [
         pitch_rises(tone),
-        tone_is_precession(tone, motion, sound),
-        tone_was_nutation(tone, motion, sound),
+        *rates_heard(tone, motion, sound),
         tone_is_heard(tone, sound),
         modes_carry_the_end(sound),
         tone_ends_with_the_motion(tone, sound),
@@ -35,7 +34,18 @@ def all_verdicts(heard: Heard | None, motion, modes, sound) -> list[Finding]:
     ]
 
 
+def rates_heard(tone, motion, sound) -> list[Finding]:
+    """The claims that hold the tone against a solved rate: none where the normal force has no peaks to tell it by, or
+    where the tone is not heard in the stretch concerned."""
+    if not len(nutation_frequency(motion)[0]):
+        return []
+    last, early = tone.time > sound.source_end - LAST, tone.time < sound.source_end - 4 * LAST
+    found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
+    return found + ([tone_was_nutation(tone, early, motion, sound)] if early.any() else [])
+
+
 def pitch_rises(tone) -> Finding:
+    """The frequency of the tone at the end of its ridge over that at the beginning."""
     return Finding(
         claim="The pitch rises sharply towards the end",
         value=tone.factor,
@@ -45,8 +55,8 @@ def pitch_rises(tone) -> Finding:
     )
 
 
-def tone_is_precession(tone, motion, sound) -> Finding:
-    last = tone.time > sound.source_end - LAST
+def tone_is_precession(tone, last, motion, sound) -> Finding:
+    """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
     return Finding(
         claim="In the last second the rising tone is the precession of the contact",
         value=_ratio(tone, last, motion, sound, precession_frequency(motion)[1]),
@@ -57,8 +67,8 @@ def tone_is_precession(tone, motion, sound) -> Finding:
     )
 
 
-def tone_was_nutation(tone, motion, sound) -> Finding:
-    early = tone.time < sound.source_end - 4 * LAST
+def tone_was_nutation(tone, early, motion, sound) -> Finding:
+    """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
     return Finding(
         claim="Until four seconds before the end the tone is the nutation, the frequency of the normal force",
         value=_ratio(tone, early, motion, sound, nutation_frequency(motion)[1]),
@@ -70,6 +80,7 @@ def tone_was_nutation(tone, motion, sound) -> Finding:
 
 
 def tone_ends_with_the_motion(tone, sound) -> Finding:
+    """The time from the end of the motion, at the listener, to the end fitted to the tone [s]."""
     return Finding(
         claim="The tone heard runs to the end of the motion",
         value=tone.end - sound.source_end,
@@ -101,6 +112,7 @@ def tone_is_heard(tone, sound) -> Finding:
 
 
 def modes_carry_the_end(sound) -> Finding:
+    """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)]."""
     heave, tilt, smooth, jumps = (_weighted_power(sound, name) for name in STEMS)
     return Finding(
         claim="The vibration of the modes is what is heard in the last second",
@@ -126,6 +138,7 @@ def modes_take_little(motion, sound) -> Finding:
 
 
 def carriers_are_steady(heard) -> Finding:
+    """The spread of the frequency of the strongest carrier over the sound [cents]."""
     return Finding(
         claim="The strongest carrier keeps its pitch: no mode rises",
         value=heard.carriers[0].spread,
@@ -136,6 +149,7 @@ def carriers_are_steady(heard) -> Finding:
 
 
 def carriers_are_modes(heard, modes) -> Finding:
+    """The distance of the strongest carrier from the nearest mode [cents]."""
     strongest = heard.carriers[0].frequency
     return Finding(
         claim="The strongest carrier is a mode of the disk",
@@ -147,9 +161,7 @@ def carriers_are_modes(heard, modes) -> Finding:
 
 
 def _ratio(tone, here, motion, sound, solved):
-    """The median, over the frames chosen, of the frequency heard over a solved rate; 0 where no frame is chosen."""
-    if not here.any():
-        return 0.0
+    """The median, over the frames (r,) chosen, of the frequency heard over a solved rate."""
     delay = sound.source_end - motion.t[-1]
     rate = np.interp(tone.time[here] - delay, nutation_frequency(motion)[0], solved)
     return float(np.median(tone.frequency[here] / rate))

@@ -79,10 +79,17 @@ def test_a_folder_that_cannot_be_written_ends_with_2_before_any_work(tmp_path, m
     assert "cannot be written" in one_line(ask("run", "--out", str(tmp_path / "file" / "out")), 2)
 
 
-@pytest.mark.parametrize("assignment", ["disk.shape=shell", "support.height=0.02"])
+@pytest.mark.parametrize("assignment", ["disk.shape=shell", "support.height=0.02", 'support.held=["axial"]'])
 def test_what_cannot_be_solved_ends_with_2_before_any_work(assignment, tmp_path):
     out = tmp_path / "out"
     assert assignment.split("=")[0] in one_line(ask("run", "--out", str(out), "--set", assignment), 2)
+    assert not out.exists()
+
+
+def test_a_patch_lost_in_round_off_ends_with_2_and_writes_nothing(tmp_path):
+    hinged = ["--set", "support.half_angle_deg=0.01", "--set", 'support.held=["tangential", "axial"]']
+    out = tmp_path / "out"
+    assert "support: the patch is too small" in one_line(ask("run", "--out", str(out), *hinged), 2)
     assert not out.exists()
 
 

@@ -5,17 +5,21 @@ Oracle: limits that are approached (vanishing start-up slip), identities (energy
 """
 
 from functools import cache
-from math import pi
+from math import pi, radians
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from scenes import conservative, scene
+from scenes import conservative, scene, whirling
 
 from dynamics import ImpossibleContactError, Outcome, regime, simulate, switching
 from dynamics.equations import Law
+from dynamics.rates import nutation_frequency
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 from dynamics.trace import compiled
+from sonify.findings import motion_findings
+from sonify.verdict import rates_heard
 
 
 def total_energy_spread(motion):
@@ -102,6 +106,27 @@ def test_equal_coefficients_slide_without_a_jump_of_the_force():
         i = np.argmin(np.abs(jumps.t - t))
         assert jumps.after[i, 2] == pytest.approx(jumps.before[i, 2], rel=1e-9)
     assert total_energy_spread(motion) < 1e-11
+
+
+def test_what_a_steady_motion_cannot_tell_is_not_judged():
+    """Without peaks of the force there is no nutation, and without slips no slide to compare with rolling."""
+    motion = simulate(whirling(radians(8), numerics={"time_limit": 5.0}))
+    assert len(nutation_frequency(motion)[0]) == 0
+    tone = SimpleNamespace(time=np.linspace(0.1, 4.9, 50), frequency=np.full(50, 10.0))
+    assert rates_heard(tone, motion, SimpleNamespace(source_end=5.0)) == []
+    claims = " ".join(finding.claim for finding in motion_findings(motion))
+    assert "energy" in claims
+    assert "frequency" not in claims
+    assert "Sliding" not in claims
+
+
+def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
+    motion = simulate(scene({"time_limit": 6.0}))
+    assert len(nutation_frequency(motion)[0]) > 0
+    tone = SimpleNamespace(time=np.linspace(2.5, 4.5, 50), frequency=np.full(50, 10.0))
+    assert rates_heard(tone, motion, SimpleNamespace(source_end=6.0)) == []
+    late = rates_heard(tone, motion, SimpleNamespace(source_end=5.0))
+    assert [finding.claim[:18] for finding in late] == ["In the last second"]
 
 
 SPAN = 5 * scene().disk.time_unit

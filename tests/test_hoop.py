@@ -23,7 +23,7 @@ from modal.axisymmetric import annulus
 from modal.basis import problem, rigid, rigid_count
 from modal.elastic import assemble, lowest
 from modal.mesh import extrude, hexahedra
-from modal.ritz import matrices
+from modal.ritz import graded, matrices
 from modal.spectral import solve
 from sonify import SceneError, load_scene, run
 from sonify.contact import rigid_acceleration
@@ -86,6 +86,23 @@ def test_a_closing_hole_leaves_the_solid_disk(n, even):
     error = [lowest_of(hollow(hole, 0.34), n, even, 6000, (24, 6)) / solid - 1 for hole in holes]
     assert np.log2(error[0] / error[1]) == pytest.approx(2, abs=0.25)
     assert abs(error[1]) < 0.01
+
+
+@pytest.mark.parametrize("hole", [1e-8, 2.7e-6, 1e-3, 0.05, 0.1, 0.5, 0.9, 0.99])
+@pytest.mark.parametrize("count", [4, 27])
+def test_polynomials_over_the_radius_are_integrated_to_round_off_with_few_points(hole, count):
+    rho, weight = graded(hole, count)
+    assert len(rho) < 500
+    power = np.arange(1, 2 * count)
+    assert weight @ (1 / rho) == pytest.approx(-np.log(hole), rel=1e-13)
+    assert weight @ rho[:, None] ** (power - 1) == pytest.approx((1 - hole**power) / power, rel=1e-12)
+
+
+def test_a_pinhole_leaves_the_solid_disk():
+    """It changes frequencies as its area, 1e-11; what is seen is the convergence of the two bases."""
+    solid, pierced = (plate_modes(hollow(hole, 0.34, 0.03755), 40e3) for hole in (0.0, 2.7e-6))
+    assert pierced.order.tolist() == solid.order.tolist()
+    assert pierced.frequency == pytest.approx(solid.frequency, rel=3e-6)
 
 
 def annular_plate(x, n, hole, poisson):

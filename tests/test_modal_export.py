@@ -119,3 +119,11 @@ def test_faust_recursion_is_the_exact_step_response(modes):
 def test_a_disk_without_modes_is_not_written(modes):
     with pytest.raises(ValueError, match="no mode"):
         as_faust_library(plate_modes(Plate(radius=0.001, thickness=0.001, material=STEEL, density=7737.27), 23e3))
+
+
+def test_an_overdamped_mode_is_not_written(modes):
+    rate = 2 * np.pi * modes.frequency
+    as_faust(modes.with_decay(0.99 * rate))
+    for write in (as_faust, as_faust_library):
+        with pytest.raises(ValueError, match=r"mode 3 of 16997\.7 Hz does not oscillate"):
+            write(modes.with_decay(np.where(np.arange(len(modes)) == 2, rate, 1.0)))

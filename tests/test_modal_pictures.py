@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import skfem
 
-from modal import Body, Material, Plate, draw_modes, plate_modes
+from modal import Body, Material, Plate, Support, draw_modes, plate_modes
 from modal.pictures import caption, edges, top_face
 from modal.solid_view import skin
 
@@ -38,6 +38,26 @@ def test_the_picture_has_ink_in_both_panels_of_every_mode(modes, tmp_path):
         for rows in ((0.2, 0.5), (0.5, 1.0)):
             assert ink(image, rows, (column / 5, (column + 1) / 5)) > 0.1, "no colour in a panel"
     assert ink(image, (0.2, 1.0), (0.8, 1.0)) < 0.01, "colour where there is no mode"
+
+
+GREEN = np.array([44, 160, 44]) / 255
+"""Colour of the patch."""
+
+
+def green(modes, path, support):
+    """How many pixels of the picture from above are of the colour of the patch."""
+    draw_modes(modes, path, slanted=False, support=support)
+    return (np.abs(matplotlib.image.imread(path)[..., :3] - GREEN).max(axis=2) < 0.1).sum()
+
+
+def test_the_patch_is_drawn_as_wide_as_it_is(modes, tmp_path):
+    """Oracle: an arc of 95 pixels' radius, 5/72 in wide at 100 pixels an inch, in the picture of every mode."""
+    path = tmp_path / "modes.png"
+    assert green(modes, path, None) == green(modes, path, Support(kind="free")) == 0
+    for angle in (2, 5, 40, 180):
+        for height in (None, 0.004):
+            pixels = green(modes, path, Support(half_angle_deg=angle, height=height))
+            assert pixels == pytest.approx(len(modes) * 2 * np.deg2rad(angle) * 95 * 500 / 72, rel=0.4)
 
 
 @pytest.mark.parametrize("cell", [skfem.MeshHex1, skfem.MeshTet1, skfem.MeshTet2, skfem.MeshHex2])

@@ -83,6 +83,15 @@ def test_hankel_transforms_are_the_integral_summed_point_by_point(modes):
     assert ours == pytest.approx(summed, abs=1e-6 * np.abs(summed).max())
 
 
+def test_orders_that_the_face_angles_do_not_show_do_not_radiate(modes):
+    """On 64 angles cos 60 theta is cos 4 theta, which radiates, and cos 32 theta is all that is left of its pair."""
+    assert len(modes.face_angle) == 64
+    for order in (4, 31, 32, 60):
+        shape = np.cos(order * modes.face_angle) + 0 * modes.face_radius[:, None]
+        decay = radiation_decay(replace(slowed(modes, 20e3, shape), order=np.array([order])))[0]
+        assert (decay > 0) == (order < 32)
+
+
 def test_radiation_alone_gives_a_loss_factor_of_1e_4_at_10_6_khz(modes):
     loss_factor = radiation_decay(modes) / (np.pi * modes.frequency)
     assert loss_factor[0] == pytest.approx(1.08e-4, rel=0.02)

@@ -5,11 +5,12 @@ Oracle: each is the other's; for +-5 degrees also frequencies converged to 3e-5.
 """
 
 from math import pi
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from modal import FreeDisk, Material, Plate, Support
+from modal import FreeDisk, Material, Plate, Support, eigenmodes
 from modal.held import held_modes
 from modal.synthesis import Richness
 
@@ -88,12 +89,14 @@ def test_holding_two_components_lowers_every_frequency(free_disk):
 
 @pytest.mark.parametrize(("held", "motions"), [(("radial",), 2), (("axial",), 3), (("radial", "axial"), 1)])
 def test_components_that_leave_the_disk_loose_are_refused(held, motions):
-    support = Support(held=held)
+    disk = SimpleNamespace(radius=RADIUS, thickness=THICKNESS, mass=DISK.mass, shape="solid")
     with pytest.raises(ValueError, match=f"{motions} rigid-body"):
-        held_modes(DISK, STEEL, support, DENSITY, 20e3, "standard")
+        eigenmodes(SimpleNamespace(disk=disk, material=STEEL, support=Support(held=held)))
 
 
 def test_what_synthesis_cannot_do_it_refuses(free_disk):
+    with pytest.raises(ValueError, match="through = 4 is more than the 3 axial functions"):
+        Richness(size=(14, 3), through=4)
     for support in (Support(height=0.006), Support(kind="free"), Support(half_angle_deg=179)):
         with pytest.raises(ValueError, match="synthesis is for"):
             free_disk.frequencies(support, below=20e3)

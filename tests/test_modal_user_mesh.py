@@ -11,6 +11,7 @@ import skfem
 from modal import FreeDisk, Material, Plate, Support, mesh_modes, plate_modes, write_vtu
 from modal.held import held_modes
 from modal.mesh import extrude, hexahedra
+from modal.mesh_file import patch_facets
 from modal.plane import Blocks, half_disk
 from modal.unfold import VTK_HEXAHEDRON27
 
@@ -54,11 +55,11 @@ def test_the_mesh_written_with_the_modes_gives_them_back(tmp_path, support):
     assert again.frequency == pytest.approx(given.frequency, rel=1e-4)
 
 
-def free_hexahedra(path, split):
-    """Curved hexahedra of the free disk, split^2 x 3 per block of the plane."""
+def free_hexahedra(path, split, thickness=THICKNESS, layers=1):
+    """Curved hexahedra of the free disk, split^2 per block of the plane in every layer."""
     cells = half_disk(np.pi, Blocks(width=np.pi / 4, depth=0.5, rings=0, split=split)) * RADIUS
     cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
-    hexahedra(extrude(cells, np.linspace(-THICKNESS / 2, THICKNESS / 2, 2))).save(str(path))
+    hexahedra(extrude(cells, np.linspace(-thickness / 2, thickness / 2, layers + 1))).save(str(path))
 
 
 @pytest.mark.parametrize("refine", [True, False])
@@ -127,6 +128,34 @@ def test_a_free_mesh_has_six_rigid_modes_left_out(tmp_path):
     modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=20e3)
     assert modes.order.tolist() == [2, 2, 0]
     assert modes.frequency == pytest.approx([10602.7, 10602.7, 16997.7], rel=0.01)
+
+
+@pytest.mark.parametrize("kind", ["patch", "free"])
+@pytest.mark.parametrize("refine", [True, False])
+def test_a_body_without_modes_below_the_limit_gives_none(tmp_path, kind, refine):
+    curved().save(str(tmp_path / "disk.vtu"))
+    modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind=kind), below=100, refine=refine)
+    assert len(modes) == len(modes.error) == 0
+    assert modes.rim_shape.shape == (0, 128, 3)
+    assert modes.face_shape.shape == (0, 2, 16, 64)
+
+
+@pytest.mark.parametrize("aspect", [2, 3])
+def test_a_free_cylinder_thicker_than_its_radius_has_six_rigid_modes_too(tmp_path, aspect):
+    """Oracle: the spectral solution."""
+    thick = Plate(**SOLID | {"thickness": aspect * RADIUS})
+    free_hexahedra(tmp_path / "thick.vtu", 1, thick.thickness, layers=2 * aspect)
+    modes = mesh_modes(tmp_path / "thick.vtu", STEEL, DENSITY, Support(kind="free"), below=28e3, refine=False)
+    exact = plate_modes(thick, 30e3).frequency[: len(modes)]
+    assert len(modes) >= 3
+    assert modes.frequency == pytest.approx(exact, rel=0.02)
+
+
+def test_a_patch_all_around_holds_the_facet_opposite_its_middle():
+    """Of a cube's four lateral sides one is centred at 180 degrees."""
+    cube = skfem.MeshHex().translated((-0.5, -0.5, -0.5))
+    assert len(patch_facets(cube, Support(half_angle_deg=180))) == 4
+    assert len(patch_facets(cube, Support(half_angle_deg=179))) == 3
 
 
 def corners_and_edges(mesh):

@@ -65,7 +65,7 @@ def test_every_file_is_there_and_no_other(result):
 
 
 def test_every_self_check_passes(result):
-    assert len(result.checks) == 6
+    assert len(result.checks) == 7
     assert [check.name for check in result.checks if not check.passed] == []
 
 

@@ -4,6 +4,7 @@ Source: sonify/plan.py, sonify/predictions.py. Oracle: the same scene at accurac
 computed; white noise and sines whose levels are known.
 """
 
+from dataclasses import replace
 from math import pi
 from types import SimpleNamespace
 
@@ -21,7 +22,7 @@ from sonify.levels import LEVELS
 from sonify.oscillators import OscillatorBank
 from sonify.pipeline import planned, solve_motion
 from sonify.plan import contact_rate, plan_of, stopping_inclination
-from sonify.predictions import END, audible_error, level_error, measured
+from sonify.predictions import END, audible_error, level_error, measured, predicted_sound, true_error
 from sonify.scene import shipped_scenes
 from sonify.sound import Renderer
 from sonify.wav import write_sound
@@ -161,6 +162,21 @@ def test_the_reference_leaves_no_mode_out(scene):
 def test_loss_free_modes_are_planned_too(scene):
     plan, _ = planned(scene.replace("material.loss_factor=0.0", "support.kind=free"))
     assert np.isfinite([p.error for p in plan.predictions]).all()
+
+
+def test_modes_without_loss_and_without_error_stay_in_step(scene):
+    modes = planned(scene)[1].with_decay(0.0)
+    exact, draft = replace(modes, error=0 * modes.error), scene.replace("numerics.accuracy=draft")
+    loudness = np.ones(len(modes))
+    assert predicted_sound(draft, exact, loudness).error == pytest.approx(10 ** (-LEVELS["draft"].range_db / 20))
+    assert predicted_sound(draft, modes, loudness).error == pytest.approx(2**0.5, rel=1e-3)
+
+
+def test_the_error_of_a_free_disk_is_that_of_its_support_whether_its_modes_pair_or_not(scene):
+    free = scene.replace("support.kind=free")
+    alone = replace(planned(scene)[1], partner=np.full(len(planned(scene)[1]), -1))
+    assert true_error(free, alone) == pytest.approx(LEVELS["standard"].free * alone.error)
+    assert true_error(scene, alone) == pytest.approx(LEVELS["standard"].patch * alone.error)
 
 
 def test_a_scaled_sound_is_off_by_the_scale(tmp_path):

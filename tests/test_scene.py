@@ -5,11 +5,13 @@ key that each document is made wrong in.
 """
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from sonify import SceneError, load_scene
+from sonify.plan import plan_of
 from sonify.scene import Scene, from_document, shipped_scenes
 
 
@@ -59,6 +61,26 @@ def test_infinite_friction_is_physics(published):
 def test_a_scene_cannot_be_changed_through_its_document(published):
     published.document["disk"]["radius"] = 1.0
     assert published.document["disk"]["radius"] == published.disk.radius
+
+
+@pytest.mark.parametrize("name", sorted(shipped_scenes()))
+def test_a_scene_that_was_not_read_has_a_document_too(name):
+    read = load_scene(name)
+    made = replace(read, name="made")
+    assert from_document(made.document) == made
+    assert made.replace(f"name={name}") == read
+    planned = plan_of(read).scene(read)
+    assert planned.replace("audio.sample_rate=44100").numerics == planned.numerics
+
+
+def test_the_document_of_a_disk_given_by_its_density_gives_no_mass(published):
+    document = published.document
+    document["disk"]["density"] = 7850.0
+    del document["disk"]["mass"]
+    read = from_document(document)
+    made = replace(read, name="made")
+    assert "mass" not in made.document["disk"]
+    assert made.replace("disk.density=7900").disk.mass == pytest.approx(read.disk.mass * 7900 / 7850)
 
 
 FAULTS = [

@@ -105,6 +105,12 @@ def test_any_rate_channels_and_format(tmp_path, rate, channels, subtype, suffix)
     assert heard.tone.end == pytest.approx(END, abs=0.02)
 
 
+@pytest.mark.parametrize("rate", [3001, 3200, 3340])
+def test_a_rate_that_holds_nothing_of_the_highest_band(tmp_path, rate):
+    soundfile.write(tmp_path / "low.wav", 0.2 * recording(1.0, 60.0, 20, rate=rate), rate, "FLOAT")
+    assert listen(tmp_path / "low.wav").tone.end == pytest.approx(END, abs=0.02)
+
+
 def test_channels_that_cancel_are_heard(tmp_path):
     sound = 0.2 * recording(1.0, 60.0, 20)
     soundfile.write(tmp_path / "wide.wav", np.column_stack([sound, -sound]), RATE)

@@ -8,13 +8,16 @@ import numpy as np
 import pytest
 from scipy.special import j1
 
+from sonify.pipeline import planned
 from sonify.radiation import (
     AIR_DENSITY,
-    SPEED_OF_SOUND,
+    SOUND_SPEED,
     Listener,
+    directions,
     heave_kernel,
     piston_strength,
     rayleigh,
+    taps,
     tilt_kernel,
 )
 
@@ -35,18 +38,18 @@ def face():
 
 def pressure(face, shape, frequency, at):
     points, weights, shapes = face
-    k = np.atleast_1d(2 * np.pi * frequency / SPEED_OF_SOUND)
+    k = np.atleast_1d(2 * np.pi * frequency / SOUND_SPEED)
     return rayleigh(np.repeat(shapes[[shape]], len(k), axis=0), points, weights, k, np.asarray(at))
 
 
 def test_on_the_axis_of_a_piston(face):
-    d, k = 0.3, 2 * np.pi * FREQUENCY / SPEED_OF_SOUND
+    d, k = 0.3, 2 * np.pi * FREQUENCY / SOUND_SPEED
     expected = AIR_DENSITY / (1j * k) * (1 - np.exp(-1j * k * (np.hypot(d, RADIUS) - d)))
     assert pressure(face, 0, FREQUENCY, [0, 0, d]) == pytest.approx(expected, rel=1e-9)
 
 
 def test_far_from_a_piston(face):
-    d, elevation, k = 300.0, np.radians(40), 2 * np.pi * FREQUENCY / SPEED_OF_SOUND
+    d, elevation, k = 300.0, np.radians(40), 2 * np.pi * FREQUENCY / SOUND_SPEED
     x = k * RADIUS * np.cos(elevation)
     expected = piston_strength(RADIUS, d) * 2 * j1(x) / x
     found = pressure(face, 0, FREQUENCY, [d * np.cos(elevation), 0, d * np.sin(elevation)])
@@ -113,3 +116,24 @@ def test_a_piston_seen_from_above_is_at_least_a_sample_wide():
 
 def test_the_delay_is_the_distance():
     assert Listener(distance=3.432, elevation=0).delay == pytest.approx(0.01)
+
+
+@pytest.fixture(scope="module")
+def modes(scene):
+    return planned(scene)[1]
+
+
+@pytest.mark.parametrize("sample_rate", [48000, 96000, 192000])
+def test_the_taps_radiate_a_mode_exactly_at_its_own_frequency_and_at_rest(modes, sample_rate):
+    listener = Listener(distance=0.5, elevation=np.radians(45))
+    delays = np.outer(2 * np.pi * modes.frequency / sample_rate, [1, 0, -1])
+    three, exact = taps(modes, listener, sample_rate), directions(modes, listener)
+    found = np.sum(three * np.exp(1j * delays), axis=2)
+    assert np.abs(found - exact).max(axis=0) == pytest.approx(0, abs=1e-12 * np.abs(exact).max())
+    assert three.sum(axis=2) == pytest.approx(directions(modes, listener, still=True).real, abs=1e-12)
+
+
+def test_the_taps_stay_bounded_at_half_the_sample_rate(modes):
+    listener, highest = Listener(distance=0.5, elevation=np.radians(45)), modes.frequency[-1]
+    far, near = (np.abs(taps(modes, listener, rate * highest)[:, -1]).max() for rate in (2.2, 2.0001))
+    assert near < 20 * far

@@ -19,4 +19,4 @@ def draw_all(result):
         (result.out / "stems.png").unlink(missing_ok=True)  # that of another run
     draw_motion(result.motion, result.out / "motion.png")
     with whole(result.out / "modes.png") as temporary:
-        draw_modes(result.modes, temporary, slanted=whole_story)
+        draw_modes(result.modes, temporary, slanted=whole_story, support=result.scene.support)

@@ -9,6 +9,7 @@ from dynamics.rates import nutation_frequency, precession_frequency
 from sonify.hearing import audibility
 from sonify.sound import STEMS
 from sonify.spectrogram import REFERENCE_PRESSURE, spectrogram
+from sonify.verdict import LAST
 
 from .figure import figure_at
 
@@ -18,8 +19,6 @@ WINDOW_MODES = 0.02
 """The window for the band of the modes [s]."""
 FLOOR_DB, RANGE_DB = -10.0, 65.0
 """Level of the darkest [dB re 20 uPa], and from there to the brightest."""
-LAST = 1.0
-"""How much of the end is shown by itself [s]."""
 EDGE = [withStroke(linewidth=2.5, foreground="k")]
 """Makes a white line visible on white."""
 
@@ -76,6 +75,7 @@ def log_frequency(axes, band):
 
 
 def level_image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
+    """Draw the level [dB re `reference`] of a spectrogram over time [s] and frequency [Hz, over `unit`]."""
     level, options = seen.level_db(reference), {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
     time, frequency = seen.time, seen.frequency / unit
     if axes.get_yscale() == "log":
