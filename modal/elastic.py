@@ -73,7 +73,7 @@ def inverse_at(stiffness, mass, shift):
     """(K - shift M)^-1 as an operator: SuperLU in symmetric mode, pivots from the diagonal, ordering MMD_AT_PLUS_A."""
     matrix = (stiffness - shift * mass).tocsc() if shift else stiffness.tocsc()
     factor = splu(matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    return LinearOperator(matrix.shape, matvec=factor.solve, dtype=float)
+    return LinearOperator(matrix.shape, matvec=factor.solve, matmat=factor.solve, dtype=float)
 
 
 TOLERANCE = 1e-9
@@ -81,9 +81,10 @@ TOLERANCE = 1e-9
 
 
 def lowest(stiffness, mass, below, shift=0.0, start=8, exactly=None):
-    """All eigenpairs with eigenvalue <= below [1/s^2], or exactly so many; values (k,), M-orthonormal columns (n, k).
+    """All eigenpairs with eigenvalue <= below [1/s^2], or exactly so many.
 
-    Shift-invert Lanczos about `shift`, which must not be an eigenvalue: 0 for a held body, negative for a free one.
+    Returns values (k,), M-orthonormal columns (n, k), residuals (k,). Shift-invert Lanczos about `shift`, which must
+    not be an eigenvalue: 0 for a held body, negative for a free one.
     """
     size = stiffness.shape[0]
     inverse = inverse_at(stiffness, mass, shift)
@@ -96,10 +97,16 @@ def lowest(stiffness, mass, below, shift=0.0, start=8, exactly=None):
             break
         count *= 2
     keep = np.argsort(values)[: np.count_nonzero(values <= below)] if not exactly else np.argsort(values)
-    return values[keep], vectors[:, keep]
+    values, vectors = values[keep], vectors[:, keep]
+    return values, vectors, residuals(inverse.matmat, mass, values, vectors, shift)
 
 
-def residuals(stiffness, mass, values, vectors):
-    """|K phi - value M phi| / |K phi| (k,) of each pair."""
-    force = stiffness @ vectors
-    return np.linalg.norm(force - (mass @ vectors) * values, axis=0) / np.linalg.norm(force, axis=0)
+def residuals(solve, mass, values, vectors, shift=0.0):
+    """|phi - (value - shift) (K - shift M)^-1 M phi| / |phi| (k,) of each pair; solve(load) applies the inverse.
+
+    The residual of the inverse problem, because K phi of a slow mode is the round-off of much larger terms.
+    """
+    if not len(values):
+        return np.zeros(0)
+    error = vectors - solve(mass @ vectors) * (values - shift)
+    return np.linalg.norm(error, axis=0) / np.linalg.norm(vectors, axis=0)

@@ -55,7 +55,7 @@ def exact(plate):
 def bending(plate, element, split=2, curved=True):
     """Its frequency [Hz] by finite elements; 0 where round-off has made the stiffness negative."""
     k, m, _ = quarter_problem(plate, element, split, curved)
-    values, _ = lowest(k, m, np.inf, shift=-(rate(plate) ** 2), exactly=2)
+    values, *_ = lowest(k, m, np.inf, shift=-(rate(plate) ** 2), exactly=2)
     return max(values[1], 0.0) ** 0.5 / (2 * pi)
 
 
@@ -142,7 +142,7 @@ def pair_splitting(plate, splits=(1, 2, 3)):
                 solid.points, nobody, ("radial", "tangential", "axial"), Mirror(y=y, z=-1), plate.radius
             )
             k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
-            values, _ = lowest(k, m, np.inf, shift=-(rate(plate) ** 2), exactly=3)
+            values, *_ = lowest(k, m, np.inf, shift=-(rate(plate) ** 2), exactly=3)
             found.append(np.sqrt(values[2 if y > 0 else 1]) / (2 * pi))
         rows.append({"split": split, "splitting": abs(found[0] / found[1] - 1), "beat": abs(found[0] - found[1])})
     return rows

@@ -73,7 +73,7 @@ class Modes:
     face_radius (a,), face_weight (a,), face_angle (b,), face_shape (m, 2, a, b) -- axial displacement of the bottom (0)
                            and top (1) face at Gauss points in the radius and even angles: the integral over a face is
                            sum(face_weight[:, None] * w) * 2 pi / b, in m^2; face_weight includes the radius.
-    residual (m,)       -- |K phi - w^2 M phi| / |K phi| of the computed pair.
+    residual (m,)       -- |phi - w^2 K^-1 M phi| / |phi| of the computed pair, K shifted where the body is free.
     error (m,)          -- estimated relative error of the frequency.
     mass                -- mass of the discrete model [kg].  method, unknowns -- how it was computed, and how large.
     """

@@ -42,7 +42,7 @@ def solve(plate, p, size, below) -> Pairs:
         size=size,
         values=values,
         vectors=scale[:, None] * vectors,
-        residual=residuals(k, m, values, vectors),
+        residual=residuals(lambda load: np.linalg.solve(k, load), m, values, vectors),
         error=np.abs(np.sqrt(np.array(rough) / values) - 1),
     )
 

@@ -11,7 +11,7 @@ import numpy as np
 from skfem import ElementHex1, ElementHex2, ElementTetP1, ElementTetP2, MeshHex1, MeshHex2, MeshTet1, MeshTet2
 
 from .basis import Plate
-from .elastic import Solid, assemble, lowest, residuals
+from .elastic import Solid, assemble, lowest
 from .held import shift_for
 from .mesh import joined
 from .mesh_file import patch_facets, read_mesh
@@ -86,13 +86,15 @@ def pairs(level, components, below, shift, exactly=None):
     solid = level.solid
     free = free_unknowns(solid.points, level.held, components)
     k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
-    values, vectors = lowest(k, m, (2 * pi * below) ** 2, shift, start=16, exactly=exactly and exactly + SPARE)
-    values, vectors = values[:exactly], vectors[:, :exactly]
+    values, vectors, residual = lowest(
+        k, m, (2 * pi * below) ** 2, shift, start=16, exactly=exactly and exactly + SPARE
+    )
+    values, vectors, residual = values[:exactly], vectors[:, :exactly], residual[:exactly]
     rigid = np.count_nonzero(values < 1e-6 * abs(shift))
     if rigid != (6 if shift else 0):
         raise ArithmeticError(f"{rigid} rigid-body modes were found, not {6 if shift else 0}")
     shapes = (free @ vectors).T.reshape(len(values), len(solid.points), 3)
-    return values[rigid:], shapes[rigid:], residuals(k, m, values, vectors)[rigid:]
+    return values[rigid:], shapes[rigid:], residual[rigid:]
 
 
 def mesh_modes(path, material, density, support, below=24000.0, patch=None, promote=True, refine=True) -> Modes:

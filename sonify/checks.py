@@ -76,7 +76,7 @@ def pushing_contact(motion) -> Check:
 
 
 def mode_residuals(modes) -> Check:
-    """The largest |K phi - w^2 M phi| / |K phi| of the modes."""
+    """The largest |phi - w^2 K^-1 M phi| / |phi| of the modes."""
     return Check(
         name="the modes solve their eigenvalue problem",
         value=float(modes.residual.max(initial=0.0)),

@@ -88,7 +88,7 @@ def on_neighbouring_points(size, mirror):
     solid = assemble(mesh, ElementHex2(), STEEL, DENSITY, 4)
     held = np.linalg.norm(solid.points - [DISK.radius, 0, 0], axis=1) < 0.6 * size * DISK.radius
     free = free_unknowns(solid.points, held, ("radial", "tangential", "axial"), mirror, DISK.radius)
-    values, _ = lowest(free.T @ solid.stiffness @ free, free.T @ solid.mass @ free, np.inf, exactly=1)
+    values, *_ = lowest(free.T @ solid.stiffness @ free, free.T @ solid.mass @ free, np.inf, exactly=1)
     return np.sqrt(values[0]) / (2 * np.pi)
 
 

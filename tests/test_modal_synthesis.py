@@ -59,6 +59,7 @@ OTHERS = {
     "thin": (0.28, 0.1, Support()),
     "thinner": (0.28, 0.05, Support(half_angle_deg=10)),
     "as thick as wide": (0.28, 1.0, Support()),
+    "thin, wide patch": (0.28, 0.08, Support(half_angle_deg=30)),
     "hinged": (0.28, 0.34, Support(held=TWO)),
     "hinged at a small patch": (0.28, 0.34, Support(half_angle_deg=2, held=TWO)),
     "hinged at a wide patch": (0.28, 0.34, Support(half_angle_deg=30, held=TWO)),
@@ -79,6 +80,19 @@ def test_other_disks_are_right_to_2_percent_too(name):
     assert error.max() < 0.02
     assert np.median(error) < 0.015
     assert (error <= elements.error[: len(frequency)]).mean() >= 0.9
+
+
+def test_a_thin_plate_is_resolved_up_to_20_khz():
+    """A disk 2 mm thick has 24 modes there, with waves a quarter as long as the disk is wide."""
+    disk = Plate(radius=RADIUS, thickness=0.002, material=STEEL, density=DENSITY)
+    support = Support(half_angle_deg=20)
+    frequency = FreeDisk(plate=disk, richness=Richness(cutoff=3)).frequencies(support, 19e3)
+    elements = held_modes(disk, STEEL, support, DENSITY, 20e3, "standard")
+    error = elements.frequency[: len(frequency)] / frequency - 1
+    assert len(error) > 20
+    assert error.min() > -1.3e-3
+    assert error.max() < 0.012
+    assert (error <= elements.error[: len(frequency)]).all()
 
 
 def test_holding_two_components_lowers_every_frequency(free_disk):
