@@ -75,7 +75,7 @@ def test_other_disks_are_right_to_2_percent_too(name):
     frequency = FreeDisk(plate=disk).frequencies(support, below)
     elements = held_modes(disk, material, support, DENSITY, 1.02 * below, "standard")
     error = elements.frequency[: len(frequency)] / frequency - 1
-    assert len(error) >= 6
+    assert len(error) >= 5
     assert error.min() > -1.3e-3
     assert error.max() < 0.02
     assert np.median(error) < 0.015
