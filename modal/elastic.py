@@ -1,6 +1,7 @@
 """Linear elasticity by finite elements: batched matrices of any scalar Lagrange element, and the lowest eigenpairs."""
 
 from dataclasses import dataclass
+from math import ceil, pi
 
 import numpy as np
 import scipy.sparse as sp
@@ -33,6 +34,19 @@ def bending_number(thickness, material, density, below):
     """Wave number [1/m] of bending in a thin plate at `below` [Hz]: k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
     stiffness = material.young * thickness**2 / (12 * (1 - material.poisson**2))
     return ((2 * np.pi * below) ** 2 * density / stiffness) ** 0.25
+
+
+def mode_count(disk, material, density, below):
+    """At least how many modes a disk has below `below` [Hz], from the area of a plate and the volume of a body.
+
+    A plate bends in (k R)^2/4 modes; a body has (4 pi/3) (f/c)^3 of each kind of wave in every unit of its volume
+    (Weyl 1912, Debye 1912). What surfaces and edges add, up to as many again, is left out.
+    """
+    lam, mu = lame(material)
+    bending = (bending_number(disk.thickness, material, density, below) * disk.radius) ** 2 / 4
+    slow, fast = (mu / density) ** 0.5, ((lam + 2 * mu) / density) ** 0.5
+    volume = pi * disk.radius**2 * disk.thickness
+    return bending + volume * 4 * pi / 3 * below**3 * (2 / slow**3 + 1 / fast**3)
 
 
 def assemble(mesh, element, material, density, intorder):
@@ -95,7 +109,7 @@ def lowest(stiffness, mass, below, shift=0.0, start=8, exactly=None):
         values, vectors = eigsh(stiffness, k=count, M=mass, sigma=shift, OPinv=inverse, v0=first, tol=TOLERANCE)
         if exactly or values[-1] > below or count == size - 2:
             break
-        count *= 2
+        count = ceil(count * min(4.0, max(1.5, 1.2 * (below / values.max()) ** 0.5)))  # a plate's are evenly spaced
     keep = np.argsort(values)[: np.count_nonzero(values <= below)] if not exactly else np.argsort(values)
     values, vectors = values[keep], vectors[:, keep]
     return values, vectors, residuals(inverse.matmat, mass, values, vectors, shift)

@@ -6,12 +6,17 @@ import numpy as np
 
 from . import axisymmetric, held
 from .basis import Plate
+from .elastic import mode_count
 from .mesh import held_height
 from .modes import Modes
 from .symmetry import check_held
 
 BELOW = 24000.0
 """Modes at or above this frequency [Hz] are left out unless asked for."""
+
+
+MOST = 600
+"""Modes beyond which none are sought: they would take minutes to solve and hours to hear out."""
 
 
 def density(disk) -> float:
@@ -58,12 +63,18 @@ def eigenmodes(scene, below=BELOW) -> Modes:
 
     Reads scene.disk (radius, thickness [m], mass [kg], shape, of a shell the wall [m]), scene.material, scene.support
     and, if there is one, scene.numerics.accuracy ("draft", "standard" or "reference"). Raises ValueError if the patch
-    is taller than the disk or leaves a rigid body free to move, if a shell has no wall or is held, or if `below` is not
-    positive; ArithmeticError if the patch is so small that round-off does.
+    is taller than the disk or leaves a rigid body free to move, if a shell has no wall or is held, if there are more
+    than about MOST modes, or if `below` is not positive; ArithmeticError if the patch is so small that round-off does.
     """
     if not below > 0:
         raise ValueError(f"below = {below:g} must be a frequency above 0 Hz")
     check(scene.disk, scene.support)
+    count = mode_count(scene.disk, scene.material, density(scene.disk), below)
+    if count > MOST:
+        raise ValueError(
+            f"disk, material: so soft or so large a disk has some {count:.0f} modes or more below {below:g} Hz; "
+            f"no more than {MOST} can be sought"
+        )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
     disk, rho = scene.disk, density(scene.disk)
     if scene.support.kind == "free":

@@ -100,12 +100,15 @@ def solvable(scene: Scene) -> Scene:
 
 def planned(scene: Scene) -> tuple[Plan, Modes]:
     """Return what is to be computed, and the modes, which the plan needs to say which of them sound. Raises SceneError
-    where the patch is lost in round-off, and where decay rates are given for more modes than there are."""
+    where there are too many modes, where the patch is lost in round-off, and where decay rates are given for more modes
+    than there are."""
     plan = plan_of(scene)
     try:
         elastic = eigenmodes(scene, below=plan.highest_mode)
     except ArithmeticError as error:
         raise SceneError(f"support: {error}") from None
+    except ValueError as error:
+        raise SceneError(str(error)) from None
     modes = damped(with_radiation(elastic, (TOP,)), scene.material.decay_rates)
     return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
 

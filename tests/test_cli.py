@@ -86,6 +86,13 @@ def test_what_cannot_be_solved_ends_with_2_before_any_work(assignment, tmp_path)
     assert not out.exists()
 
 
+def test_a_disk_of_too_many_modes_ends_with_2_and_says_how_many(tmp_path):
+    out = tmp_path / "out"
+    line = one_line(ask("run", "--out", str(out), "--set", "material.young=1e7"), 2)
+    assert "modes or more below 20000 Hz; no more than 600" in line
+    assert not out.exists()
+
+
 def test_a_patch_lost_in_round_off_ends_with_2_and_writes_nothing(tmp_path):
     hinged = ["--set", "support.half_angle_deg=0.01", "--set", 'support.held=["tangential", "axial"]']
     out = tmp_path / "out"

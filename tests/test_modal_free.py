@@ -13,6 +13,7 @@ import pytest
 from modal import Material, Support, eigenmodes, held
 from modal.axisymmetric import plate_modes
 from modal.basis import Plate, problem
+from modal.elastic import mode_count
 from modal.spectral import solve
 from modal.theory import thin_plate_frequencies, torsion_frequencies
 
@@ -141,3 +142,11 @@ def test_a_disk_too_small_to_be_heard_has_no_modes_and_that_is_no_error():
     disk = SimpleNamespace(radius=RADIUS / 40, thickness=THICKNESS / 40, mass=small.mass / 64, shape="solid")
     held_disk = eigenmodes(SimpleNamespace(disk=disk, material=STEEL, support=Support()))
     assert held_disk.rim_shape.shape == (0, 128, 3)
+
+
+@pytest.mark.parametrize(("thickness", "below"), [(THICKNESS, 150e3), (0.001, 50e3)])
+def test_the_count_of_modes_is_foreseen_from_below_within_a_factor_of_two(thickness, below):
+    """Oracle: the modes themselves, of a body in which waves are short, and of a plate."""
+    disk = Plate(radius=RADIUS, thickness=thickness, material=STEEL, density=DENSITY)
+    count = len(plate_modes(disk, below, "draft"))
+    assert count / 2 < mode_count(disk, STEEL, DENSITY, below) < count
