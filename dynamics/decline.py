@@ -12,11 +12,14 @@ def time_left(beta: float, disk, friction, dissipation) -> float:
     """Return the time [s] in which a disk in steady motion with a fixed centre declines from `beta` [rad], small, to 0.
 
     Its energy, 3/2 m g R beta, goes with the power that resisting moments and dissipation take in the steady motion; as
-    beta falls the power is taken to go with the power of beta that it has there. Infinite if that is 1 or more.
+    beta falls the power is taken to go with the power of beta that it has there. Infinite if that is 1 or more, or if
+    nothing is lost.
     """
     law = law_of(disk, friction)
     loads = resistance(dissipation, disk)
     power, lower = (_power(b, law, loads) for b in (beta, beta / 2))
+    if not power > 0:
+        return float("inf")
     exponent = log(power / lower) / log(2)
     if exponent >= 1:
         return float("inf")

@@ -120,10 +120,16 @@ def flat_limit(h, K):
 
     With w2 = h w3 and w3 = Omega beta what (5.3) leaves at beta = 0 is (1 + 4 h^2/(3 K)) Omega^2 beta = 1 + 4/K.
     """
-    square = (1 + 4 / K) / (1 + 4 * h * h / (3 * K))
     beta = 1e-6
     rate = steady_precession(beta, h, K)
-    return square, sqrt(steady_nutation_squared(pi / 2 - beta, rate * sin(beta), h, K, step=1e-3 * beta)) / rate
+    return flat_square(h, K), sqrt(
+        steady_nutation_squared(pi / 2 - beta, rate * sin(beta), h, K, step=1e-3 * beta)
+    ) / rate
+
+
+def flat_square(h, K):
+    """Return Omega^2 beta of a steady motion with a fixed centre as beta -> 0, see `flat_limit`."""
+    return (1 + 4 / K) / (1 + 4 * h * h / (3 * K))
 
 
 def steady_precession(beta, h, K):
@@ -133,7 +139,7 @@ def steady_precession(beta, h, K):
         w3 = rate * sin(beta)
         return nutation_acceleration(pi / 2 - beta, h * w3, w3, h, K)
 
-    guess = sqrt((1 + 4 / K) / beta)
+    guess = sqrt(flat_square(h, K) / beta)
     return brentq(excess, 0.2 * guess, 5 * guess, xtol=1e-13 * guess, rtol=1e-14)
 
 
@@ -164,4 +170,4 @@ def centred_slope(k2, h, K):
 
     Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega beta with Phi = (K + 4)/4 and Omega^2 beta = flat_limit.
     """
-    return k2 * sqrt(flat_limit(h, K)[0]) / 3
+    return k2 * sqrt(flat_square(h, K)) / 3

@@ -31,6 +31,12 @@ class Plate:
     ring_radius: float = 0.0
     ring_stiffness: float = 0.0
 
+    def __post_init__(self):
+        if self.edge not in EDGES:
+            raise ValueError(f"edge = {self.edge!r}: one of {', '.join(EDGES)}")
+        if not 0 <= self.inner_radius < self.radius or not self.thickness > 0 or not self.density > 0:
+            raise ValueError("a plate has 0 <= inner_radius < radius, a thickness and a density above 0")
+
     @property
     def mass(self):
         """Mass [kg]."""

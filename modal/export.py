@@ -53,8 +53,10 @@ def write_vtu(modes: Modes, path) -> None:
 
 def write_uff(modes: Modes, path) -> None:
     """Write the nodes (dataset 15) and one dataset 55, normal modes, per mode; needs the optional package pyuff."""
-    import pyuff
-
+    try:
+        import pyuff
+    except ModuleNotFoundError:
+        raise ModuleNotFoundError("write_uff needs pyuff: python -m pip install pyuff", name="pyuff") from None
     body, number = modes.body, np.arange(1, len(modes.body.points) + 1)
     x, y, z = body.points.T
     same = np.ones(len(number), int)

@@ -111,6 +111,15 @@ def held_height(thickness, support):
     return height if height < WHOLE * thickness else thickness
 
 
+def patch_edge(radius, thickness, support):
+    """Points (6, 3) [m] of the lower and the upper edge of the patch."""
+    angle = np.deg2rad(support.half_angle_deg) * np.array([-1, 0, 1])
+    height = held_height(thickness, support)
+    bottom = -thickness / 2 if support.position == "bottom" else -height / 2
+    x, y = radius * np.cos(angle), radius * np.sin(angle)
+    return np.concatenate([np.stack([x, y, np.full(3, z)], axis=1) for z in (bottom, bottom + height)])
+
+
 def sector(radius, thickness, support, size):
     """The `Sector` of a disk [m] on a `Support`, graded to the patch edge as the `Blocks` size says."""
     half, free = thickness / 2, support.kind == "free"

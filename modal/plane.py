@@ -163,7 +163,7 @@ def rim_ring(edge, size):
     """Blocks of the rim ring for an arc of half-angle `edge` <= pi/2, and the angles (k + 1,) of its columns."""
     width = size.width
     blocks = nested_about_edge(edge, min(edge, width), size)
-    if edge < width:
+    if edge < (1 - 1e-9) * width:
         blocks += nested_about_middle(edge, size)
     middle = max(edge, width)
     first, last = middle - width, middle + width

@@ -2,12 +2,10 @@
 
 from math import pi
 
-import numpy as np
-
 from . import axisymmetric, held
 from .basis import Plate
 from .elastic import mode_count
-from .mesh import held_height
+from .mesh import patch_edge
 from .modes import Modes
 from .symmetry import check_held
 
@@ -15,6 +13,8 @@ BELOW = 24000.0
 """Modes at or above this frequency [Hz] are left out unless asked for."""
 
 
+LONGEST = 50
+"""Thickness over radius beyond which a disk is a rod, for which these meshes and bases are not made."""
 MOST = 600
 """Modes beyond which none are sought: they would take minutes to solve and hours to hear out."""
 
@@ -37,25 +37,17 @@ def inner_radius(disk) -> float:
 
 
 def check(disk, support):
-    """ValueError if the disk has no volume, if the patch does not fit on it, if it leaves a rigid body free to move, or
-    if it is to hold a shell."""
+    """ValueError if the disk has no volume or is a rod, if the patch does not fit on it or leaves a rigid body free to
+    move, or if it is to hold a shell."""
     inner_radius(disk)
+    if disk.thickness > LONGEST * disk.radius:
+        raise ValueError(f"disk.thickness = {disk.thickness:g} must not exceed {LONGEST} times disk.radius")
     if support.kind == "patch" and disk.shape != "solid":
         raise ValueError(f"support.kind = 'patch': a disk of disk.shape = {disk.shape!r} must be 'free'")
     if support.kind == "patch" and (support.height or 0) > disk.thickness:
         raise ValueError(f"support.height = {support.height:g} must not exceed disk.thickness = {disk.thickness:g}")
     if support.kind == "patch":
-        edge = patch_edge(disk, support)
-        check_held(edge, np.ones(len(edge), bool), support.held)
-
-
-def patch_edge(disk, support):
-    """Points (6, 3) [m] of the lower and the upper edge of the patch."""
-    angle = np.deg2rad(support.half_angle_deg) * np.array([-1, 0, 1])
-    height = held_height(disk.thickness, support)
-    bottom = -disk.thickness / 2 if support.position == "bottom" else -height / 2
-    x, y = disk.radius * np.cos(angle), disk.radius * np.sin(angle)
-    return np.concatenate([np.stack([x, y, np.full(3, z)], axis=1) for z in (bottom, bottom + height)])
+        check_held(patch_edge(disk.radius, disk.thickness, support), support.held)
 
 
 def eigenmodes(scene, below=BELOW) -> Modes:

@@ -69,11 +69,11 @@ def turned(points, where):
     return sp.bsr_matrix((blocks, np.arange(len(points)), np.arange(len(points) + 1))).tocsc()
 
 
-def check_held(points, where, components):
-    """ValueError if holding the named components at the marked points leaves a rigid body free to move."""
-    frame = turned(points, where)
+def check_held(points, components):
+    """ValueError if holding the named components at points (p, 3) leaves a rigid body free to move."""
+    frame = turned(points, np.ones(len(points), bool))
     fields = np.concatenate([np.tile(np.eye(3), (len(points), 1, 1)), np.cross(np.eye(3), points[:, None])], axis=1)
-    motion = (frame.T @ fields.transpose(0, 2, 1).reshape(-1, 6)).reshape(-1, 3, 6)[where]
+    motion = (frame.T @ fields.transpose(0, 2, 1).reshape(-1, 6)).reshape(-1, 3, 6)
     seen = motion[:, [COMPONENTS.index(c) for c in components]].reshape(-1, 6)
     size = np.linalg.norm(motion.reshape(-1, 6), axis=0)
     strain = np.linalg.svd(seen / size, compute_uv=False)

@@ -14,7 +14,9 @@ from scipy.linalg import block_diag, cho_factor, cho_solve, eigh
 
 from .basis import Plate, problem, rigid_count
 from .elastic import lame
+from .mesh import patch_edge
 from .ritz import matrices
+from .symmetry import check_held
 from .tractions import STANDARD, Patch, Richness
 
 
@@ -98,9 +100,17 @@ class FreeDisk:
         """Count of Legendre polynomials of one parity."""
         return self.richness.size[1]
 
+    def __post_init__(self):
+        if self.plate.edge != "free" or self.plate.inner_radius or self.plate.ring_stiffness:
+            raise ValueError("synthesis is for a solid plate with a free edge and no ring")
+
     def frequencies(self, support, below) -> np.ndarray:
-        """Frequencies (m,) [Hz] below `below` [Hz] of the disk held on a patch (`Support`), all classes, ascending."""
+        """Frequencies (m,) [Hz] below `below` [Hz] of the disk held on a patch (`Support`), all classes, ascending.
+
+        ValueError where the patch is not over the whole thickness, or leaves a rigid body free to move.
+        """
         patch = Patch(plate=self.plate, support=support, richness=self.richness)
+        check_held(patch_edge(self.plate.radius, self.plate.thickness, support), support.held)
         values = np.concatenate([held_class(self, patch, y, even) for y in (1, -1) for even in (1, -1)])
         return np.sort(np.sqrt(values[values < (2 * pi * below) ** 2])) / (2 * pi)
 

@@ -122,7 +122,7 @@ def mesh_modes(path, material, density, support, below=24000.0, patch=None, prom
     disk = Plate(radius=radius, thickness=thickness, material=material, density=density)
     shift = shift_for(disk, material, support, density)
     if not free:
-        check_held(finer.solid.points, finer.held, support.held)
+        check_held(finer.solid.points[finer.held], support.held)
     values, shapes, residual = pairs(finer, support.held, below, shift)
     rough = pairs(coarse, support.held, below, shift, exactly=max(1, len(values)) + 6 * free)[0][: len(values)]
     error = SAFETY * np.abs(np.sqrt(rough / values) - 1)

@@ -10,6 +10,8 @@ from sonify.charts import CHARTS
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: more threads only wait for each other
 
+FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
+REFUSED = {errno.EACCES, errno.EPERM, errno.EROFS, errno.EISDIR, errno.ENOTDIR}
 ACCURACIES = ("draft", "standard", "reference")
 
 
@@ -17,7 +19,7 @@ class OneLine(click.Group):
     """Turns what is expected to go wrong into one line on standard error and the exit status of the contract."""
 
     def invoke(self, context):
-        """Run the command. Exit status: 1 full disk, 2 wrong input, 130 interrupted."""
+        """Run the command. Exit status: 1 full disk, 2 wrong input or output, 130 interrupted."""
         from sonify.files import OutputError
         from sonify.scene_errors import InputError
 
@@ -28,9 +30,9 @@ class OneLine(click.Group):
         except KeyboardInterrupt:
             _stop("interrupted", 130)
         except OSError as error:
-            if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+            if error.errno not in FULL | REFUSED:
                 raise
-            _stop(f"{error.filename or 'output'}: {error.strerror}", 1)
+            _stop(f"{error.filename or 'output'}: {error.strerror}", 1 if error.errno in FULL else 2)
 
 
 def _stop(message, status):

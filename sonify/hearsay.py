@@ -39,7 +39,7 @@ def sentences(heard) -> list[str]:
 
 
 def _fit(tone):
-    end = f"end at {tone.end:.3f} s (± {tone.end_error:.3f})"
+    end = f"end at {tone.end:.3f} s (± {tone.end_error:.3f} of the fit)"
     exponent = f"f ~ (t_end - t)^-{tone.exponent:.3f} (± {tone.exponent_error:.3f})"
     return f"{end}, {exponent}, {tone.frequency[0]:.1f} Hz at {tone.time[0]:.2f} s, rises {tone.factor:.3g} times"
 

@@ -22,6 +22,9 @@ from sonify.verdict import all_verdicts
 from sonify.voices import after_a_jump
 from sonify.wav import write_sound
 
+RECORDS = ("run.json", "report.html")
+"""What speaks of the other files; that of an earlier run goes before the first of them is replaced."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class Result:
@@ -65,6 +68,8 @@ def solved(scene: Scene, out: Path, stages: Stages) -> Result:
         motion = solve_motion(
             plan.scene(scene), lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}")
         )
+    for stale in RECORDS:
+        (out / stale).unlink(missing_ok=True)
     with stages.stage("sound") as watch:
         sound = write_sound(Renderer(scene, motion, modes, plan.voices, plan.calm), out, watch)
     with stages.stage("findings"):
@@ -123,7 +128,8 @@ def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
 def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
     """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
     try:
-        return listen(sound.folder / "pressure.wav"), unheard()
+        heard = listen(sound.folder / "pressure.wav")
+        return heard, [*unheard(), *(["Claims on the rising tone: none stands out."] if heard.tone is None else [])]
     except RecordingError as error:
         return None, [f"A verdict by ear: {error}.", *unheard()]
 

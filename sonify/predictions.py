@@ -1,7 +1,7 @@
 """PLAN -> ERRORS: how far a run will be from the same one at accuracy "reference", and how far it was."""
 
 from dataclasses import dataclass
-from math import pi
+from math import isfinite, pi
 
 import numpy as np
 import soundfile
@@ -31,7 +31,8 @@ class Prediction:
 def predicted_end(scene, final_inclination: float) -> Prediction:
     """By how much a motion that settles stops too early."""
     left = [time_left(b, scene.disk, scene.friction, scene.dissipation) for b in (final_inclination, LAST_INCLINATION)]
-    return Prediction(name=END, error=left[0] - left[1], unit="s", source="quasi-steady decline of a steady disk")
+    early = left[0] - left[1] if isfinite(left[0]) else 0.0
+    return Prediction(name=END, error=early, unit="s", source="quasi-steady decline of a steady disk")
 
 
 def predicted_frequencies(scene, modes) -> Prediction:

@@ -59,7 +59,7 @@ def directions(modes, listener: Listener, still: bool = False, count: int = AZIM
     radius, angle = np.meshgrid(modes.face_radius, modes.face_angle, indexing="ij")
     points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
     weights = np.repeat(modes.face_weight, len(modes.face_angle)) * 2 * np.pi / len(modes.face_angle)
-    face = modes.face_shape[:, 1].reshape(len(modes.frequency), -1)
+    face = modes.face_shape[:, 1].reshape(len(modes.frequency), radius.size)
     k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / SOUND_SPEED
     waves = len(modes.face_angle) // 4 + int(k.max(initial=0.0) * modes.face_radius.max()) + SPARE_WAVES
     azimuth = 2 * np.pi * np.arange(min(2 * waves, count)) / min(2 * waves, count)

@@ -33,7 +33,7 @@ class Audio:
     """Samples per second, and the listener: distance [m] from the disk's centre, elevation above the table."""
 
     sample_rate: Annotated[int, Ge(8000), Le(768000)] = 48000
-    distance: Annotated[float, Gt(0)] = 0.5
+    distance: Annotated[float, Gt(0), Le(1000)] = 0.5
     elevation_deg: Annotated[float, Ge(0), Le(90)] = 45.0
 
 
@@ -145,7 +145,7 @@ def _given(section):
 
 def _find(source):
     shipped = _shipped() / f"{source}.toml"
-    if str(source).replace("-", "").replace("_", "").isalnum() and not Path(source).exists():
+    if str(source).replace("-", "").replace("_", "").isalnum() and not Path(source).is_file():
         if not shipped.is_file():
             raise SceneError(f"{source}: no such scene; shipped: {', '.join(shipped_scenes())}; or give a TOML file")
         return shipped

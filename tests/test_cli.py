@@ -13,6 +13,7 @@ from test_scene import FAULTS
 
 from sonify.__main__ import main
 from sonify.files import whole
+from sonify.scene import load_scene
 
 HEAVY = ("numpy", "scipy", "matplotlib", "numba", "heyoka", "skfem", "pydantic")
 
@@ -79,11 +80,28 @@ def test_a_folder_that_cannot_be_written_ends_with_2_before_any_work(tmp_path, m
     assert "cannot be written" in one_line(ask("run", "--out", str(tmp_path / "file" / "out")), 2)
 
 
-@pytest.mark.parametrize("assignment", ["disk.shape=shell", "support.height=0.02", 'support.held=["axial"]'])
+@pytest.mark.parametrize(
+    "assignment", ["disk.shape=shell", "support.height=0.02", "disk.thickness=10", 'support.held=["axial"]']
+)
 def test_what_cannot_be_solved_ends_with_2_before_any_work(assignment, tmp_path):
     out = tmp_path / "out"
     assert assignment.split("=")[0] in one_line(ask("run", "--out", str(out), "--set", assignment), 2)
     assert not out.exists()
+
+
+@pytest.mark.parametrize("name", ["sound.wav", "run.json"])
+def test_a_folder_in_the_place_of_a_file_ends_with_2_and_one_line(tmp_path, name, monkeypatch):
+    def written(result, stages):
+        raise IsADirectoryError(errno.EISDIR, "Is a directory", name)
+
+    monkeypatch.setattr("sonify.pipeline.simulate", written)
+    assert ask("run", "--out", str(tmp_path)).stderr.splitlines()[-1] == f"sonify: {name}: Is a directory"
+
+
+def test_a_folder_called_like_a_scene_does_not_hide_it(tmp_path, monkeypatch):
+    (tmp_path / "published").mkdir()
+    monkeypatch.chdir(tmp_path)
+    assert load_scene("published").name == "published"
 
 
 def test_a_disk_of_too_many_modes_ends_with_2_and_says_how_many(tmp_path):

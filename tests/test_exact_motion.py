@@ -92,6 +92,13 @@ def replace_omega(wanted, nutation_rate):
     return replace(wanted, release=replace(wanted.release, omega=omega))
 
 
+@pytest.mark.parametrize("h", [1e-6, 0.17, 3.0, 300.0])
+def test_the_steady_precession_of_any_thickness_tends_to_its_flat_limit(h):
+    """Omega^2 beta -> (1 + 4/K)/(1 + 4 h^2/(3 K)): what (5.3) leaves at beta = 0."""
+    beta = 1e-9
+    assert theory.steady_precession(beta, h, 1.0) ** 2 * beta == pytest.approx(5 / (1 + 4 * h * h / 3), rel=1e-4)
+
+
 def test_flat_limits_of_precession_and_nutation():
     square, ratio = theory.flat_limit(128 / 751, 1.0)
     assert (square, ratio) == (pytest.approx(4.8135582, abs=2e-6), pytest.approx(0.791865, abs=2e-6))

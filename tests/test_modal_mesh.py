@@ -62,7 +62,15 @@ THIN = {
     f"thin, {name}": resolving(size, DISK, STEEL, 7739.0, 2e4) for name, size in (("narrow", NARROW), ("wide", WIDE))
 }
 SIZES = {"middle": MIDDLE, "narrow": NARROW, "wide": WIDE, "rough": ROUGH, "coarse": COARSE, **THIN}
-WHOLE = [(1, 0.34, 1), (8, 0.05, 1), (20, 1, 1), (22.5, 0.1, 1), (40, 0.1, 1), (100, 0.05, 1), (160, 0.34, 1)]
+WHOLE = [
+    (1, 0.34, 1),
+    (8, 0.05, 1),
+    (20, 1, 1),
+    (22.5, 0.1, 1),
+    (40, 0.1, 1),
+    (100, 0.05, 1),
+    (150, 0.34, 1),
+]
 
 
 def sectors(half_angle_deg, aspect, share, size):

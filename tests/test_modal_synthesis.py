@@ -4,6 +4,7 @@ Source: free modes with residual flexibility (component mode synthesis after Mac
 Oracle: each is the other's; for +-5 degrees also frequencies converged to 3e-5.
 """
 
+from dataclasses import replace
 from math import pi
 from types import SimpleNamespace
 
@@ -106,6 +107,19 @@ def test_components_that_leave_the_disk_loose_are_refused(held, motions):
     disk = SimpleNamespace(radius=RADIUS, thickness=THICKNESS, mass=DISK.mass, shape="solid")
     with pytest.raises(ValueError, match=f"{motions} rigid-body"):
         eigenmodes(SimpleNamespace(disk=disk, material=STEEL, support=Support(held=held)))
+
+
+def test_synthesis_refuses_plates_whose_edge_is_not_free_and_patches_that_leave_one_loose(free_disk):
+    with pytest.raises(ValueError, match="free edge"):
+        FreeDisk(plate=replace(DISK, edge="clamped"))
+    with pytest.raises(ValueError, match="1 rigid-body"):
+        free_disk.frequencies(Support(held=("radial", "axial")), below=20e3)
+
+
+@pytest.mark.parametrize("wrong", [{"edge": "foo"}, {"radius": -1.0}, {"inner_radius": 0.04}, {"density": 0.0}])
+def test_a_plate_that_is_none_is_refused(wrong):
+    with pytest.raises(ValueError, match=r"edge = 'foo'|a plate has"):
+        replace(DISK, **wrong)
 
 
 def test_what_synthesis_cannot_do_it_refuses(free_disk):

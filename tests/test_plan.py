@@ -5,7 +5,7 @@ computed; white noise and sines whose levels are known.
 """
 
 from dataclasses import replace
-from math import pi
+from math import inf, pi
 from types import SimpleNamespace
 
 import numpy as np
@@ -224,3 +224,11 @@ def test_modes_lose_to_the_air_as_well(scene):
     loss = pi * modes.frequency * scene.material.loss_factor
     assert modes.decay_rate - loss == pytest.approx(radiation_decay(modes, (TOP,)), rel=1e-12)
     assert (modes.decay_rate > 1.1 * loss).all()
+
+
+def test_a_disk_that_loses_nothing_has_all_the_time_there_is(scene):
+    """Nothing is predicted to end too early where nothing ends."""
+    lossless = [f"friction.arm_{name}=0" for name in ("nutation", "rolling", "pivoting")]
+    still = scene.replace(*lossless, "numerics.time_limit=1")
+    assert time_left(1e-3, still.disk, still.friction, still.dissipation) == inf
+    assert plan_of(still).predictions[0].error == 0

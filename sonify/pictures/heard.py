@@ -104,7 +104,8 @@ def _mode_lines(axes, frequencies, span):
     for i in range(1, len(places)):  # keep the labels apart
         places[i] = max(places[i], places[i - 1] + apart)
     axes.hlines(heights, *span, color="w", lw=0.8, ls=":", alpha=0.7, label="modes, solved")
-    for height, place in zip(heights, places, strict=True):
+    near = (places < axes.get_ylim()[1]) & (places - heights < 3 * apart)  # the others have no room
+    for height, place in zip(heights[near], places[near], strict=True):
         axes.text(span[1], place, f" {1e3 * height:.0f} Hz", fontsize=7, va="center")
 
 
