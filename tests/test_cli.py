@@ -129,6 +129,16 @@ def test_an_interrupt_ends_with_130(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+def test_an_interrupted_rerun_leaves_no_record_of_sounds_it_replaced(tmp_path, monkeypatch):
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    (tmp_path / "run.json").write_text("{}")
+    monkeypatch.setattr("sonify.pipeline.write_sound", interrupted)
+    assert ask("run", "--out", str(tmp_path), "--set", "numerics.time_limit=0.1").exit_code == 130
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_a_full_disk_ends_with_1_and_one_line(tmp_path, monkeypatch):
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device", "sound.wav")
