@@ -29,33 +29,49 @@ def slope(x):
     return np.stack([4 * x - 3, 4 - 8 * x, 4 * x - 1], axis=-1)
 
 
-def locate(points, cells, near=5):
+NEAR, ASTRAY = 6, 1e-3
+"""Cells in which a point is first sought, those whose middles are nearest; and how far from a point, over the size of
+its cell, a place may be, beyond an approximated arc, before the point is sought in every cell."""
+
+
+def locate(points, cells):
     """The biquadratic cell (q, 3, 3, 2) that holds each point (n, 2), and the point's place (u, v) in its unit square.
 
-    Newton's method in the `near` cells whose middles are nearest; the cell that holds the point best wins, and
-    a point outside every cell, beyond an approximated arc, is moved to the nearest place of that cell.
+    A point outside every cell, beyond an approximated arc, is moved to the nearest place of one.
     """
     gap = np.linalg.norm(points[:, None] - cells[None, :, 1, 1], axis=2)
     size = np.linalg.norm(cells[:, 2, 2] - cells[:, 0, 0], axis=1)
-    candidates = np.argsort(gap / size, axis=1)[:, : min(near, len(cells))]
+    order = np.argsort(gap / size, axis=1)
+    cell, place, miss = nearest(points, cells, order[:, :NEAR])
+    astray = miss > ASTRAY * size[cell]
+    cell[astray], place[astray], _ = nearest(points[astray], cells, order[astray])
+    return cell, place
+
+
+def nearest(points, cells, candidates):
+    """Of the candidates (n, c) the cell (n,) with the place (n, 2) nearest to each point (n, 2), and its distance (n,).
+
+    Newton's method in every candidate, its answer taken back into the unit square.
+    """
     nodes = cells[candidates]
     place = np.full((*candidates.shape, 2), 0.5)
     for _ in range(7):
-        u, v = place[..., 0], place[..., 1]
-        image = np.einsum("nci,ncj,ncijx->ncx", quadratic(u), quadratic(v), nodes)
-        jacobian = np.stack(
-            [
-                np.einsum("nci,ncj,ncijx->ncx", slope(u), quadratic(v), nodes),
-                np.einsum("nci,ncj,ncijx->ncx", quadratic(u), slope(v), nodes),
-            ],
-            axis=-1,
-        )
+        image, jacobian = mapped(nodes, place)
         step = np.linalg.solve(jacobian + 1e-300 * np.eye(2), (points[:, None] - image)[..., None])[..., 0]
         place = np.clip(place + step, -0.5, 1.5)
-    outside = np.abs(place - 0.5).max(axis=2)
-    best = outside.argmin(axis=1)
-    rows = np.arange(len(points))
-    return candidates[rows, best], np.clip(place[rows, best], 0, 1)
+    place = np.clip(place, 0, 1)
+    miss = np.linalg.norm(mapped(nodes, place)[0] - points[:, None], axis=2)
+    rows, best = np.arange(len(points)), miss.argmin(axis=1)
+    return candidates[rows, best], place[rows, best], miss[rows, best]
+
+
+def mapped(nodes, place):
+    """Images (n, c, 2) of places (n, c, 2) in cells of nodes (n, c, 3, 3, 2), and the Jacobians (n, c, 2, 2)."""
+    u, v = place[..., 0], place[..., 1]
+    image = np.einsum("nci,ncj,ncijx->ncx", quadratic(u), quadratic(v), nodes)
+    along = np.einsum("nci,ncj,ncijx->ncx", slope(u), quadratic(v), nodes)
+    across = np.einsum("nci,ncj,ncijx->ncx", quadratic(u), slope(v), nodes)
+    return image, np.stack([along, across], axis=-1)
 
 
 def interpolation(points, cells, numbers, count):

@@ -14,8 +14,8 @@ from skfem import CellBasis
 from modal import Material, Support
 from modal.held import COARSE, MIDDLE, NARROW, ROUGH, WIDE, resolving
 from modal.mesh import sector
-from modal.plane import Blocks, about_edge
-from modal.sample import quadratic
+from modal.plane import Blocks, about_edge, half_disk
+from modal.sample import locate, mapped, quadratic
 
 PLAIN = Blocks(width=np.pi / 8, depth=0.38, rings=0)
 
@@ -100,3 +100,14 @@ def test_no_cell_folds_and_the_volume_is_that_of_the_disk(half_angle_deg, aspect
         volume = part.mesh.mapping().detDF(basis.X)
         assert (volume.min(axis=1) > 0).all()
         assert part.copies * basis.dx.sum() == pytest.approx(np.pi * aspect, rel=4e-3 if size == "coarse" else 5e-4)
+
+
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("half_angle_deg", [0.1, 5, 20, 45, 107, 150])
+def test_every_point_of_a_face_is_found_in_a_cell_that_holds_it(half_angle_deg, size):
+    """Where a point is sought in the wrong cell its displacement is that of another point."""
+    cells = half_disk(np.deg2rad(half_angle_deg), SIZES[size])
+    places = np.random.default_rng(0).random((len(cells), 20, 2))
+    points = mapped(cells[:, None], places)[0].reshape(-1, 2)
+    cell, place = locate(points, cells)
+    assert np.abs(mapped(cells[cell][:, None], place[:, None])[0][:, 0] - points).max() < 1e-5
