@@ -29,9 +29,9 @@ def slope(x):
     return np.stack([4 * x - 3, 4 - 8 * x, 4 * x - 1], axis=-1)
 
 
-NEAR, ASTRAY = 6, 1e-3
-"""Cells in which a point is first sought, those whose middles are nearest; and how far from a point, over the size of
-its cell, a place may be, beyond an approximated arc, before the point is sought in every cell."""
+NEAR, ASTRAY = 6, 1e-9
+"""Cells in which a point is first sought, those whose middles are nearest; and how far from it, over the size of the
+cell, it may be found there before it is sought in every cell."""
 
 
 def locate(points, cells):

@@ -110,4 +110,4 @@ def test_every_point_of_a_face_is_found_in_a_cell_that_holds_it(half_angle_deg, 
     places = np.random.default_rng(0).random((len(cells), 20, 2))
     points = mapped(cells[:, None], places)[0].reshape(-1, 2)
     cell, place = locate(points, cells)
-    assert np.abs(mapped(cells[cell][:, None], place[:, None])[0][:, 0] - points).max() < 1e-5
+    assert np.abs(mapped(cells[cell][:, None], place[:, None])[0][:, 0] - points).max() < 1e-7
