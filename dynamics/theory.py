@@ -168,6 +168,6 @@ def rolling_friction_slope(k2, beta, h, K):
 def centred_slope(k2, h, K):
     """Return -d sqrt(beta)/dtau that the energy gives for small beta if the centre stayed fixed under the moment k2.
 
-    Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega beta with Phi = (K + 4)/4 and Omega^2 beta = flat_limit.
+    Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega beta with Phi = (K + 4)/4 and Omega^2 beta = flat_square.
     """
     return k2 * sqrt(flat_square(h, K)) / 3

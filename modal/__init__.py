@@ -7,6 +7,7 @@ _HOME = {
     "Material": "modes",
     "Support": "modes",
     "Modes": "modes",
+    "UnsolvableError": "modes",
     "Body": "modes",
     "Plate": "basis",
     "FreeDisk": "synthesis",

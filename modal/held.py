@@ -9,7 +9,7 @@ from skfem import ElementHex2
 
 from .elastic import assemble, bending_number, lowest
 from .mesh import held_height, sector
-from .modes import Modes
+from .modes import Modes, UnsolvableError
 from .plane import Blocks
 from .symmetry import Mirror, classes, free_unknowns, on_patch
 from .unfold import unfolded
@@ -114,7 +114,9 @@ def without_rigid(solved, shift):
     if shift and sum(rigid) != 6:
         raise ArithmeticError(f"{sum(rigid)} rigid-body modes were found, not 6")
     if not shift and sum(rigid):
-        raise ArithmeticError(f"the patch is too small: round-off leaves the disk {sum(rigid)} rigid-body motion(s)")
+        raise UnsolvableError(
+            f"support: the patch is too small: round-off leaves the disk {sum(rigid)} rigid-body motion(s)"
+        )
     return [
         Class(mirror=c.mirror, values=c.values[r:], shapes=c.shapes[r:], residual=c.residual[r:])
         for c, r in zip(solved, rigid, strict=True)

@@ -13,6 +13,10 @@ import numpy as np
 from annotated_types import Ge, Gt, Le, Lt
 
 
+class UnsolvableError(ArithmeticError, ValueError):
+    """Modes that cannot be sought: too many of them, or lost in round-off. The message is one line."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Material:
     """An isotropic elastic solid: Young's modulus [Pa], Poisson's ratio, loss factor (loss per radian over energy).
@@ -31,8 +35,8 @@ class Support:
     """How the disk is held: by an arc `patch` of its lateral surface, centred at angle 0, or `free`.
 
     The patch reaches `half_angle_deg` to either side and over `height` [m], the whole thickness unless given, in the
-    middle of the thickness or from the bottom rim up; `held` names the components that vanish there. On smaller
-    patches the lowest modes are lost in round-off.
+    middle of the thickness or from the bottom rim up; `held` names the components that vanish there. On patches
+    below the bounds the lowest modes are lost in round-off.
     """
 
     kind: Literal["patch", "free"] = "patch"

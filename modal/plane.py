@@ -46,10 +46,14 @@ def bilinear(corners):
 
 def polar(corners):
     """The block whose four corners are given as (angle, depth)."""
-    flat = bilinear(corners)
+    return around_rim(bilinear(corners))
+
+
+def around_rim(flat, edge=0.0, scale=1.0):
+    """The block at the rim whose angle about `edge` and depth are `scale`, one for both or (2,), times a flat one's."""
 
     def block(u, v):
-        angle, depth = np.moveaxis(flat(u, v), -1, 0)
+        angle, depth = np.moveaxis([edge, 0] + scale * flat(u, v), -1, 0)
         return np.stack([(1 - depth) * np.cos(angle), (1 - depth) * np.sin(angle)], -1)
 
     return block
@@ -123,7 +127,7 @@ def nested_about_edge(edge, width, size):
     """Blocks in the box of half-width `width` about the angle `edge`."""
     depth = depth_about_edge(width, size)
     blocks = about_edge(size, depth / width, min(REACH, WIDEST / width))
-    return [around_rim(edge, np.array([width, depth]), flat) for flat in blocks]
+    return [around_rim(flat, edge, np.array([width, depth])) for flat in blocks]
 
 
 DEEP = 1.1
@@ -135,16 +139,6 @@ def depth_about_edge(half_angle, size):
     if half_angle >= size.width:
         return size.depth
     return min(DEEP * half_angle, size.depth * (half_angle / size.width) ** 0.5)
-
-
-def around_rim(edge, scale, flat):
-    """The block at the rim whose place in angle about `edge` and depth is scale (2,) times a flat one's."""
-
-    def block(u, v):
-        angle, depth = np.moveaxis([edge, 0] + scale * flat(u, v), -1, 0)
-        return np.stack([(1 - depth) * np.cos(angle), (1 - depth) * np.sin(angle)], -1)
-
-    return block
 
 
 def nested_about_middle(half_angle, size):

@@ -6,7 +6,7 @@ from . import axisymmetric, held
 from .basis import Plate
 from .elastic import mode_count
 from .mesh import patch_edge
-from .modes import Modes
+from .modes import Modes, UnsolvableError
 from .symmetry import check_held
 
 BELOW = 24000.0
@@ -55,20 +55,20 @@ def eigenmodes(scene, below=BELOW) -> Modes:
 
     Reads scene.disk (radius, thickness [m], mass [kg], shape, of a shell the wall [m]), scene.material, scene.support
     and, if there is one, scene.numerics.accuracy ("draft", "standard" or "reference"). Raises ValueError if the patch
-    is taller than the disk or leaves a rigid body free to move, if a shell has no wall or is held, if there are more
-    than about MOST modes, or if `below` is not positive; ArithmeticError if the patch is so small that round-off does.
+    is taller than the disk or leaves a rigid body free to move, if a shell has no wall or is held, or if `below` is not
+    positive; UnsolvableError if there are more than about MOST modes, or if the patch is lost in round-off.
     """
     if not below > 0:
         raise ValueError(f"below = {below:g} must be a frequency above 0 Hz")
     check(scene.disk, scene.support)
-    count = mode_count(scene.disk, scene.material, density(scene.disk), below)
+    disk, rho = scene.disk, density(scene.disk)
+    count = mode_count(disk, scene.material, rho, below)
     if count > MOST:
-        raise ValueError(
+        raise UnsolvableError(
             f"disk, material: so soft or so large a disk has some {count:.0f} modes or more below {below:g} Hz; "
             f"no more than {MOST} can be sought"
         )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
-    disk, rho = scene.disk, density(scene.disk)
     if scene.support.kind == "free":
         size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
         return axisymmetric.plate_modes(Plate(**size, material=scene.material, density=rho), below, accuracy)

@@ -64,6 +64,10 @@ class FreeDisk:
     plate: Plate
     richness: Richness = STANDARD
 
+    def __post_init__(self):
+        if self.plate.edge != "free" or self.plate.inner_radius or self.plate.ring_stiffness:
+            raise ValueError("synthesis is for a solid plate with a free edge and no ring")
+
     @property
     def cutoff(self):
         """Frequency [Hz] up to which free modes are kept."""
@@ -99,10 +103,6 @@ class FreeDisk:
     def nz(self):
         """Count of Legendre polynomials of one parity."""
         return self.richness.size[1]
-
-    def __post_init__(self):
-        if self.plate.edge != "free" or self.plate.inner_radius or self.plate.ring_stiffness:
-            raise ValueError("synthesis is for a solid plate with a free edge and no ring")
 
     def frequencies(self, support, below) -> np.ndarray:
         """Frequencies (m,) [Hz] below `below` [Hz] of the disk held on a patch (`Support`), all classes, ascending.

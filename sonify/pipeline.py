@@ -5,7 +5,7 @@ from pathlib import Path
 
 from dynamics import ImpossibleContactError, Motion, simulate
 from dynamics.simulation import chosen_integrator
-from modal import Modes, eigenmodes, with_radiation
+from modal import Modes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP
 from modal.solve import check
 from sonify.checks import Check, all_checks
@@ -110,9 +110,7 @@ def planned(scene: Scene) -> tuple[Plan, Modes]:
     plan = plan_of(scene)
     try:
         elastic = eigenmodes(scene, below=plan.highest_mode)
-    except ArithmeticError as error:
-        raise SceneError(f"support: {error}") from None
-    except ValueError as error:
+    except UnsolvableError as error:
         raise SceneError(str(error)) from None
     modes = damped(with_radiation(elastic, (TOP,)), scene.material.decay_rates)
     return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
@@ -129,9 +127,10 @@ def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
     """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
     try:
         heard = listen(sound.folder / "pressure.wav")
-        return heard, [*unheard(), *(["Claims on the rising tone: none stands out."] if heard.tone is None else [])]
     except RecordingError as error:
         return None, [f"A verdict by ear: {error}.", *unheard()]
+    silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []
+    return heard, [*unheard(), *silent]
 
 
 def solve_motion(scene: Scene, watch) -> Motion:

@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 
 from dynamics.simulation import chosen_integrator
-from dynamics.theory import flat_limit
+from dynamics.theory import flat_square
 from sonify.findings import HEARING
 from sonify.force import STRIDE
 from sonify.levels import LEVELS
@@ -156,14 +156,14 @@ def damping(material) -> Decision:
 
 def stopping_inclination(disk, rate: float) -> float:
     """Return the inclination [rad] at which the contact of a steady disk turns `rate` times a second (dynamics.theory,
-    `flat_limit`), but not below LAST_INCLINATION."""
-    square = flat_limit(disk.aspect, disk.gyration)[0] / disk.time_unit**2
+    `flat_square`), but not below LAST_INCLINATION."""
+    square = flat_square(disk.aspect, disk.gyration) / disk.time_unit**2
     return max(square / (2 * pi * rate) ** 2, LAST_INCLINATION)
 
 
 def contact_rate(disk, inclination: float) -> float:
     """Return how often a second the contact of a steady disk goes round at a small inclination [rad]."""
-    return (flat_limit(disk.aspect, disk.gyration)[0] / inclination) ** 0.5 / disk.time_unit / (2 * pi)
+    return (flat_square(disk.aspect, disk.gyration) / inclination) ** 0.5 / disk.time_unit / (2 * pi)
 
 
 WHY = {

@@ -8,6 +8,7 @@ import json
 import re
 import signal
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import meshio
@@ -192,3 +193,12 @@ def test_a_full_disk_leaves_no_half_wav(tmp_path):
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
     assert [p.name for p in tmp_path.rglob("*") if p.is_file()] == []
+
+
+def test_the_readme_tells_the_numbers_of_the_published_run(result):
+    """What the README says of the last second and of the end of one-way coupling is what the run finds."""
+    told, found = Path("README.md").read_text(encoding="utf-8"), {f.claim: f.value for f in result.findings}
+    low, high = map(int, re.search(r"ringing is (\d+) to (\d+) dB\(A\) below", told).groups())
+    assert low < -found["The vibration of the modes is what is heard in the last second"] < high
+    milliseconds = int(re.search(r"some (\d+) ms before the\s+end the modes hold", told).group(1))
+    assert round(1e3 * found["The modes take too little energy to act back on the motion"]) == milliseconds
