@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from .falls import first_fall
+from .first_root import first_fall
 from .hybrid import Arc, StalledError, Step
 from .regime import ARRAY, FLOAT, PRECESSION, STOP_SPEED, V1, V2, Branch, R, describe
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .modes import Modes
+from modal.modes import Modes
 
 
 def as_json(modes: Modes) -> dict:

@@ -5,7 +5,7 @@ from math import pi
 import numpy as np
 from scipy.special import jv
 
-from .modes import Modes
+from modal.modes import Modes
 
 AIR_DENSITY = 1.204
 """Dry air at 20 degrees and 101325 Pa [kg/m^3]."""

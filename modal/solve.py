@@ -2,12 +2,13 @@
 
 from math import pi
 
-from . import axisymmetric, held
-from .basis import Plate
-from .elastic import mode_count
-from .mesh import patch_edge
-from .modes import Modes, UnsolvableError
-from .symmetry import check_held
+from modal.elements import patch as held
+from modal.elements.elastic import mode_count
+from modal.mesh.sector import patch_edge
+from modal.mesh.symmetry import check_held
+from modal.modes import Modes, UnsolvableError
+from modal.spectral import axisymmetric
+from modal.spectral.basis import Plate
 
 BELOW = 24000.0
 """Modes at or above this frequency [Hz] are left out unless asked for."""

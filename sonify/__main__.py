@@ -59,7 +59,7 @@ def run(scene, out, accuracy, assignments, animation):
 
     scene = load_scene(scene).replace(*assignments)
     if animation:
-        from sonify.animation import animate, require_encoder
+        from sonify.report.animation import animate, require_encoder
 
         require_encoder()
     from sonify.console import Console
@@ -82,7 +82,7 @@ def run(scene, out, accuracy, assignments, animation):
 )
 def listen(recording, out):
     """Seek the rising tone, its end and exponent, and the steady carriers in RECORDING, a sound file of your own."""
-    from sonify.hearsay import tell
+    from sonify.report.recording import tell
 
     for line in tell(recording, out):
         click.echo(line)

@@ -6,7 +6,7 @@ import click
 from rich.console import Console as RichConsole
 from rich.progress import BarColumn, Progress, TextColumn
 
-from sonify.plan import unsettled
+from sonify.plan.plan import unsettled
 from sonify.progress import Stages
 
 

@@ -8,19 +8,19 @@ from dynamics.simulation import chosen_integrator
 from modal import Modes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP
 from modal.solve import check
-from sonify.checks import Check, all_checks
+from sonify.claims.checks import Check, all_checks
+from sonify.claims.motion import Finding, all_findings
+from sonify.claims.sound import all_verdicts
 from sonify.files import claimed
-from sonify.findings import Finding, all_findings
-from sonify.hearing import unheard
-from sonify.listen import Heard, RecordingError, listen
-from sonify.plan import Plan, plan_of, with_end, with_voices
+from sonify.hearing.loudness import unheard
+from sonify.hearing.recording import Heard, RecordingError, listen
+from sonify.plan.plan import Plan, plan_of, with_end, with_voices
 from sonify.progress import Stages
-from sonify.record import write_record
+from sonify.report.write import write_record
 from sonify.scene import Scene, SceneError
-from sonify.sound import Renderer, Sound
-from sonify.verdict import all_verdicts
-from sonify.voices import after_a_jump
-from sonify.wav import write_sound
+from sonify.sound.audible_modes import after_a_jump
+from sonify.sound.render import Renderer, Sound
+from sonify.sound.wav import write_sound
 
 RECORDS = ("run.json", "report.html")
 """What speaks of the other files; that of an earlier run goes before the first of them is replaced."""

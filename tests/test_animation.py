@@ -17,12 +17,12 @@ from scipy.signal import correlate
 
 from dynamics import simulate
 from modal import eigenmodes
-from sonify import animation
 from sonify.__main__ import main
-from sonify.animation import FPS, SIZE, STAGE, STEEPEST, animate, camera_of, clip_of
-from sonify.sound import Renderer
-from sonify.view import TABLE, Camera, contact, exposed, rims, table
-from sonify.wav import write_sound
+from sonify.report import animation
+from sonify.report.animation import FPS, SIZE, STAGE, STEEPEST, animate, camera_of, clip_of
+from sonify.report.view import TABLE, Camera, contact, exposed, rims, table
+from sonify.sound.render import Renderer
+from sonify.sound.wav import write_sound
 
 DELAY_S = 1e-3
 

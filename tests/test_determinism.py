@@ -17,7 +17,7 @@ import pytest
 from dynamics import simulate
 from modal import eigenmodes
 from sonify import load_scene, run
-from sonify.sound import Renderer
+from sonify.sound.render import Renderer
 
 HALF_SECOND = 24000
 SAME_DB = -120.0

@@ -18,8 +18,8 @@ from dynamics.rates import nutation_frequency
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 from dynamics.trace import compiled
-from sonify.findings import motion_findings
-from sonify.verdict import rates_heard
+from sonify.claims.motion import motion_findings
+from sonify.claims.sound import rates_heard
 
 
 def total_energy_spread(motion):

@@ -19,15 +19,15 @@ from skfem import ElementHex2
 from dynamics import Outcome, simulate, theory
 from dynamics.disk import Disk
 from modal import Material, Plate, eigenmodes, plate_modes
-from modal.axisymmetric import annulus
-from modal.basis import problem, rigid, rigid_count
-from modal.elastic import assemble, lowest
-from modal.mesh import extrude, hexahedra
-from modal.ritz import graded, matrices
-from modal.spectral import solve
+from modal.elements.elastic import assemble, lowest
+from modal.mesh.sector import extrude, hexahedra
+from modal.spectral.axisymmetric import annulus
+from modal.spectral.basis import problem, rigid, rigid_count
+from modal.spectral.converge import solve
+from modal.spectral.ritz import graded, matrices
 from sonify import SceneError, load_scene, run
-from sonify.contact import rigid_acceleration
 from sonify.scene import from_document
+from sonify.sound.drive import rigid_acceleration
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 DENSITY = 7737.27

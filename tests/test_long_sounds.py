@@ -16,8 +16,8 @@ import soundfile
 
 from dynamics import simulate
 from modal import eigenmodes
-from sonify import wav
-from sonify.sound import Renderer
+from sonify.sound import wav
+from sonify.sound.render import Renderer
 
 AGAIN_AND_AGAIN = """
 import json, resource, sys

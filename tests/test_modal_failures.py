@@ -6,7 +6,7 @@ Source: locking, variational crimes and lumping as in Hughes, The Finite Element
 import pytest
 
 from modal import Material, Plate
-from modal.failures import locking, lumping, pair_splitting, shifts, straight_sides
+from sonify.charts.modal_failures import locking, lumping, pair_splitting, shifts, straight_sides
 
 DISK = Plate(radius=0.03755, thickness=0.0128, material=Material(young=195e9, poisson=0.28), density=7737.27)
 

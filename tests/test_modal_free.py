@@ -10,11 +10,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from modal import Material, Support, eigenmodes, held
-from modal.axisymmetric import plate_modes
-from modal.basis import Plate, problem
-from modal.elastic import mode_count
-from modal.spectral import solve
+from modal import Material, Support, eigenmodes
+from modal.elements import patch as held
+from modal.elements.elastic import mode_count
+from modal.spectral.axisymmetric import plate_modes
+from modal.spectral.basis import Plate, problem
+from modal.spectral.converge import solve
 from modal.theory import thin_plate_frequencies, torsion_frequencies
 
 RADIUS, THICKNESS, DENSITY = 0.03755, 0.0128, 7737.27

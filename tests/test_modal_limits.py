@@ -14,12 +14,12 @@ from scipy.sparse.linalg import spsolve
 from skfem import ElementHex2
 
 from modal import FreeDisk, Material, Plate, Support, eigenmodes
-from modal.elastic import assemble, lowest
-from modal.held import held_nodes, meshes, resolving, solve
-from modal.mesh import extrude, hexahedra
-from modal.plane import Blocks, half_disk
-from modal.spectral import all_pairs, amplitudes
-from modal.symmetry import Mirror, free_unknowns
+from modal.elements.elastic import assemble, lowest
+from modal.elements.patch import held_nodes, meshes, resolving, solve
+from modal.mesh.half_disk import Blocks, half_disk
+from modal.mesh.sector import extrude, hexahedra
+from modal.mesh.symmetry import Mirror, free_unknowns
+from modal.spectral.converge import all_pairs, amplitudes
 
 STEEL = Material(young=195e9, poisson=0.28)
 DISK = SimpleNamespace(radius=0.03755, thickness=0.0128, mass=0.4387, shape="solid")

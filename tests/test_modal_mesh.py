@@ -12,10 +12,10 @@ import pytest
 from skfem import CellBasis
 
 from modal import Material, Support
-from modal.held import COARSE, MIDDLE, NARROW, ROUGH, WIDE, resolving
-from modal.mesh import sector
-from modal.plane import Blocks, about_edge, half_disk
-from modal.sample import locate, mapped, quadratic
+from modal.elements.patch import COARSE, MIDDLE, NARROW, ROUGH, WIDE, resolving
+from modal.elements.sample import locate, mapped, quadratic
+from modal.mesh.half_disk import Blocks, about_edge, half_disk
+from modal.mesh.sector import sector
 
 PLAIN = Blocks(width=np.pi / 8, depth=0.38, rings=0)
 

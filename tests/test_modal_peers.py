@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from modal import Support, eigenmodes
-from modal.held import MIDDLE, held_modes
-from modal.mesh import sector
-from modal.symmetry import on_patch
-from modal.unfold import whole_mesh
+from modal.elements.patch import MIDDLE, held_modes
+from modal.elements.unfold import whole_mesh
+from modal.mesh.sector import sector
+from modal.mesh.symmetry import on_patch
 from sonify.charts.modes_case import modes_case
 from sonify.charts.peer_elements import calculix, calculix_modes, ngsolve_modes
 from sonify.charts.plain_elements import plain_modes

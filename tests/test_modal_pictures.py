@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 import skfem
 
-from modal import Body, Material, Plate, Support, draw_modes, plate_modes
-from modal.pictures import caption, edges, top_face
-from modal.solid_view import skin
+from modal import Body, Material, Plate, Support, plate_modes
+from sonify.report.mode_shapes import caption, draw_modes, edges, top_face
+from sonify.report.solid_view import skin
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 DISK = Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27)

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from modal import FreeDisk, Material, Plate, Support, eigenmodes
-from modal.held import held_modes
-from modal.synthesis import Richness
+from modal.elements.patch import held_modes
+from modal.synthesis.patches import Richness
 
 RADIUS, THICKNESS, DENSITY = 0.03755, 0.0128, 0.4387 / (pi * 0.03755**2 * 0.0128)
 STEEL = Material(young=195e9, poisson=0.28)

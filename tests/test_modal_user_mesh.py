@@ -9,11 +9,11 @@ import pytest
 import skfem
 
 from modal import FreeDisk, Material, Plate, Support, mesh_modes, plate_modes, write_vtu
-from modal.held import held_modes
-from modal.mesh import extrude, hexahedra
-from modal.mesh_file import patch_facets
-from modal.plane import Blocks, half_disk
-from modal.unfold import VTK_HEXAHEDRON27
+from modal.elements.patch import held_modes
+from modal.elements.unfold import VTK_HEXAHEDRON27
+from modal.mesh.half_disk import Blocks, half_disk
+from modal.mesh.read import patch_facets
+from modal.mesh.sector import extrude, hexahedra
 
 RADIUS, THICKNESS, MASS = 0.03755, 0.0128, 0.4387
 DENSITY = MASS / (np.pi * RADIUS**2 * THICKNESS)

@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from sonify.oscillators import Knots, OscillatorBank, free_response, no_knots
+from sonify.sound.oscillators import Knots, OscillatorBank, free_response, no_knots
 
 RATE = 8000.0
 FREQUENCY = np.array([5.0, 100.0, 1000.0, 3999.0, 200.0, 300.0, 300.0, 40.0])

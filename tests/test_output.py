@@ -17,9 +17,11 @@ import pytest
 import soundfile
 
 from dynamics.rates import nutation_frequency, slips
-from sonify import hearing, load_scene, report, run
-from sonify.checks import Check, no_sample_clipped
-from sonify.findings import Finding
+from sonify import load_scene, run
+from sonify.claims.checks import Check, no_sample_clipped
+from sonify.claims.motion import Finding
+from sonify.hearing import loudness as hearing
+from sonify.report import page as report
 
 FILES = {"sound.wav", "pressure.wav", "stems", "spectrogram.png", "stems.png", "motion.png", "modes.png"}
 FILES |= {"motion.npz", "modes.json", "modes.vtu", "run.json", "report.html"}

@@ -13,19 +13,19 @@ import pytest
 import soundfile
 
 from dynamics import Motion
-from dynamics.decline import time_left
+from dynamics.time_left import time_left
 from modal import radiation_decay
 from modal.radiation import TOP
 from sonify import SceneError, load_scene
-from sonify.force import CALM, STRIDE
-from sonify.levels import LEVELS
-from sonify.oscillators import OscillatorBank
 from sonify.pipeline import planned, solve_motion
-from sonify.plan import contact_rate, plan_of, stopping_inclination
-from sonify.predictions import END, audible_error, level_error, measured, predicted_sound, true_error
+from sonify.plan.accuracy import LEVELS
+from sonify.plan.plan import contact_rate, plan_of, stopping_inclination
+from sonify.plan.predictions import END, audible_error, level_error, measured, predicted_sound, true_error
 from sonify.scene import shipped_scenes
-from sonify.sound import Renderer
-from sonify.wav import write_sound
+from sonify.sound.force import CALM, STRIDE
+from sonify.sound.oscillators import OscillatorBank
+from sonify.sound.render import Renderer
+from sonify.sound.wav import write_sound
 
 FACTOR = 3
 """Predicted and measured errors agree within this."""
@@ -85,7 +85,7 @@ def counted(tmp_path_factory):
 
     solved = Motion.at_and_force
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("sonify.sound.OscillatorBank", CountedBank)
+        patch.setattr("sonify.sound.render.OscillatorBank", CountedBank)
         patch.setattr(Motion, "at_and_force", counted_force)
         scene = load_scene("published").replace("numerics.time_limit=12.0")
         run = rendered(scene, "standard", tmp_path_factory.mktemp("counted") / "run")

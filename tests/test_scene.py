@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from sonify import SceneError, load_scene
-from sonify.plan import plan_of
+from sonify.plan.plan import plan_of
 from sonify.scene import Scene, from_document, shipped_scenes
 
 

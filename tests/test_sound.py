@@ -12,10 +12,10 @@ import soundfile
 
 from dynamics import simulate
 from modal import eigenmodes
-from sonify.contact import in_patch_frame, modal_drive, rigid_acceleration
-from sonify.radiation import piston_strength
-from sonify.sound import FADE_IN, STEMS, Renderer
-from sonify.wav import write_sound
+from sonify.sound.drive import in_patch_frame, modal_drive, rigid_acceleration
+from sonify.sound.radiation import piston_strength
+from sonify.sound.render import FADE_IN, STEMS, Renderer
+from sonify.sound.wav import write_sound
 
 HEAVE, TILT, SMOOTH, JUMPS = range(4)
 

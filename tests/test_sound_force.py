@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dynamics import simulate
-from sonify.force import HALF_WIDTH, ForceSampler
+from sonify.sound.force import HALF_WIDTH, ForceSampler
 
 RATE = 48000
 

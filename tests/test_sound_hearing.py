@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from sonify.hearing import (
+from sonify.hearing.loudness import (
     ISO_226,
     MissingExtraError,
     a_weighting_db,
@@ -19,7 +19,7 @@ from sonify.hearing import (
     loudness_lufs,
     roughness,
 )
-from sonify.spectrogram import spectrogram
+from sonify.hearing.spectrogram import spectrogram
 
 RATE = 48000
 

@@ -14,10 +14,10 @@ from click.testing import CliRunner
 from scipy.signal import fftconvolve
 
 from sonify.__main__ import main
-from sonify.hearing import HANN_BANDWIDTH
-from sonify.listen import LONGEST, RecordingError, listen, read
-from sonify.ridge import rising_tone
-from sonify.spectrogram import spectrogram
+from sonify.hearing.loudness import HANN_BANDWIDTH
+from sonify.hearing.recording import LONGEST, RecordingError, listen, read
+from sonify.hearing.rising_tone import rising_tone
+from sonify.hearing.spectrogram import spectrogram
 
 RATE, END, LENGTH = 22050, 8.0, 10.0
 LAWS = [(1.0, 60.0), (0.5, 100.0), (0.33, 120.0)]

@@ -9,7 +9,7 @@ import pytest
 from scipy.special import j1
 
 from sonify.pipeline import planned
-from sonify.radiation import (
+from sonify.sound.radiation import (
     AIR_DENSITY,
     SOUND_SPEED,
     Listener,

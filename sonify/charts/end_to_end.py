@@ -17,12 +17,12 @@ from matplotlib.figure import Figure
 from sonify.charts.chart import DPI, MARKERS
 from sonify.charts.records import Answer, Record, Work, measure
 from sonify.files import claim, whole
-from sonify.levels import LEVELS
 from sonify.pipeline import planned, solve_motion
-from sonify.predictions import SOUND, audible_error, level_error
+from sonify.plan.accuracy import LEVELS
+from sonify.plan.predictions import SOUND, audible_error, level_error
 from sonify.scene import load_scene
-from sonify.sound import Renderer
-from sonify.wav import write_sound
+from sonify.sound.render import Renderer
+from sonify.sound.wav import write_sound
 
 SUPPORTS = {"held": "patch", "free": "free"}
 MEASURES = {

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 import numpy as np
 
 from modal import FreeDisk, Plate, Support, eigenmodes
-from modal.synthesis import Richness
+from modal.synthesis.patches import Richness
 from sonify.charts.modes_case import ModesCase, modes_case
 from sonify.charts.peer_elements import calculix_modes, ngsolve_modes
 from sonify.charts.plain_elements import ELEMENTS, plain_modes, strain_energy_error

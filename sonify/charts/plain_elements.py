@@ -22,8 +22,8 @@ from skfem import (
 )
 from skfem.models.elasticity import lame_parameters, linear_elasticity
 
-from modal.mesh import extrude, hexahedra
-from modal.plane import columns, core, part, positive
+from modal.mesh.half_disk import columns, core, part, positive
+from modal.mesh.sector import extrude, hexahedra
 from sonify.charts.modes_case import ModesCase
 from sonify.charts.records import Answer, Failure
 

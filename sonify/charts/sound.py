@@ -12,7 +12,7 @@ from numba import njit
 from sonify.charts.records import Answer, Failure, Record, Work, measure
 from sonify.charts.sound_case import RATE, SoundCase, sound_case
 from sonify.charts.steps import STEPS, explicit_euler, matrices
-from sonify.oscillators import OscillatorBank
+from sonify.sound.oscillators import OscillatorBank
 
 OURS = "exact, first-order hold, jumps between samples"
 PLAIN = "exact, first-order hold"

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from modal import eigenmodes
-from sonify.oscillators import Knots
-from sonify.radiation import Listener, directions
 from sonify.scene import load_scene
+from sonify.sound.oscillators import Knots
+from sonify.sound.radiation import Listener, directions
 
 RATE = 48000
 NUTATION = 36.0

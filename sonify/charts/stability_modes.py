@@ -14,13 +14,13 @@ from scipy.sparse.linalg import ArpackError, eigsh
 from skfem import ElementHex2
 
 from modal import Material, Plate, Support
-from modal.basis import problem
-from modal.elastic import assemble, inverse_at
-from modal.failures import ELEMENTS, bending, rate, whole_mesh
-from modal.held import COARSE, ROUGH
-from modal.held import solve as solve_held
+from modal.elements.elastic import assemble, inverse_at
+from modal.elements.patch import COARSE, ROUGH
+from modal.elements.patch import solve as solve_held
 from modal.solve import density
-from modal.spectral import solve
+from modal.spectral.basis import problem
+from modal.spectral.converge import solve
+from sonify.charts.modal_failures import ELEMENTS, bending, rate, whole_mesh
 from sonify.charts.modes_case import modes_case
 from sonify.charts.records import Answer, Failure, Work
 

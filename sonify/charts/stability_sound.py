@@ -9,7 +9,7 @@ import numpy as np
 
 from sonify.charts.records import Record
 from sonify.charts.steps import STEPS, growth_and_tuning, static_gain
-from sonify.oscillators import OscillatorBank
+from sonify.sound.oscillators import OscillatorBank
 
 OURS = "exact, first-order hold"
 DAMPING = 1e-4

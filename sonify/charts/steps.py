@@ -6,7 +6,7 @@ All are linear, so that a method is known by what it does to unit vectors.
 
 import numpy as np
 
-from sonify.oscillators import free_response, responses
+from sonify.sound.oscillators import free_response, responses
 
 
 def zero_order_hold(q, v, g0, g1, w, d, h):

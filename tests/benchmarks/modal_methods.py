@@ -20,12 +20,12 @@ import skfem
 from skfem.helpers import ddot, dot, eye, sym_grad, trace
 
 from modal import FreeDisk, Material, Plate, Support
-from modal.elastic import lame
-from modal.held import LEVELS, solve
-from modal.mesh import extrude, hexahedra, sector
-from modal.plane import columns, core, part
-from modal.symmetry import on_patch as held_there
-from modal.unfold import whole_mesh
+from modal.elements.elastic import lame
+from modal.elements.patch import LEVELS, solve
+from modal.elements.unfold import whole_mesh
+from modal.mesh.half_disk import columns, core, part
+from modal.mesh.sector import extrude, hexahedra, sector
+from modal.mesh.symmetry import on_patch as held_there
 from sonify.charts.modes_case import modes_case
 from sonify.charts.peer_elements import calculix, ngsolve_modes
 from sonify.charts.records import Failure

@@ -18,7 +18,7 @@ import numpy as np
 import soundfile
 from scipy.signal import lfilter
 
-from sonify.oscillators import OscillatorBank
+from sonify.sound.oscillators import OscillatorBank
 
 RATE, MODES, SECONDS, BLOCK = 48000, 64, 10.0, 1024
 FREQUENCY = np.geomspace(200.0, 12000.0, MODES)

@@ -1,0 +1,1 @@
+"""MESH -> MODES: finite elements, by scikit-fem."""

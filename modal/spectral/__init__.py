@@ -1,0 +1,1 @@
+"""AXISYMMETRIC SOLID -> MODES: Ritz's method in a Fourier and polynomial basis, order by order."""

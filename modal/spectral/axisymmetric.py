@@ -1,0 +1,160 @@
+"""The record of the modes of an axisymmetric solid: every order n >= 1 gives a degenerate (cosine, sine) pair."""
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from modal.elements import sample
+from modal.elements.unfold import whole_mesh
+from modal.mesh.half_disk import Blocks
+from modal.mesh.sector import extrude, hexahedra, sector
+from modal.modes import Body, Modes, Support
+from modal.spectral.basis import Plate
+from modal.spectral.converge import Pairs, all_pairs, amplitudes
+from modal.spectral.ritz import gauss
+
+TOLERANCES = {"draft": 1e-4, "standard": 3e-6, "reference": 1e-8}
+"""Accuracy -> estimated relative error of the frequencies; the true one is several times smaller."""
+
+
+def turned(amplitude, n, angle, odd):
+    """Displacement (..., 3) (cylindrical) at angles (q,) from amplitudes (3, ..., q), or of the sine partner."""
+    c, s = np.cos(n * angle), np.sin(n * angle)
+    factors = (s, -c, s) if odd else (c, s, c)
+    return np.stack([a * f for a, f in zip(amplitude, factors, strict=True)], axis=-1)
+
+
+def cartesian(shape, angle):
+    """x, y, z components from cylindrical ones (..., q, 3) at angles (q,)."""
+    return sample.polar_components(shape, -angle)
+
+
+def parities(pairs: Pairs):
+    """For each member of a pair whether it is the sine partner, as torsion with its u_theta even in theta always is."""
+    return (False, True) if pairs.problem.n else (pairs.problem.family == "torsional",)
+
+
+def family_of(p):
+    """The name of the family of a problem."""
+    if p.family == "torsional":
+        return "torsional"
+    return "extensional" if p.even > 0 else "flexural"
+
+
+def participation_of(plate, pairs):
+    """Participation (k, 6) of the cosine member, see `Modes`."""
+    n = pairs.problem.n
+    rho, zeta, along, through = gauss(plate, n, pairs.size)
+    a, b, w = amplitudes(plate, pairs, rho, zeta)
+    weight = plate.density * np.outer(along, through)
+    r, h, zero = rho[:, None] * plate.radius, zeta * plate.thickness / 2, 0 * a
+    if n == 0:
+        work = [zero, zero, w, zero, zero, r * b]
+    else:
+        work = [a - b, zero, zero, zero, h * (a - b) - r * w, zero] if n == 1 else [zero] * 6
+    return np.einsum("fkrz,rz->kf", work, weight)
+
+
+def columns(plate, pairs, odd, body):
+    """The columns of `Modes` that one problem contributes, arrays (k, ...)."""
+    n, k = pairs.problem.n, len(pairs.values)
+    participation = participation_of(plate, pairs)
+    if odd:
+        participation = participation[:, [1, 0, 2, 4, 3, 5]] * [1, 1, 1, -1, 1, -1]
+    angle = sample.rim_angles()
+    rim = amplitudes(plate, pairs, np.ones(1), -np.ones(1))[..., 0]
+    r, _, theta = sample.face_grid(1.0, plate.hole)
+    faces = amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[2].transpose(0, 2, 1)
+    around = np.sin(n * theta) if odd else np.cos(n * theta)
+    inside = amplitudes(plate, pairs, body.rho, body.zeta)[..., body.which_rho, body.which_zeta]
+    return {
+        "frequency": np.sqrt(pairs.values) / (2 * pi),
+        "order": np.full(k, n),
+        "family": np.full(k, family_of(pairs.problem)),
+        "parity": np.full(k, "odd" if odd else "even"),
+        "pair": np.arange(k),
+        "participation": participation,
+        "rim_shape": turned(np.broadcast_to(rim, (3, k, len(angle))), n, angle, odd),
+        "face_shape": faces[..., None] * around,
+        "residual": pairs.residual,
+        "error": pairs.error.sum(axis=0),
+        "displacement": cartesian(turned(inside, n, body.angle, odd), body.angle),
+    }
+
+
+@dataclass(frozen=True, kw_only=True)
+class Points:
+    """The nodes (p,) of a mesh of the plate as angles and as indices into their distinct radii and heights."""
+
+    angle: np.ndarray
+    rho: np.ndarray
+    which_rho: np.ndarray
+    zeta: np.ndarray
+    which_zeta: np.ndarray
+
+
+def body_mesh(plate, highest):
+    """Nodes (p, 3), cells and `Points` of the whole plate, fine enough to draw waves of the highest order."""
+    split = 1 + highest // 6
+    if plate.hole:
+        mesh = hexahedra(extrude(annulus(plate, 16 * split, split), np.linspace(0, plate.thickness / 2, split + 1)))
+    else:
+        size = Blocks(width=pi / 8, depth=0.38, rings=1, split=split)
+        mesh = sector(plate.radius, plate.thickness, Support(kind="free"), size).mesh
+    points, cells, _ = whole_mesh(mesh.doflocs.T, mesh.dofs.element_dofs.T, quarter=True)
+    x, y, z = points.T
+    rho = np.clip(np.hypot(x, y) / plate.radius, plate.hole, 1)
+    rho, which_rho = np.unique(rho.round(12), return_inverse=True)
+    zeta, which_zeta = np.unique(np.clip(2 * z / plate.thickness, -1, 1).round(12), return_inverse=True)
+    angle = np.arctan2(y, x)
+    return points, cells, Points(angle=angle, rho=rho, which_rho=which_rho, zeta=zeta, which_zeta=which_zeta)
+
+
+def annulus(plate, around, across):
+    """Nine points (q, 3, 3, 2) [m] of each biquadratic cell of the upper half of the ring between hole and rim."""
+    angle, depth = np.linspace(0, pi, 2 * around + 1), np.linspace(0, 1, 2 * across + 1)
+    r = plate.radius - (plate.radius - plate.inner_radius) * depth
+    grid = np.stack([np.multiply.outer(np.cos(angle), r), np.multiply.outer(np.sin(angle), r)], axis=-1)
+    corners = [(i, j) for i in range(0, 2 * around, 2) for j in range(0, 2 * across, 2)]
+    return np.array([grid[i : i + 3, j : j + 3] for i, j in corners])
+
+
+def partners(pair):
+    """Index (m,) of the mode with the same entry of pair (m,), -1 if there is none."""
+    same = pair[:, None] == pair[None, :]
+    np.fill_diagonal(same, False)
+    return np.where(same.any(axis=1), same @ np.arange(len(pair)), -1)
+
+
+def plate_modes(plate: Plate, below, accuracy="standard") -> Modes:
+    """The `Modes` below `below` [Hz] of an axisymmetric plate; there may be none."""
+    limit, found = below, []
+    while not found:
+        found = all_pairs(plate, limit, TOLERANCES[accuracy])
+        limit *= 2
+    points, cells, body = body_mesh(plate, max(pairs.problem.n for pairs in found))
+    parts = []
+    for number, pairs in enumerate(found):
+        for odd in parities(pairs):
+            part = columns(plate, pairs, odd, body)
+            parts.append(part | {"pair": 1000 * number + part["pair"]})
+    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    ascending = np.lexsort((whole["parity"] == "odd", whole["frequency"]))
+    ascending = ascending[whole["frequency"][ascending] < below]
+    whole = {name: value[ascending] for name, value in whole.items()}
+    displacement, pair = whole.pop("displacement"), whole.pop("pair")
+    r, weight, theta = sample.face_grid(plate.radius, plate.inner_radius)
+    return Modes(
+        **whole | {"family": tuple(whole["family"].tolist()), "parity": tuple(whole["parity"].tolist())},
+        decay_rate=pi * whole["frequency"] * plate.material.loss_factor,
+        partner=partners(pair),
+        rim_angle=sample.rim_angles(),
+        face_radius=r,
+        face_weight=weight,
+        face_angle=theta,
+        mass=plate.mass,
+        method="Fourier and polynomials",
+        unknowns=sum(len(pairs.vectors) for pairs in found),
+        body=Body(points=points, cells=cells, cell_type="hexahedron27", displacement=displacement),
+    )

@@ -1,0 +1,175 @@
+"""SOUND -> VERDICT: what is heard in the rendered sound alone, held against the solved motion and modes."""
+
+import numpy as np
+
+from dynamics.rates import nutation_frequency, precession_frequency
+from sonify.claims.motion import Finding
+from sonify.hearing.loudness import HANN_BANDWIDTH, ISO_226, THRESHOLD_DB, WINDOW, a_weighting_db, band_levels, level_db
+from sonify.hearing.recording import Heard
+from sonify.hearing.spectrogram import spectrogram
+from sonify.sound.render import STEMS
+
+LAST = 1.0
+"""The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
+
+
+def all_verdicts(heard: Heard | None, motion, modes, sound) -> list[Finding]:
+    """Every claim on the sound that this run can judge: those on the end only where the motion settled."""
+    energy = [modes_take_little(motion, sound)]
+    if heard is None:
+        return energy
+    found = [carriers_are_steady(heard)] if heard.carriers else []
+    found += [carriers_are_modes(heard, modes)] if heard.carriers and len(modes.frequency) else []
+    found += energy
+    if motion.outcome.name != "SETTLED" or heard.tone is None:
+        return found
+    tone = heard.tone
+    return [
+        pitch_rises(tone),
+        *rates_heard(tone, motion, sound),
+        tone_is_heard(tone, sound),
+        modes_carry_the_end(sound),
+        tone_ends_with_the_motion(tone, sound),
+        *found,
+    ]
+
+
+def rates_heard(tone, motion, sound) -> list[Finding]:
+    """The claims that hold the tone against a solved rate: none where the normal force has no peaks to tell it by, or
+    where the tone is not heard in the stretch concerned."""
+    if not len(nutation_frequency(motion)[0]):
+        return []
+    last, early = tone.time > sound.source_end - LAST, tone.time < sound.source_end - 4 * LAST
+    found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
+    return found + ([tone_was_nutation(tone, early, motion, sound)] if early.any() else [])
+
+
+def pitch_rises(tone) -> Finding:
+    """The frequency of the tone at the end of its ridge over that at the beginning."""
+    return Finding(
+        claim="The pitch rises sharply towards the end",
+        value=tone.factor,
+        unit="times over the ridge that is heard",
+        at_least=2.0,
+        source="abstract and section 1; from the sound alone",
+    )
+
+
+def tone_is_precession(tone, last, motion, sound) -> Finding:
+    """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
+    return Finding(
+        claim="In the last second the rising tone is the precession of the contact",
+        value=_ratio(tone, last, motion, sound, precession_frequency(motion)[1]),
+        unit="tone heard / precession solved, median",
+        at_least=0.97,
+        at_most=1.03,
+        source="section 8 leaves open what rises; the solved precession",
+    )
+
+
+def tone_was_nutation(tone, early, motion, sound) -> Finding:
+    """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
+    return Finding(
+        claim="Until four seconds before the end the tone is the nutation, the frequency of the normal force",
+        value=_ratio(tone, early, motion, sound, nutation_frequency(motion)[1]),
+        unit="tone heard / nutation solved, median",
+        at_least=0.97,
+        at_most=1.03,
+        source="section 8: the normal force as a measure of the forcing",
+    )
+
+
+def tone_ends_with_the_motion(tone, sound) -> Finding:
+    """The time from the end of the motion, at the listener, to the end fitted to the tone [s]."""
+    return Finding(
+        claim="The tone heard runs to the end of the motion",
+        value=tone.end - sound.source_end,
+        unit="s from the end of the motion to the end fitted to the tone",
+        at_least=-0.1,
+        at_most=0.1,
+        source="section 1: the abrupt halt",
+    )
+
+
+def tone_is_heard(tone, sound) -> Finding:
+    """The time before the end from which the third octave that holds the tone stays above the threshold of hearing."""
+    seen = spectrogram(sound.folder / "pressure.wav", WINDOW / 4)
+    inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (seen.time > 0.1)
+    bands = np.array(list(ISO_226))
+    above = (band_levels(seen) - THRESHOLD_DB[:, None])[:, inside]
+    pitch = tone.at(seen.time[inside])
+    band = np.abs(np.log(pitch[:, None] / bands)).argmin(axis=1)
+    heard = above[band, np.arange(len(band))] > 0
+    silent = np.flatnonzero(~heard)
+    since = seen.time[inside][silent[-1] + 1] if len(silent) and silent[-1] + 1 < len(heard) else sound.source_end
+    return Finding(
+        claim="The rising tone can be heard",
+        value=float(sound.source_end - (since if len(silent) else seen.time[inside][0])),
+        unit="s before the end from which it stays above the threshold of ISO 226",
+        at_least=0.5,
+        source="section 8: the frequencies are in the audible range",
+    )
+
+
+def modes_carry_the_end(sound) -> Finding:
+    """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)]."""
+    heave, tilt, smooth, jumps = (_weighted_power(sound, name) for name in STEMS)
+    return Finding(
+        claim="The vibration of the modes is what is heard in the last second",
+        value=float(level_db(smooth + jumps) - level_db(heave + tilt)),
+        unit="dB(A), ringing of the modes over rigid motion of the disk",
+        at_least=0.0,
+        source="section 8: this is not the primary sound source; the forcing excites modes",
+    )
+
+
+def modes_take_little(motion, sound) -> Finding:
+    """The one-way coupling holds while the modes own less than the disk: when do they first own as much?"""
+    inside = (sound.energy_time >= 0) & (sound.energy_time <= motion.t[-1])
+    t, energy = sound.energy_time[inside], sound.energy[inside]
+    more = np.flatnonzero(energy > motion.energy(t))
+    return Finding(
+        claim="The modes take too little energy to act back on the motion",
+        value=float(motion.t[-1] - t[more[0]]) if len(more) else 0.0,
+        unit="s before the end when the modes first hold as much energy as the disk",
+        at_most=0.0,
+        source="section 8: the vibrations will result in a loss of contact; here they do not act back",
+    )
+
+
+def carriers_are_steady(heard) -> Finding:
+    """The spread of the frequency of the strongest carrier over the sound [cents]."""
+    return Finding(
+        claim="The strongest carrier keeps its pitch: no mode rises",
+        value=heard.carriers[0].spread,
+        unit="cents, spread over the sound",
+        at_most=5.0,
+        source="linear modes; from the sound alone",
+    )
+
+
+def carriers_are_modes(heard, modes) -> Finding:
+    """The distance of the strongest carrier from the nearest mode [cents]."""
+    strongest = heard.carriers[0].frequency
+    return Finding(
+        claim="The strongest carrier is a mode of the disk",
+        value=float(np.abs(1200 * np.log2(strongest / modes.frequency)).min()),
+        unit="cents to the nearest mode",
+        at_most=5.0,
+        source="section 8",
+    )
+
+
+def _ratio(tone, here, motion, sound, solved):
+    """The median, over the frames (r,) chosen, of the frequency heard over a solved rate."""
+    delay = sound.source_end - motion.t[-1]
+    rate = np.interp(tone.time[here] - delay, nutation_frequency(motion)[0], solved)
+    return float(np.median(tone.frequency[here] / rate))
+
+
+def _weighted_power(sound, stem):
+    """Mean square of a stem over the last second of the motion, A-weighted [Pa^2]."""
+    span = (max(sound.source_end - LAST, 0.0), sound.source_end)
+    seen = spectrogram(sound.folder / "stems" / f"{stem}.wav", 0.1, span=span)
+    weight = 10 ** (a_weighting_db(seen.frequency) / 10)
+    return np.mean(weight @ seen.power) / HANN_BANDWIDTH

@@ -1,0 +1,121 @@
+"""PRESSURE -> WHAT CAN BE HEARD: A-weighting, the threshold of hearing and loudness."""
+
+from dataclasses import dataclass
+from importlib.util import find_spec
+from math import gcd
+from pathlib import Path
+
+import numpy as np
+import soundfile
+from scipy.signal import resample_poly
+
+from sonify.hearing.spectrogram import REFERENCE_PRESSURE, Spectrogram, spectrogram
+
+# fmt: off
+ISO_226 = {
+    20: 78.5, 25: 68.7, 31.5: 59.5, 40: 51.1, 50: 44.0, 63: 37.5, 80: 31.5, 100: 26.5,
+    125: 22.1, 160: 17.9, 200: 14.4, 250: 11.4, 315: 8.6, 400: 6.2, 500: 4.4, 630: 3.0,
+    800: 2.2, 1000: 2.4, 1250: 3.5, 1600: 1.7, 2000: -1.3, 2500: -4.2, 3150: -6.0, 4000: -5.4,
+    5000: -1.5, 6300: 6.0, 8000: 12.6, 10000: 13.9, 12500: 12.3,
+}
+# fmt: on
+"""Threshold of hearing T_f for pure tones in a free field [dB re 20 uPa] by frequency [Hz], ISO 226:2003, table 1."""
+THRESHOLD_DB = np.array(list(ISO_226.values()))
+HANN_BANDWIDTH = 1.5
+"""Width in bins over which a Hann window spreads the power of a sine."""
+WINDOW, COLUMNS = 0.4, 600
+"""Window [s]: long enough to tell the bands at 20 and 25 Hz apart; greatest number of windows."""
+
+ROUGH_LAST, ROUGH_WINDOW, ROUGH_RATE = 2.0, 0.2, 48000
+"""So much of the end is judged for roughness [s], in windows [s], at the sample rate of the model [Hz]."""
+ROUGHNESS_MISSING = 'The roughness of the sound: it needs mosqito, python -m pip install -e ".[roughness]".'
+
+
+class MissingExtraError(Exception):
+    """What is asked for needs an optional extra that is not installed; the message says which."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Audibility:
+    """Over `time` (t,) [s]: A-weighted level `a_weighted` (t,) [dB re 20 uPa], and by how many dB the third-octave band
+    that stands out most is above the threshold of hearing, `above_threshold` (t,), below 0 where nothing is heard."""
+
+    time: np.ndarray
+    a_weighted: np.ndarray
+    above_threshold: np.ndarray
+
+
+def a_weighting_db(frequency) -> np.ndarray:
+    """Return the A-weighting [dB] at frequencies [Hz]; IEC 61672-1, annex E, with its four poles, 0 dB at 1 kHz."""
+    f2 = np.square(np.asarray(frequency, float))
+    a, b, c, d = 20.598997**2, 107.65265**2, 737.86223**2, 12194.217**2
+    gain = d * f2 * f2 / ((f2 + a) * np.sqrt((f2 + b) * (f2 + c)) * (f2 + d))
+    return 20 * np.log10(np.maximum(gain, 1e-15)) + 1.9997
+
+
+def audibility(path: str | Path) -> Audibility:
+    """Return how audible a file of pressure [Pa] is, window by window. Tones below 20 Hz have no threshold here."""
+    seen = spectrogram(path, WINDOW, COLUMNS)
+    weighted = seen.power * 10 ** (a_weighting_db(seen.frequency) / 10)[:, None]
+    return Audibility(
+        time=seen.time,
+        a_weighted=level_db(weighted.sum(axis=0) / HANN_BANDWIDTH),
+        above_threshold=(band_levels(seen) - THRESHOLD_DB[:, None]).max(axis=0),
+    )
+
+
+def band_levels(seen: Spectrogram) -> np.ndarray:
+    """Return the levels (29, t) [dB re 20 uPa] of a spectrogram of pascal in the third-octave bands of ISO_226."""
+    edges = 1000 * 10 ** ((np.arange(30) - 17.5) / 10)  # base 10, IEC 61260
+    low, high = np.searchsorted(seen.frequency, edges[:-1]), np.searchsorted(seen.frequency, edges[1:])
+    power = np.array([seen.power[a : max(b, a + 1)].sum(axis=0) for a, b in zip(low, high, strict=True)])
+    return level_db(power / HANN_BANDWIDTH)
+
+
+def level_db(mean_square) -> np.ndarray:
+    """Return the level [dB re 20 uPa] of mean squares of pressure [Pa^2]; -200 for silence."""
+    return 10 * np.log10(np.maximum(np.asarray(mean_square) / REFERENCE_PRESSURE**2, 1e-20))
+
+
+def loudness_lufs(path: str | Path) -> float:
+    """Return the integrated loudness [LUFS] of a sound file, ITU-R BS.1770 by pyloudnorm; -inf for silence.
+
+    At most the last ten minutes count. Raises ValueError for less than 0.4 s, the length of a gating block.
+    """
+    from pyloudnorm import Meter
+
+    with soundfile.SoundFile(path) as file:
+        file.seek(max(file.frames - 600 * file.samplerate, 0))
+        samples = file.read(always_2d=True)
+        if len(samples) < 0.4 * file.samplerate:
+            raise ValueError("loudness needs at least 0.4 s")
+        return float(Meter(file.samplerate).integrated_loudness(samples[:, :5]))
+
+
+def unheard() -> list[str]:
+    """Return what cannot be judged because an optional extra is not installed, as sentences."""
+    return [] if find_spec("mosqito") else [ROUGHNESS_MISSING]
+
+
+def roughness(path: str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (w,) [s] and roughness (w,) [asper] of a file of pressure, ROUGH_LAST seconds up to `end` [s].
+
+    By the model of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and 60 dB, fully modulated at
+    70 Hz. Raises MissingExtraError where mosqito is not installed, ValueError where less than a window is left.
+    """
+    try:
+        from mosqito.sq_metrics import roughness_dw
+    except ImportError:
+        raise MissingExtraError(ROUGHNESS_MISSING) from None
+    with soundfile.SoundFile(path) as file:
+        rate = file.samplerate
+        last = min(int(end * rate), file.frames)
+        first = max(last - int(ROUGH_LAST * rate), 0)
+        if last - first < ROUGH_WINDOW * rate:
+            raise ValueError(f"roughness needs at least {ROUGH_WINDOW:g} s")
+        file.seek(first)
+        samples = file.read(last - first, always_2d=True).mean(axis=1)
+    common = gcd(rate, ROUGH_RATE)
+    samples = resample_poly(samples, ROUGH_RATE // common, rate // common) if rate != ROUGH_RATE else samples
+    asper, _, _, time = roughness_dw(samples, ROUGH_RATE, overlap=0)
+    return first / rate + np.asarray(time), np.asarray(asper)

@@ -1,0 +1,165 @@
+"""RECORDING -> WHAT IT TELLS: the rising tone, the repetition of its envelope and the steady carriers of any sound."""
+
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import soundfile
+from numpy.lib.stride_tricks import sliding_window_view
+from scipy.signal import butter, find_peaks, resample_poly, sosfiltfilt
+
+from sonify.hearing.rising_tone import RisingTone, rising_tone
+from sonify.scene_errors import InputError
+
+LONGEST = 240.0
+"""Of a longer recording only so much is listened to, up to a little after its loudest second [s]."""
+SHORTEST, SLOWEST = 0.2, 1000
+"""A recording that is shorter [s], or of fewer samples a second, tells nothing."""
+ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
+"""The envelope is that of the sound above this frequency [Hz], at this sample rate [Hz]."""
+CARRIER_WINDOW, CARRIERS_FROM = 0.5, 300.0
+"""Window in which carriers are told apart [s], and where they begin [Hz]."""
+CARRIER_STANDS_OUT_DB, MOST_CARRIERS = 15.0, 12
+
+
+class RecordingError(InputError):
+    """The recording cannot be judged; the message is one line."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Carrier:
+    """A steady tone: median `frequency` [Hz], its `spread` over the frames [cents], and how far it stands out [dB]."""
+
+    frequency: float
+    spread: float
+    level: float
+
+
+@dataclass(frozen=True, kw_only=True)
+class Heard:
+    """What a sound tells by itself. `start` [s] is where in the file the part that was listened to begins."""
+
+    duration: float
+    sample_rate: int
+    start: float
+    tone: RisingTone | None
+    repetition: RisingTone | None
+    carriers: list[Carrier]
+
+
+def listen(path: str | Path) -> Heard:
+    """Return what the recording tells: any rate, channels and format that libsndfile reads. Raises RecordingError.
+
+    Times in the result are those of the file. Memory does not grow with its length.
+    """
+    samples, rate, start, duration = read(path)
+    return Heard(
+        duration=duration,
+        sample_rate=rate,
+        start=start,
+        tone=_later(rising_tone(samples, rate), start),
+        repetition=_later(rising_tone(*envelope(samples, rate), fundamental=True), start)
+        if rate > 2 * ENVELOPE_FROM
+        else None,
+        carriers=steady_carriers(samples, rate),
+    )
+
+
+def read(path: str | Path):
+    """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the file [s].
+
+    Raises RecordingError for what is no sound file, is too short, too slow, silent, or holds samples that are not
+    finite.
+    """
+    try:
+        with soundfile.SoundFile(path) as file:
+            start, count = _part(file)
+            file.seek(start)
+            channels, rate, frames = file.read(count, always_2d=True), file.samplerate, file.frames
+    except (soundfile.LibsndfileError, OSError) as error:
+        raise RecordingError(f"{path}: not a sound file that can be read: {_reason(error)}") from None
+    if not np.isfinite(channels).all():
+        raise RecordingError(f"{path}: holds samples that are not finite")
+    if rate < SLOWEST:
+        raise RecordingError(f"{path}: {rate} samples a second: at least {SLOWEST} are needed")
+    samples = channels[:, np.argmax(np.square(channels).sum(axis=0))]
+    if len(samples) < SHORTEST * rate:
+        raise RecordingError(f"{path}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed")
+    if not np.ptp(samples):
+        raise RecordingError(f"{path}: silent")
+    return samples - samples.mean(), rate, start / rate, frames / rate
+
+
+def envelope(samples, rate) -> tuple[np.ndarray, float]:
+    """Return the square of the sound above ENVELOPE_FROM, less its mean, and its sample rate [Hz]."""
+    high = sosfiltfilt(butter(4, ENVELOPE_FROM, "highpass", fs=rate, output="sos"), samples)
+    down = max(rate // ENVELOPE_RATE, 1)
+    square = resample_poly(high * high, 1, down)
+    return square - square.mean(), rate / down
+
+
+def steady_carriers(samples, rate) -> list[Carrier]:
+    """Return the tones whose frequency stays, the most outstanding first; at most MOST_CARRIERS."""
+    size = int(CARRIER_WINDOW * rate)
+    if len(samples) < 4 * size:
+        return []
+    frames = sliding_window_view(samples, size)[:: size // 2]
+    level = np.array([_spectrum(frame) for frame in frames])
+    above = level - _floor(level)
+    mean = np.sort(above, axis=0)[-max(len(above) // 4, 3) :].mean(axis=0)
+    first = int(CARRIERS_FROM * size / rate)
+    peaks = first + find_peaks(mean[first:-2], height=CARRIER_STANDS_OUT_DB, distance=int(20 * size / rate))[0]
+    found = [_carrier(level, above, peak, rate / size) for peak in peaks]
+    return sorted((c for c in found if c is not None), key=lambda c: -c.level)[:MOST_CARRIERS]
+
+
+def _later(tone, start):
+    """Move a tone from the time of the part that was read to the time of the file."""
+    return None if tone is None else replace(tone, end=tone.end + start, time=tone.time + start)
+
+
+def _part(file):
+    """First frame and number of frames to listen to: all, or LONGEST up to five seconds after the loudest second."""
+    rate, most = file.samplerate, int(LONGEST * file.samplerate)
+    if file.frames <= most:
+        return 0, file.frames
+    power = [np.square(block.astype(float)).sum() for block in file.blocks(rate, dtype="float32")]
+    end = min((int(np.argmax(power)) + 6) * rate, file.frames)
+    return max(end - most, 0), most
+
+
+def _spectrum(frame):
+    return 10 * np.log10(np.abs(np.fft.rfft(frame * np.hanning(len(frame)))) ** 2 + 1e-300)
+
+
+def _floor(level):
+    """The median level (t, f) in 32 neighbouring bands of each frame, not more than 90 dB below its highest."""
+    edges = np.linspace(0, level.shape[1], 33).astype(int)
+    floor = np.column_stack([np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)])
+    floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
+    return np.repeat(floor, np.diff(edges), axis=1)
+
+
+def _carrier(level, above, peak, spacing):
+    """The carrier at a bin, or None if fewer than five frames and a fifth of them show it."""
+    near = np.arange(peak - 2, peak + 3)
+    best = near[np.argmax(level[:, near], axis=1)]
+    rows = np.arange(len(level))
+    low, mid, high = (level[rows, np.clip(best + i, 0, level.shape[1] - 1)] for i in (-1, 0, 1))
+    vertex = (low - high) / (2 * np.minimum(low - 2 * mid + high, -1e-9))
+    shown = (above[rows, best] > CARRIER_STANDS_OUT_DB) & (low < mid) & (high < mid)
+    if shown.sum() < max(5, len(level) // 5):
+        return None
+    frequency = (best + vertex)[shown] * spacing
+    middle = np.median(frequency)
+    cents = 1200 * np.log2(frequency / middle)
+    return Carrier(
+        frequency=float(middle),
+        spread=float(1.48 * np.median(np.abs(cents))),
+        level=float(np.median(above[rows, best][shown])),
+    )
+
+
+def _reason(error):
+    return " ".join(str(getattr(error, "error_string", None) or error.args[-1]).split())

@@ -1,0 +1,197 @@
+"""SCENE -> PLAN: what a run computes and what it leaves out, why, and how wrong that makes it; decided beforehand."""
+
+from dataclasses import dataclass, replace
+from math import pi
+
+import numpy as np
+
+from dynamics.simulation import chosen_integrator
+from dynamics.theory import flat_square
+from sonify.claims.motion import HEARING
+from sonify.plan.accuracy import LEVELS
+from sonify.plan.predictions import LAST_INCLINATION, Prediction, predicted_end, predicted_frequencies, predicted_sound
+from sonify.sound.force import STRIDE
+
+ENERGY_SHARE = 0.01
+"""A mode that takes this share of the energy of all counts, even where it cannot be heard."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Decision:
+    """What was decided on a `subject`, and why."""
+
+    subject: str
+    choice: str
+    reason: str
+
+
+@dataclass(frozen=True, kw_only=True)
+class Plan:
+    """Decisions in words, and as numbers: `tolerance` and `final_inclination` [rad] of the motion; `highest_mode` [Hz]
+    that is sought; `calm` [rad] of the force; `voices`, the indices of the modes that sound, None before they are
+    known.
+
+    `modelled` and `left_out` are sentences on the model; `predictions` are empty for the reference.
+    """
+
+    accuracy: str
+    tolerance: float
+    final_inclination: float
+    highest_mode: float
+    calm: float
+    voices: tuple[int, ...] | None = None
+    decisions: tuple[Decision, ...]
+    predictions: tuple[Prediction, ...] = ()
+    modelled: tuple[str, ...]
+    left_out: tuple[str, ...]
+
+    def scene(self, scene):
+        """Return the scene with the numerics of the plan in it."""
+        numerics = replace(scene.numerics, tolerance=self.tolerance, final_inclination=self.final_inclination)
+        return replace(scene, numerics=numerics)
+
+
+def plan_of(scene) -> Plan:
+    """Return the plan of a scene as far as it can be made before its modes are known. What the scene sets, stands."""
+    level, heard = LEVELS[scene.numerics.accuracy], min(HEARING[1], scene.audio.sample_rate / 2)
+    integrator, _ = chosen_integrator(scene.numerics.integrator)
+    tolerance = scene.numerics.tolerance or getattr(level, integrator)
+    final = scene.numerics.final_inclination or stopping_inclination(scene.disk, heard * level.beyond)
+    return Plan(
+        accuracy=scene.numerics.accuracy,
+        tolerance=tolerance,
+        final_inclination=final,
+        highest_mode=heard,
+        calm=level.calm,
+        decisions=(
+            Decision(subject="tolerance of the motion", choice=f"{tolerance:g}, {integrator}", reason=WHY[integrator]),
+            Decision(
+                subject="where the motion may stop",
+                choice=f"at an inclination of {final:.2g} rad",
+                reason=f"the contact turns there {contact_rate(scene.disk, final):.3g} times a second; {heard:g} Hz is "
+                "the highest rate that is heard or fits the samples",
+            ),
+            Decision(subject="disk and table", choice="rigid in the motion", reason="surface.kind = 'rigid'"),
+            Decision(
+                subject="instants at which the force is read",
+                choice=CALMLY.format(STRIDE, level.calm) * bool(level.calm) + EVERY,
+                reason="the solution is smooth between its jumps, and these are known exactly",
+            ),
+            Decision(
+                subject="radiation",
+                choice="the upper face in a baffle, at the frequency of every mode",
+                reason="the disk is not small against the wavelengths of its modes",
+            ),
+            damping(scene.material),
+        ),
+        predictions=() if scene.numerics.accuracy == "reference" else (predicted_end(scene, final),),
+        modelled=("A rigid disk rolls and slides on a rigid plane.", CONTACT[scene.support.kind], *HEARD),
+        left_out=(
+            *LEFT_OUT,
+            *WALL[scene.disk.shape],
+            f"The sound of modes above {heard:g} Hz.",
+            *(NOT_IN_A_DRAFT if scene.numerics.accuracy == "draft" else []),
+        ),
+    )
+
+
+def with_voices(plan: Plan, scene, modes, loudness, energy) -> Plan:
+    """Return the plan completed by the modes that sound, of those found.
+
+    `loudness` (m,) is what each radiates after a unit jump of the force, A-weighted [Pa^2 s]; `energy` (m,) what the
+    jump leaves in it [J]: see `voices.after_a_jump`. A mode sounds if it is within the range of the level of the
+    loudest, or holds ENERGY_SHARE of the energy.
+    """
+    level = LEVELS[plan.accuracy]
+    loud = loudness >= 10 ** (-level.range_db / 10) * loudness.max(initial=0.0)
+    voices = np.flatnonzero(loud | (energy >= ENERGY_SHARE * energy.sum()))
+    solver = Decision(
+        subject="solver of the modes",
+        choice=f"{modes.method}, {modes.unknowns} unknowns for accuracy '{plan.accuracy}'",
+        reason=SOLVER[scene.support.kind],
+    )
+    sounding = Decision(
+        subject="modes that sound",
+        choice=f"{len(voices)} of {len(modes.frequency)} below {plan.highest_mode:g} Hz",
+        reason=f"the others are predicted more than {level.range_db:g} dB(A) below the loudest, in either stem of "
+        f"ringing, and hold less than {ENERGY_SHARE:.0%} of the energy"
+        if len(voices) < len(modes.frequency)
+        else "none is left out",
+    )
+    plan = replace(plan, voices=tuple(voices.tolist()), decisions=(*plan.decisions, solver, sounding))
+    if plan.accuracy == "reference":
+        return plan
+    further = predicted_frequencies(scene, modes), predicted_sound(scene, modes, loudness)
+    return replace(plan, predictions=plan.predictions + further)
+
+
+def with_end(plan: Plan, motion, silence=()) -> Plan:
+    """Return the plan with how the motion ended, and why a sound tells nothing."""
+    ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
+    return replace(plan, modelled=(*plan.modelled, ending), left_out=(*plan.left_out, *unsettled(motion), *silence))
+
+
+def unsettled(motion) -> list[str]:
+    """Return the warning that a sound breaks off, for a motion that did not reach its end."""
+    return (
+        [] if motion.outcome.name == "SETTLED" else [f"The end of the motion and its sound: {motion.outcome.sentence}."]
+    )
+
+
+def damping(material) -> Decision:
+    """Return how the modes decay."""
+    given = len(material.decay_rates)
+    return Decision(
+        subject="decay of the modes",
+        choice=f"the first {given} as measured, the others " * bool(given) + "by loss factor and radiation upwards",
+        reason="material.decay_rates" if given else "some modes lose a third as much to the air as in the material",
+    )
+
+
+def stopping_inclination(disk, rate: float) -> float:
+    """Return the inclination [rad] at which the contact of a steady disk turns `rate` times a second (dynamics.theory,
+    `flat_square`), but not below LAST_INCLINATION."""
+    square = flat_square(disk.aspect, disk.gyration) / disk.time_unit**2
+    return max(square / (2 * pi * rate) ** 2, LAST_INCLINATION)
+
+
+def contact_rate(disk, inclination: float) -> float:
+    """Return how often a second the contact of a steady disk goes round at a small inclination [rad]."""
+    return (flat_square(disk.aspect, disk.gyration) / inclination) ** 0.5 / disk.time_unit / (2 * pi)
+
+
+WHY = {
+    "taylor": "the order of a Taylor series grows with the digits: all of double precision costs a third more than "
+    "half of it, and slips late in the motion amplify what is wrong",
+    "dop853": "every digit costs a third more steps; slips late in the motion amplify what is wrong",
+}
+CONTACT = {
+    "patch": "The elastic modes are those of the disk held at a patch of its rim, which travels with the contact; the "
+    "contact force drives them through the rigid acceleration that it causes.",
+    "free": "The elastic modes are those of the free disk; the contact force drives them where the contact is.",
+}
+SOLVER = {
+    "patch": "support.kind = 'patch': the stress is singular at the edge of the patch, which the mesh follows",
+    "free": "support.kind = 'free': the disk has an axis, and shapes without singularities",
+}
+CALMLY = "every {}th sample where the contact turns by less than {:g} rad in between and no jump is near, else "
+EVERY = "every sample, and more often where the contact turns faster than samples can hold"
+HEARD = (
+    "The upper face radiates into the half space above the table (Rayleigh's integral with the table as baffle): heave "
+    "and tilt of the rigid disk, and the elastic modes at their own frequency.",
+    "The listener hears the source one travel time of sound later, from a fixed place.",
+)
+WALL = {
+    "solid": (),
+    "shell": (
+        "The sound of a hoop's cylindrical wall, which its modes in the plane move, and of the air in its hole: the "
+        "upper edge of the wall alone radiates.",
+    ),
+}
+LEFT_OUT = (
+    "Sound of the table, of impacts and of roughness; the action of the elastic modes on the motion.",
+    "Air that flows round the rim while the film below the disk is open: until late in the motion the true pressure of "
+    "heave and tilt is lower.",
+    "The resisting moments and the centrifugal loads as drivers of the modes.",
+)
+NOT_IN_A_DRAFT = ("The roughness of the sound, the picture of its causes, and the modes seen at a slant.",)

@@ -1,0 +1,108 @@
+"""PLAN -> ERRORS: how far a run will be from the same one at accuracy "reference", and how far it was."""
+
+from dataclasses import dataclass
+from math import isfinite, pi
+
+import numpy as np
+import soundfile
+
+from dynamics.time_left import time_left
+from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, a_weighting_db, band_levels
+from sonify.hearing.spectrogram import spectrogram
+from sonify.plan.accuracy import LEVELS
+
+LAST_INCLINATION = 1e-10
+"""Nothing is solved below this [rad]."""
+END = "the end of the motion, if the disk settles"
+FREQUENCIES = "frequencies of the modes, median"
+SOUND = "samples of the sound, A-weighted"
+
+
+@dataclass(frozen=True, kw_only=True)
+class Prediction:
+    """How far a run will be from the same one at accuracy "reference": `error` in `unit`; `source` says how we know."""
+
+    name: str
+    error: float
+    unit: str
+    source: str
+
+
+def predicted_end(scene, final_inclination: float) -> Prediction:
+    """By how much a motion that settles stops too early."""
+    left = [time_left(b, scene.disk, scene.friction, scene.dissipation) for b in (final_inclination, LAST_INCLINATION)]
+    early = left[0] - left[1] if isfinite(left[0]) else 0.0
+    return Prediction(name=END, error=early, unit="s", source="quasi-steady decline of a steady disk")
+
+
+def predicted_frequencies(scene, modes) -> Prediction:
+    """The median of the expected relative errors of the frequencies."""
+    error = true_error(scene, modes)
+    return Prediction(
+        name=FREQUENCIES,
+        error=float(np.median(error)) if len(error) else 0.0,
+        unit="relative",
+        source="the distance between two levels of the solver, times what of it is true on disks like these",
+    )
+
+
+def predicted_sound(scene, modes, loudness) -> Prediction:
+    """The distance of two sounds of modes that are a little out of tune, as loud as `loudness` (m,), plus what is left
+    out.
+
+    Two decaying sines that start together differ by 2 D^2/(D^2 + 4 d^2) of their energy, D the difference of their
+    frequencies [rad/s], d their decay rate.
+    """
+    apart = 2 * pi * modes.frequency * true_error(scene, modes)
+    square = apart**2
+    lost = 2 * np.divide(square, square + 4 * modes.decay_rate**2, out=np.zeros_like(square), where=square > 0)
+    unheard = 10 ** (-LEVELS[scene.numerics.accuracy].range_db / 10)
+    return Prediction(
+        name=SOUND,
+        error=float(np.sqrt((loudness @ lost) / (loudness.sum() or 1.0) + unheard)),
+        unit="relative",
+        source="the modes, if they are what is heard, drift out of step where their frequencies differ",
+    )
+
+
+def true_error(scene, modes) -> np.ndarray:
+    """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
+    level = LEVELS[scene.numerics.accuracy]
+    return modes.error * (level.free if scene.support.kind == "free" else level.patch)
+
+
+def measured(run, reference) -> dict[str, float]:
+    """Return the errors of a run by the names of its predictions; both are results of `sonify.run`, files included."""
+    found, true = run.modes.frequency, reference.modes.frequency
+    count = min(len(found), len(true))
+    return {
+        END: float(reference.motion.t[-1] - run.motion.t[-1]),
+        FREQUENCIES: float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0,
+        SOUND: audible_error(run.out / "pressure.wav", reference.out / "pressure.wav"),
+    }
+
+
+def audible_error(path, reference, weighted: bool = True) -> float:
+    """Return the root mean square of the difference of two sound files over that of the reference, A-weighted or not.
+
+    The shorter one is followed by silence. Raises ValueError where their sample rates differ.
+    """
+    (a, rate), (b, other) = soundfile.read(path), soundfile.read(reference)
+    if rate != other:
+        raise ValueError(f"sample rates differ: {rate} Hz and {other} Hz")
+    size = max(len(a), len(b))
+    weight = 10 ** (a_weighting_db(np.fft.rfftfreq(size, 1 / rate)) / 20) if weighted else 1.0
+    true = np.fft.rfft(b, size)
+    return float(np.linalg.norm(weight * (np.fft.rfft(a, size) - true)) / (np.linalg.norm(weight * true) or 1.0))
+
+
+def level_error(path, reference) -> float:
+    """Return the root mean square error of the levels of third octaves, window by window, relative: 0.12 is 1 dB.
+
+    Levels below the threshold of hearing (ISO 226) count as at the threshold; what is heard in neither does not count.
+    """
+    a, b = (band_levels(spectrogram(file, WINDOW)) for file in (path, reference))
+    count = min(a.shape[1], b.shape[1])
+    a, b = (np.maximum(levels[:, :count], THRESHOLD_DB[:, None]) for levels in (a, b))
+    heard = np.maximum(a, b) > THRESHOLD_DB[:, None]
+    return float(np.sqrt(np.mean(np.square(a - b)[heard])) * np.log(10) / 20) if heard.any() else 0.0

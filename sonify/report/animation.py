@@ -1,0 +1,209 @@
+"""RESULT -> FILM: the end of the motion in real time, with its sound."""
+
+import errno
+from dataclasses import dataclass, replace
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import numpy as np
+import soundfile
+from matplotlib import font_manager
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from PIL import Image, ImageDraw, ImageFont
+
+from dynamics.rates import precession_rate
+from sonify.files import whole
+from sonify.hearing.spectrogram import spectrogram
+from sonify.report.sound import level_image, log_frequency
+from sonify.report.view import TABLE, Camera, contact, exposed, rims, table, traced
+from sonify.scene_errors import InputError
+
+FPS, EXPOSURES = 25, 12
+"""Frames a second, and instants that are averaged into each."""
+LENGTH, AFTER = 8.0, 1.0
+"""Length of the film [s], and how much of it is left for what rings after the motion [s]."""
+STEEPEST = np.radians(15.0)
+"""The greatest inclination is drawn no smaller than this."""
+TRACE, TURNS = 0.3, 4
+"""The contact point is traced over this time [s], and so many turns at most."""
+SIZE, STAGE = (1280, 720), (800, 432)
+"""Of the film, and of the part at its upper left that shows the disk [px]."""
+RATES, WINDOW = (20.0, 10e3), 0.05
+"""The band of the spectrogram [Hz], and the window it is seen through [s]."""
+
+CAPTION = (
+    "real time",
+    f"inclination drawn larger, at least {np.degrees(STEEPEST):g}° at",
+    "first, then falling as its square root",
+    "blue: path of the contact,",
+    f"its last {TURNS} turns at most",
+)
+"""What a viewer must know to read the film."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Clip:
+    """What is filmed: `frames` from `start` [s] on, in the time of the listener, who hears the source `delay` [s] late.
+
+    The greatest inclination in it is `steepest` [rad].
+    """
+
+    result: object
+    start: float
+    frames: int
+    steepest: float
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """First and last instant [s]."""
+        return self.start, self.start + self.frames / FPS
+
+    def states(self, t) -> np.ndarray:
+        """Return the states (k, 11) that are heard at t (k,) [s]; before and after the motion its first and last."""
+        motion, sound = self.result.motion, self.result.sound
+        return motion.at(np.clip(t - sound.source_end + motion.t[-1], 0.0, motion.t[-1]))
+
+    def inclination(self, state) -> np.ndarray:
+        """Return the inclinations (k,) [rad] as they are drawn: their square root falls steadily to the end."""
+        return max(self.steepest, STEEPEST) * np.sqrt(state[:, 1] / self.steepest)
+
+
+def require_encoder():
+    """Raise InputError, in one line that says how to get it, where the video encoder is not installed."""
+    try:
+        from imageio_ffmpeg import get_ffmpeg_exe
+
+        get_ffmpeg_exe()
+    except (ImportError, RuntimeError) as error:
+        raise InputError(f'an animation needs an encoder: python -m pip install -e ".[animation]" ({error})') from None
+
+
+def animate(result, watch=lambda done: None) -> Path:
+    """Film the last seconds of a result into animation.mp4 (H.264, AAC) in its folder; return the path.
+
+    `watch(share)` is called with the share done. Raises InputError without the encoder, and OSError when the disk is
+    full. tests/test_animation.py.
+    """
+    require_encoder()
+    clip, path = clip_of(result), result.out / "animation.mp4"
+    with whole(path) as film, TemporaryDirectory() as folder:
+        sound = cut_sound(clip, Path(folder) / "sound.wav")
+        encode(film, sound, clip.frames, pictures(clip), watch)
+    return path
+
+
+def clip_of(result) -> Clip:
+    """Return the end of a result: LENGTH seconds up to AFTER the end of the motion, or as much as there is."""
+    sound = result.sound
+    end = min(sound.source_end + AFTER, sound.duration)
+    start = max(end - LENGTH, 0.0)
+    seen = Clip(result=result, start=start, frames=max(int((end - start) * FPS), 1), steepest=STEEPEST)
+    return replace(seen, steepest=float(seen.states(np.linspace(*seen.span, 2000))[:, 1].max()))
+
+
+def cut_sound(clip, path: Path) -> Path:
+    """Write the part of sound.wav that belongs to the clip."""
+    sound = clip.result.sound
+    first, last = (int(t * sound.sample_rate) for t in clip.span)
+    samples, rate = soundfile.read(sound.folder / "sound.wav", start=first, stop=last)
+    soundfile.write(path, samples, rate, "PCM_24")
+    return path
+
+
+def encode(path, sound, frames: int, images, watch):
+    """Write images (h, w, 3) and a sound as a film. Raises OSError if not all of them arrive in it."""
+    from imageio_ffmpeg import count_frames_and_secs, write_frames
+
+    writer = write_frames(
+        path,
+        SIZE,
+        fps=FPS,
+        codec="libx264",
+        quality=7,
+        ffmpeg_log_level="fatal",
+        audio_path=str(sound),
+        audio_codec="aac",
+    )
+    writer.send(None)
+    try:
+        for i, image in enumerate(images):
+            writer.send(image)
+            watch((i + 1) / frames)
+        writer.close()
+        written = count_frames_and_secs(path)[0]
+    except (OSError, RuntimeError) as error:
+        raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
+    if written != frames:
+        raise OSError(errno.ENOSPC, f"holds {written} of {frames} frames", str(path))
+
+
+def pictures(clip):
+    """Yield the frames (h, w, 3) of a clip."""
+    base, across = backdrop(clip)
+    camera = camera_of(clip)
+    empty = table(camera, clip.result.scene.disk.radius)
+    font = ImageFont.truetype(font_manager.findfont("DejaVu Sans"), 22)
+    for n in range(clip.frames):
+        t = clip.start + n / FPS
+        frame = base.copy()
+        frame.paste(disk_image(clip, camera, empty, t), (0, 0))
+        pen = ImageDraw.Draw(frame)
+        pen.text((STAGE[0] + 10, 60), reading(clip, t), (30, 30, 30), font, spacing=12)
+        for width, color in ((3, "white"), (1, "black")):
+            pen.line([across(t), STAGE[1] + 14, across(t), SIZE[1] - 60], color, width)
+        yield np.asarray(frame)
+
+
+def camera_of(clip) -> Camera:
+    """Return a camera that has the disk in its view at every instant of the clip."""
+    disk = clip.result.scene.disk
+    place = clip.states(np.linspace(*clip.span, 400))[:, 3:5]
+    middle = (place.max(axis=0) + place.min(axis=0)) / 2
+    reach = disk.radius + np.linalg.norm(place - middle, axis=1).max()
+    return Camera(
+        target=np.append(middle, 0.3 * reach),
+        distance=7 * reach,
+        elevation=np.radians(25),
+        focal=7 * 0.55 * STAGE[1],
+        size=STAGE,
+    )
+
+
+def disk_image(clip, camera, empty, t: float) -> Image.Image:
+    """Return the disk in a frame, its shutter open all the time, and the trace of the contact."""
+    disk, last = clip.result.scene.disk, min(t + 1 / FPS, clip.result.sound.source_end)
+    state = clip.states(t + (np.arange(EXPOSURES) + 0.5) / EXPOSURES / FPS)
+    image = exposed(camera, empty, rims(state, clip.inclination(state), disk), disk.inner_radius / disk.radius)
+    turn = 2 * np.pi / abs(precession_rate(clip.states(np.array([last])))[0])
+    touching = clip.states(np.linspace(last - min(TRACE, TURNS * turn), last, 100 * TURNS))
+    path = contact(touching, clip.inclination(touching), disk)
+    return traced(camera, image, path if t < last else path[:0])
+
+
+def reading(clip, t: float) -> str:
+    """Return time, inclination and precession in words."""
+    state = clip.states(np.array([t]))
+    lines = ["at rest: its modes ring", ""]
+    if t < clip.result.sound.source_end:
+        turns = abs(precession_rate(state)[0]) / (2 * np.pi)
+        lines = [f"inclination {np.degrees(state[0, 1]):.3g}°", f"the contact turns at {turns:.3g} Hz"]
+    return "\n".join([f"{t:.2f} s", *lines, "", *CAPTION])
+
+
+def backdrop(clip):
+    """Return the still part of the frames, with the spectrogram, and the function from time [s] to its column [px]."""
+    figure = Figure(figsize=(SIZE[0] / 100, SIZE[1] / 100), dpi=100, facecolor="w")
+    below = (SIZE[1] - STAGE[1] - 74) / SIZE[1]
+    axes = figure.add_axes((0.066, 60 / SIZE[1], 0.84, below), facecolor="k")
+    seen = spectrogram(clip.result.sound.folder / "pressure.wav", WINDOW, span=clip.span).band(*RATES)
+    log_frequency(axes, RATES)
+    axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
+    image = level_image(axes, seen, 1.0)
+    bar = figure.add_axes((0.92, 60 / SIZE[1], 0.015, below))
+    figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    picture = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
+    picture.paste(TABLE, (0, 0, SIZE[0], STAGE[1]))
+    return picture, lambda t: axes.transData.transform((t, 100.0))[0]

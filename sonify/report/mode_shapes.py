@@ -1,0 +1,116 @@
+"""Pictures of the mode shapes."""
+
+import numpy as np
+from matplotlib import colormaps
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import PolyCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Arc, Circle
+
+from modal.modes import Modes, Support
+from sonify.report.solid_view import skin, view
+
+COLUMNS = 5
+ACROSS, SLANTED, ABOVE, HEAD = 2.6, 1.9, 2.5, 0.6
+"""Width of a mode, heights of its two views and of the title, over the radius of the disk."""
+INCH = 0.95
+"""Size of a radius [in]."""
+STRETCH = 0.16
+"""Largest drawn displacement over the radius, of the rim seen from above."""
+
+
+def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None = None) -> None:
+    """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the whole body over it.
+
+    At a slant colour is how far a point moves; from above it is axial motion, black its nodal lines, dashed the rim
+    moved in its plane. All are to scale within a mode. The arc of the rim over which the patch of `support` holds it,
+    where it is given, is green. A disk without modes gives a picture that says so.
+    """
+    tall = SLANTED if slanted else 0.0
+    rows, high = max(1, -(-len(modes) // COLUMNS)), HEAD + tall + ABOVE
+    figure = Figure(figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + HEAD)), dpi=100)
+    FigureCanvasAgg(figure)
+    axis = figure.add_axes((0, 0, 1, 1))  # one for all: every other one would cost as much as a mode
+    axis.set(xlim=(0, ACROSS * COLUMNS), ylim=(-high * rows, HEAD))
+    axis.set_axis_off()
+    polygons = skin(modes.body) if slanted and len(modes) else None
+    for i in range(len(modes)):
+        row, column = divmod(i, COLUMNS)
+        x, y = ACROSS * (column + 0.5), -high * row
+        axis.text(x, y - 0.05, caption(modes, i), fontsize=10, ha="center", va="top")
+        if slanted:
+            draw_solid(axis, modes, polygons, i, (x, y - HEAD - tall / 2))
+        draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2), support)
+    if not len(modes):
+        axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
+    axis.text(ACROSS * COLUMNS / 2, HEAD / 2, LEGEND, fontsize=11, ha="center", va="center")
+    figure.savefig(path)
+
+
+LEGEND = (
+    "At a slant: exaggerated, bright where it moves most. From above: axial motion of the top face (colour),\n"
+    "nodal lines (black), rim (dashed); where the disk is held at a patch, it is to the right (green)"
+)
+
+
+def draw_solid(axis, modes, polygons, i, at):
+    """One mode at a slant, its centre `at` (x, y) in radii."""
+    radius, _ = edges(modes)
+    stretch = STRETCH * radius / np.abs(modes.body.displacement[i]).max()
+    places, far, light = view(modes.body, polygons, i, stretch)
+    colour = colormaps["viridis"](far)
+    colour[:, :3] *= light[:, None]
+    axis.add_collection(PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4))
+
+
+def edges(modes):
+    """Radius of the rim and of the hole, 0 if there is none, of the faces [m]: the weights add up to (R^2 - r^2)/2."""
+    radius = np.hypot(*modes.body.points[:, :2].T).max()
+    hole = radius**2 - 2 * modes.face_weight.sum()
+    return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
+
+
+def draw_above(axis, modes, i, at, support):
+    """One mode from above, its centre `at` (x, y) in radii: colours, nodal lines, rim at rest and displaced, patch."""
+    radius, hole = edges(modes)
+    x, y, w = top_face(modes, i, radius, hole)
+    x, y = x / radius + at[0], y / radius + at[1]
+    plane = modes.rim_shape[i, :, :2]
+    scale = max(np.abs(w).max(), np.abs(plane).max())
+    axis.contourf(x, y, w / scale, levels=np.linspace(-1, 1, 21), cmap="RdBu_r")
+    if np.abs(w).max() > 0.1 * scale:
+        axis.contour(x, y, w / scale, levels=[0.0], colors="black", linewidths=1.3)
+    for r in (1.0, hole / radius):
+        axis.add_patch(Circle(at, r, fill=False, color="0.3", lw=1))
+    moved = moved_rim(modes, i, 1.0, STRETCH / scale)
+    axis.plot(moved[0] + at[0], moved[1] + at[1], color="0.1", lw=1, ls=(0, (4, 2)))
+    if support and support.kind == "patch":
+        reach = support.half_angle_deg
+        axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
+
+
+def caption(modes, i):
+    """Number, frequency, family, order and T60 of mode i."""
+    time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
+    pair = f"{modes.parity[i]}, " if modes.partner[i] >= 0 else ""
+    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{modes.family[i]}, {pair}order {modes.order[i]}"
+
+
+def top_face(modes, i, radius, hole):
+    """Cartesian grids x, y and axial motion w of the top face, closed around, up to the rim and the centre or hole."""
+    w, at = modes.face_shape[i, 1], modes.face_radius
+    rim = w[-1] + (w[-1] - w[-2]) * (radius - at[-1]) / (at[-1] - at[-2])
+    within = w[0] + (w[1] - w[0]) * (hole - at[0]) / (at[1] - at[0]) if hole else np.full(w.shape[1], w[0].mean())
+    w = np.vstack([within, w, rim])
+    r = np.concatenate([[hole], at, [radius]])
+    angle = np.append(modes.face_angle, 2 * np.pi)
+    w = np.hstack([w, w[:, :1]])
+    return np.outer(r, np.cos(angle)), np.outer(r, np.sin(angle)), w
+
+
+def moved_rim(modes, i, radius, factor):
+    """x, y (k + 1,) of the bottom edge displaced in the plane."""
+    radial, tangential = factor * modes.rim_shape[i, :, 0], factor * modes.rim_shape[i, :, 1]
+    c, s = np.cos(modes.rim_angle), np.sin(modes.rim_angle)
+    x, y = (radius + radial) * c - tangential * s, (radius + radial) * s + tangential * c
+    return np.append(x, x[0]), np.append(y, y[0])

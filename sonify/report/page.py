@@ -1,0 +1,44 @@
+"""RESULT -> PAGE: one self-contained HTML file with the sound, the pictures, the checks and the findings."""
+
+from base64 import b64encode
+from pathlib import Path
+
+from jinja2 import Environment, PackageLoader
+
+from sonify.files import whole
+
+PICTURES = {
+    "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
+    "stems.png": "What can be heard: each cause of sound against the threshold of hearing.",
+    "motion.png": "Figures 3 to 6 of the paper.",
+    "modes.png": "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines.",
+}
+MOST_EMBEDDED = 100_000_000
+"""A longer sound [bytes] is not put into the page, which refers to the file beside it."""
+
+
+def write(result, path: Path):
+    """Write the page of a result, with everything it shows inside, but not a sound of hours."""
+    page = Environment(loader=PackageLoader("sonify.report"), autoescape=True).get_template("report.html")
+    text = page.render(
+        result=result,
+        zip=zip,
+        sound=playable(result.out / "sound.wav"),
+        pictures=[
+            (embedded(result.out / name, "image/png"), caption)
+            for name, caption in PICTURES.items()
+            if (result.out / name).exists()
+        ],
+    )
+    with whole(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+
+
+def playable(path: Path) -> str:
+    """Return a WAV file as a data URL, or the name of a file too long for that."""
+    return embedded(path, "audio/wav") if path.stat().st_size <= MOST_EMBEDDED else path.name
+
+
+def embedded(path: Path, kind: str) -> str:
+    """Return a file as a data URL."""
+    return f"data:{kind};base64,{b64encode(path.read_bytes()).decode()}"

@@ -1,0 +1,50 @@
+"""RECORDING -> FILES: what a sound file of the user's own tells, in words, numbers and a picture."""
+
+from dataclasses import asdict
+from pathlib import Path
+
+from sonify.files import claim
+from sonify.hearing.recording import listen
+
+
+def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
+    """Listen to a recording, write heard.json and spectrogram.png into `out`, return what was heard as lines.
+
+    Raises RecordingError before anything is written, and OutputError when `out` cannot be written.
+    """
+    heard = listen(recording)
+    folder = claim(out or Path("outputs") / "listen" / Path(recording).stem)
+    from sonify.report.sound import draw_recording
+    from sonify.report.write import finite, write_json
+
+    draw_recording(recording, heard, folder / "spectrogram.png")
+    write_json(finite(numbers(heard)), folder / "heard.json")
+    return [*sentences(heard), str(folder)]
+
+
+def numbers(heard) -> dict:
+    """Return what was heard as plain values: the fits, the carriers, and the ridge of the tone."""
+    return asdict(heard) | {name: _tone(getattr(heard, name)) for name in ("tone", "repetition")}
+
+
+def sentences(heard) -> list[str]:
+    """Return what was heard in words."""
+    lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
+    for name, tone in (("rising tone", heard.tone), ("rising repetition of the envelope", heard.repetition)):
+        lines.append(f"{name}: {_fit(tone) if tone else 'none stands out'}")
+    return lines + [
+        f"carrier: {c.frequency:.2f} Hz, steady within {c.spread:.2f} cents, {c.level:.0f} dB out of its surroundings"
+        for c in heard.carriers
+    ]
+
+
+def _fit(tone):
+    end = f"end at {tone.end:.3f} s (± {tone.end_error:.3f} of the fit)"
+    exponent = f"f ~ (t_end - t)^-{tone.exponent:.3f} (± {tone.exponent_error:.3f})"
+    return f"{end}, {exponent}, {tone.frequency[0]:.1f} Hz at {tone.time[0]:.2f} s, rises {tone.factor:.3g} times"
+
+
+def _tone(tone):
+    if tone is None:
+        return None
+    return {name: value if isinstance(value, float) else value.tolist() for name, value in vars(tone).items()}

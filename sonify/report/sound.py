@@ -1,0 +1,130 @@
+"""SOUND -> PICTURES: spectrograms with the solved lines over them, and the causes of sound against hearing."""
+
+import numpy as np
+from matplotlib.patheffects import withStroke
+from matplotlib.ticker import LogLocator, NullLocator
+from scipy.ndimage import median_filter
+
+from dynamics.rates import nutation_frequency, precession_frequency
+from sonify.claims.sound import LAST
+from sonify.hearing.loudness import audibility
+from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
+from sonify.report.figure import figure_at
+from sonify.sound.render import STEMS
+
+RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
+"""The band of the contact rates [Hz], and the window it is seen through [s]."""
+WINDOW_MODES = 0.02
+"""The window for the band of the modes [s]."""
+FLOOR_DB, RANGE_DB = -10.0, 65.0
+"""Level of the darkest [dB re 20 uPa], and from there to the brightest."""
+EDGE = [withStroke(linewidth=2.5, foreground="k")]
+"""Makes a white line visible on white."""
+
+
+def draw_spectrogram(motion, modes, sound, path):
+    """Draw pressure.wav in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
+    file, delay = sound.folder / "pressure.wav", sound.source_end - motion.t[-1]
+    low, high = spectrogram(file, WINDOW_RATES).band(*RATES), spectrogram(file, WINDOW_MODES)
+    end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
+    with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
+        for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
+            top.set(xlim=span)
+            log_frequency(top, RATES)
+            level_image(top, low.during(*span), 1.0)
+            _rate_lines(top, motion, delay, 1.0)
+            image = level_image(bottom, high.during(*span), 1e3)
+            bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
+            _mode_lines(bottom, modes.frequency, span)
+        _rate_lines(axes[1, 1], motion, delay, 1e3)
+        _legend(axes[1, 0])
+        axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")
+        axes[1, 0].set(ylabel="frequency [kHz]", title="Modes")
+        axes[0, 1].set(title="The end")
+        figure.colorbar(image, ax=axes, pad=0.05, fraction=0.04, label="level of a sine in the window [dB re 20 µPa]")
+
+
+def draw_recording(recording, heard, path):
+    """Draw a sound file in two bands, relative to full scale, with the rising tone that was heard over it."""
+    low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
+    top = 5 * np.ceil(max(low.level_db(1.0).max(), high.level_db(1.0).max()) / 5)
+    with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
+        log_frequency(axes[0], RATES)
+        axes[0].set(ylabel="frequency [Hz]", title="Contact rates")
+        for panel, seen, unit in zip(axes, (low, high), (1.0, 1e3), strict=True):
+            image = level_image(panel, seen, unit, 1.0, top - RANGE_DB)
+            panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
+            if heard.tone is not None:
+                left = np.geomspace(0.01, 8.0, 400)
+                options = {"color": "w", "lw": 1.0, "ls": "--", "label": "rising tone, fitted", "path_effects": EDGE}
+                panel.plot(heard.tone.end - left, heard.tone.at(heard.tone.end - left) / unit, **options)
+                _legend(panel)
+        axes[1].set(ylabel="frequency [kHz]", title="Modes", xlabel="time [s]")
+        figure.colorbar(
+            image, ax=axes, pad=0.02, fraction=0.05, label="level of a sine in the window [dB re full scale, RMS]"
+        )
+
+
+def log_frequency(axes, band):
+    """Make the height of a panel the logarithm of frequency over `band` [Hz], with ticks at 1, 2, 5, 10 ..."""
+    axes.set(yscale="log", ylim=band)
+    axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.yaxis.set_major_formatter("{x:g}")
+    axes.yaxis.set_minor_locator(NullLocator())
+
+
+def level_image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
+    """Draw the level [dB re `reference`] of a spectrogram over time [s] and frequency [Hz, over `unit`]."""
+    level, options = seen.level_db(reference), {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
+    time, frequency = seen.time, seen.frequency / unit
+    if axes.get_yscale() == "log":
+        return axes.pcolormesh(time, frequency, level, shading="nearest", **options)
+    half = (np.diff(time[:2], append=time[0] + 1)[0] / 2, np.diff(frequency[:2])[0] / 2)
+    extent = (time[0] - half[0], time[-1] + half[0], frequency[0] - half[1], frequency[-1] + half[1])
+    return axes.imshow(level, origin="lower", aspect="auto", interpolation="nearest", extent=extent, **options)
+
+
+def _rate_lines(axes, motion, delay, unit):
+    (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
+    for rate, style, name in ((precession, "-", "precession"), (nutation, "--", "nutation")):
+        smooth = median_filter(rate, 5) / unit
+        axes.plot(peaks + delay, smooth, color="w", lw=1.0, ls=style, label=f"{name}, solved", path_effects=EDGE)
+    _legend(axes)
+
+
+def _legend(axes):
+    axes.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
+
+
+def _mode_lines(axes, frequencies, span):
+    heights = np.unique(np.round(frequencies)) / 1e3  # the two of a pair are one line
+    places = heights.copy()
+    apart = 0.022 * axes.get_ylim()[1]
+    for i in range(1, len(places)):  # keep the labels apart
+        places[i] = max(places[i], places[i - 1] + apart)
+    axes.hlines(heights, *span, color="w", lw=0.8, ls=":", alpha=0.7, label="modes, solved")
+    near = (places < axes.get_ylim()[1]) & (places - heights < 3 * apart)  # the others have no room
+    for height, place in zip(heights[near], places[near], strict=True):
+        axes.text(span[1], place, f" {1e3 * height:.0f} Hz", fontsize=7, va="center")
+
+
+def draw_stems(sound, path):
+    """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing."""
+    styles = dict(zip(STEMS, [("k", "-"), ("k", "--"), ("0.55", "-"), ("0.55", "--")], strict=True))
+    with figure_at(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
+        for name, (color, style) in styles.items():
+            heard = audibility(sound.folder / "stems" / f"{name}.wav")
+            options = {"color": color, "ls": style, "lw": 1.2, "label": name.replace("_", " ")}
+            weighted.plot(heard.time, heard.a_weighted, **options)
+            above.plot(heard.time, heard.above_threshold, **options)
+        weighted.set(
+            ylabel="A-weighted level [dB re 20 µPa]", ylim=(-20, None), title="Causes of sound at the listener"
+        )
+        above.axhspan(-30, 0, color="0.9")
+        above.text(sound.duration, -29, "not heard: below the threshold of ISO 226  ", ha="right", va="bottom")
+        above.set(ylabel="above threshold, best third octave [dB]", xlabel="time at the listener [s]", ylim=(-30, None))
+        weighted.legend(loc="upper left")
+        for axes in (weighted, above):
+            axes.grid(alpha=0.3)
+            axes.axvline(sound.source_end, color="k", lw=0.6, ls=":")
+            axes.set_xlim(0, sound.duration)

@@ -1,0 +1,132 @@
+"""RESULT -> FILES: run.json, motion.npz, the modes, the pictures and the page that shows them all."""
+
+import json
+import subprocess
+from dataclasses import asdict
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from platform import platform, python_version
+
+import numpy as np
+
+from dynamics.motion import COLUMNS
+from modal import as_json, write_vtu
+from sonify.files import whole
+from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
+
+NAME = "eulers-disk-sonify"
+LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
+
+
+def write_record(result, stages):
+    """Write everything but the sound into the folder of the result; the stages are timed."""
+    from sonify.report import page, pictures  # drawing loads slowly
+
+    with stages.stage("motion.npz, modes"):
+        write_motion(result.motion, result.out / "motion.npz")
+        write_json(as_json(result.modes), result.out / "modes.json")
+        with whole(result.out / "modes.vtu") as temporary:
+            write_vtu(result.modes, temporary)
+    with stages.stage("pictures"):
+        pictures.draw_all(result)
+    write_json(run_record(result), result.out / "run.json")
+    page.write(result, result.out / "report.html")
+
+
+def write_motion(motion, path: Path):
+    """Write instants [s], states, forces [N] and regimes at the ends of the pieces, the jumps and the transitions."""
+    jumps, events = motion.jumps, motion.transitions
+    with whole(path) as temporary:
+        np.savez(
+            temporary,
+            t=motion.t,
+            state=motion.state,
+            columns=np.array(COLUMNS),
+            force=motion.force(motion.t),
+            regime=motion.regime(motion.t),
+            jump_time=jumps.t,
+            jump_before=jumps.before,
+            jump_after=jumps.after,
+            transition_time=np.array([e.t for e in events]),
+            transition_before=np.array([e.before for e in events]),
+            transition_after=np.array([e.after for e in events]),
+            transition_guard=np.array([e.guard for e in events]),
+        )
+
+
+def run_record(result) -> dict:
+    """Return what run.json holds: plain values, none of them infinite or not a number."""
+    sound = result.sound
+    return {
+        "scene": finite(asdict(result.scene)),
+        "plan": asdict(result.plan),
+        "outcome": {"name": result.motion.outcome.name, "sentence": result.motion.outcome.sentence},
+        "motion": {"end": float(result.motion.t[-1]), "integrator": result.motion.integrator},
+        "sound": {
+            "sample_rate": sound.sample_rate,
+            "duration": sound.duration,
+            "peak_pascal": sound.peak,
+            "full_scale_pascal": sound.full_scale,
+            "gain_db": float(sound.gain_db),
+            "loudness_lufs": loudness(sound),
+            "roughness": "not in a draft" if result.plan.accuracy == "draft" else roughness_before(sound),
+            "stem_peak_pascal": sound.stem_peak,
+        },
+        "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
+        "findings": [finite(asdict(finding)) | {"holds": finding.holds} for finding in result.findings],
+        "seconds": {name: round(seconds, 3) for name, seconds in result.seconds.items()},
+        "versions": versions(),
+    }
+
+
+def loudness(sound) -> float | str:
+    """Return the loudness of sound.wav by BS.1770 [LUFS], or why there is none."""
+    try:
+        return finite(loudness_lufs(sound.folder / "sound.wav"))
+    except ValueError as error:
+        return str(error)
+
+
+def roughness_before(sound) -> dict | str:
+    """Return the roughness of the last seconds of the motion, or why there is none."""
+    try:
+        time, asper = roughness(sound.folder / "pressure.wav", sound.source_end)
+        return {"time": time.tolist(), "asper": asper.tolist()}
+    except (ValueError, MissingExtraError) as error:
+        return str(error)
+
+
+def finite(value):
+    """Return nested values with every infinity as a string: JSON has none."""
+    if isinstance(value, dict):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [finite(item) for item in value]
+    return value if not isinstance(value, float) or np.isfinite(value) else str(value)
+
+
+def write_json(value, path: Path):
+    """Write strict JSON. Raises ValueError for a value that is not finite."""
+    with whole(path) as temporary:
+        temporary.write_text(json.dumps(value, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of this program, its commit where it runs from a checkout, and what it stands on."""
+    found = {"python": python_version(), "platform": platform(), "commit": commit()}
+    for name in (NAME, *LIBRARIES):
+        try:
+            found[name] = version(name)
+        except PackageNotFoundError:
+            found[name] = "not installed"
+    return found
+
+
+def commit() -> str:
+    """Return the git commit of the checkout that this file is in, or 'unknown'."""
+    here = Path(__file__).parent
+    try:
+        asked = subprocess.run(["git", "rev-parse", "HEAD"], cwd=here, capture_output=True, text=True, check=False)
+    except OSError:
+        return "unknown"
+    return asked.stdout.strip() or "unknown"

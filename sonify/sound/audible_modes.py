@@ -1,0 +1,65 @@
+"""MODES -> VOICES: what of the modes is heard, and how much each is worth."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from sonify.hearing.loudness import a_weighting_db
+from sonify.sound.drive import drive_per_newton
+from sonify.sound.radiation import Listener, directions
+
+VIEWS = 64
+"""Azimuths over which the radiation of a mode is averaged."""
+RING_DOWN_DB, LONGEST = 60.0, 10.0
+"""A ring is heard until it is so far [dB] below the loudest at its start, but not longer than this [s]."""
+OF_A_MODE = {"frequency", "decay_rate", "participation", "rim_shape", "face_shape"}
+
+
+class Voices(NamedTuple):
+    """What of the modes is heard: the fields of the same name of `modal.Modes`."""
+
+    frequency: np.ndarray
+    decay_rate: np.ndarray
+    participation: np.ndarray
+    rim_angle: np.ndarray
+    rim_shape: np.ndarray
+    face_radius: np.ndarray
+    face_weight: np.ndarray
+    face_angle: np.ndarray
+    face_shape: np.ndarray
+
+
+def voices(modes, sample_rate: float, wanted=None) -> Voices:
+    """Return the modes of the indices `wanted`, all of them if None, below half the sample rate: a higher one is left
+    out, not folded back."""
+    keep = np.arange(len(modes.frequency)) if wanted is None else np.array(wanted, dtype=int)
+    keep = keep[modes.frequency[keep] < sample_rate / 2]
+    return Voices(
+        *(getattr(modes, name)[keep] if name in OF_A_MODE else getattr(modes, name) for name in Voices._fields)
+    )
+
+
+def after_a_jump(modes, scene) -> tuple[np.ndarray, np.ndarray]:
+    """Return what a jump of 1 N of the contact force leaves in the modes: loudness (m,) [Pa^2 s] and energy (m,) [J].
+
+    A mode of modal mass 1 driven by g rings as q'' = g exp(-d t) cos(w t), of energy g^2/(2 w^2); the square of its
+    pressure, A-weighted, adds up to (g R)^2/(4 d). g is the root of the sum of squares over the three directions, R the
+    root mean square of Rayleigh's integral round the axis. A nutation that sweeps through the modes excites them in the
+    same proportion: at the rate w^2/k it leaves q'' = g sqrt(pi k/2).
+    """
+    listener = Listener(distance=scene.audio.distance, elevation=np.radians(scene.audio.elevation_deg))
+    g2 = np.square(drive_per_newton(modes, scene)).sum(axis=0)
+    heard2 = np.mean(np.abs(directions(modes, listener, count=VIEWS)) ** 2, axis=0)
+    weight = 10 ** (a_weighting_db(modes.frequency) / 10)
+    decay = np.maximum(modes.decay_rate, 1 / LONGEST)
+    return weight * g2 * heard2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)
+
+
+def ring_down(modes, scene) -> float:
+    """Return for how long [s] the modes of a disk that has settled are still heard."""
+    loudness, _ = after_a_jump(modes, scene)
+    at_start = loudness * np.maximum(modes.decay_rate, 1 / LONGEST)
+    with np.errstate(divide="ignore"):
+        level = 10 * np.log10(at_start / at_start.max(initial=1e-300))
+        lasting = (RING_DOWN_DB + level) / (20 / np.log(10) * modes.decay_rate)
+    return float(np.clip(lasting.max(initial=0.0), 0.0, LONGEST))
