@@ -116,31 +116,20 @@ def steady_nutation_squared(a, w3, h, K, step=1e-5):
 
 
 def flat_limit(h, K):
-    """Return Omega^2 beta, and nutation over precession frequency, of steady motion with a fixed centre as beta -> 0.
-
-    With w2 = h w3 and w3 = Omega beta what (5.3) leaves at beta = 0 is (1 + 4 h^2/(3 K)) Omega^2 beta = 1 + 4/K.
-    """
+    """Return Omega^2 beta, and nutation over precession frequency, of `steady_precession` as beta -> 0."""
     beta = 1e-6
     rate = steady_precession(beta, h, K)
-    return flat_square(h, K), sqrt(
-        steady_nutation_squared(pi / 2 - beta, rate * sin(beta), h, K, step=1e-3 * beta)
-    ) / rate
-
-
-def flat_square(h, K):
-    """Return Omega^2 beta of a steady motion with a fixed centre as beta -> 0, see `flat_limit`."""
-    return (1 + 4 / K) / (1 + 4 * h * h / (3 * K))
+    square = steady_nutation_squared(pi / 2 - beta, rate * sin(beta), h, K, step=1e-3 * beta)
+    return rate**2 * beta, sqrt(square) / rate
 
 
 def steady_precession(beta, h, K):
-    """Return the precession rate of the steady motion with a fixed centre (w2 = h w3) at inclination beta."""
+    """Return the precession rate of the steady motion with a fixed centre (w2 = h w3) at inclination beta.
 
-    def excess(rate):
-        w3 = rate * sin(beta)
-        return nutation_acceleration(pi / 2 - beta, h * w3, w3, h, K)
-
-    guess = sqrt(flat_square(h, K) / beta)
-    return brentq(excess, 0.2 * guess, 5 * guess, xtol=1e-13 * guess, rtol=1e-14)
+    nutation_acceleration is at0 + (at1 - at0) w3^2 there.
+    """
+    at0, at1 = (nutation_acceleration(pi / 2 - beta, h * w3, w3, h, K) for w3 in (0.0, 1.0))
+    return sqrt(at0 / (at0 - at1)) / sin(beta)
 
 
 def rolling_friction_slope(k2, beta, h, K):
@@ -168,6 +157,6 @@ def rolling_friction_slope(k2, beta, h, K):
 def centred_slope(k2, h, K):
     """Return -d sqrt(beta)/dtau that the energy gives for small beta if the centre stayed fixed under the moment k2.
 
-    Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega beta with Phi = (K + 4)/4 and Omega^2 beta = flat_square.
+    Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega beta with Phi = (K + 4)/4 and Omega^2 beta as in `flat_limit`.
     """
-    return k2 * sqrt(flat_square(h, K)) / 3
+    return k2 * sqrt(flat_limit(h, K)[0]) / 3

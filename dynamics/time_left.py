@@ -5,7 +5,7 @@ from math import copysign, log, sin, sqrt
 from .dissipation import resistance
 from .regime import DISSIPATED, FLOAT, Branch, Regime, turnings
 from .simulation import law_of
-from .theory import steady_precession
+from .steady import steady_precession
 
 
 def time_left(beta: float, disk, friction, dissipation) -> float:

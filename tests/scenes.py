@@ -5,7 +5,7 @@ from math import degrees, inf, sin
 
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
-from dynamics.theory import steady_precession
+from dynamics.steady import steady_precession
 
 RADIUS = 0.03755
 

@@ -16,6 +16,7 @@ from dynamics.hybrid import drive
 from dynamics.regime import PRECESSION, X
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator, law_of, released
+from dynamics.steady import flat_square, steady_precession
 
 SOLIDS = [{}, {"thickness": 1e-9, "radius": 0.03755, "mass": 0.4}, {"thickness": 0.05}, {"shape": "shell"}]
 
@@ -93,10 +94,15 @@ def replace_omega(wanted, nutation_rate):
 
 
 @pytest.mark.parametrize("h", [1e-6, 0.17, 3.0, 300.0])
-def test_the_steady_precession_of_any_thickness_tends_to_its_flat_limit(h):
-    """Omega^2 beta -> (1 + 4/K)/(1 + 4 h^2/(3 K)): what (5.3) leaves at beta = 0."""
-    beta = 1e-9
-    assert theory.steady_precession(beta, h, 1.0) ** 2 * beta == pytest.approx(5 / (1 + 4 * h * h / 3), rel=1e-4)
+@pytest.mark.parametrize("K", [1.0, 2.0])
+def test_steady_precession_in_closed_form_and_its_flat_limit(h, K):
+    """What the second of (5.3) leaves, written out, is where `theory` finds it, to the rounding of pi/2 - beta."""
+    for beta in (1e-3, 0.1 / (1 + h)):
+        rel = 4 * np.finfo(float).eps / beta
+        assert steady_precession(beta, h, K) == pytest.approx(theory.steady_precession(beta, h, K), rel=rel)
+    assert steady_precession(1e-9, h, K) ** 2 * 1e-9 == pytest.approx(flat_square(h, K), rel=1e-5)
+    with pytest.raises(ValueError, match="math domain"):
+        steady_precession(1.3, 0.2, K)
 
 
 def test_flat_limits_of_precession_and_nutation():

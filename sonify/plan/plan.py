@@ -6,7 +6,7 @@ from math import pi
 import numpy as np
 
 from dynamics.simulation import chosen_integrator
-from dynamics.theory import flat_square
+from dynamics.steady import flat_square
 from sonify.claims.motion import HEARING
 from sonify.plan.accuracy import LEVELS
 from sonify.plan.predictions import LAST_INCLINATION, Prediction, predicted_end, predicted_frequencies, predicted_sound
