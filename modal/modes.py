@@ -11,6 +11,7 @@ from typing import Annotated, Literal
 
 import numpy as np
 from annotated_types import Ge, Gt, Le, Lt
+from numpy.polynomial.legendre import legvander
 
 
 class UnsolvableError(ArithmeticError, ValueError):
@@ -59,6 +60,22 @@ class Body:
     cells: np.ndarray
     cell_type: str
     displacement: np.ndarray
+
+
+OF_A_MODE = ("frequency", "decay_rate", "order", "partner", "participation", "rim_shape", "face_shape")
+OF_A_MODE += ("residual", "error")
+"""The arrays of `Modes` that have a row for every mode."""
+
+
+def around(values, angle):
+    """Fourier's sum (..., k) at angles (k,) [rad] of values (..., n) at n even angles, of the orders they contain."""
+    n = values.shape[-1]
+    wave = np.fft.rfft(values) / n
+    wave[..., 1 : (n + 1) // 2] *= 2
+    size = np.abs(wave).max(axis=tuple(range(wave.ndim - 1)), initial=0.0)
+    order = np.flatnonzero(size > np.finfo(float).eps * size.max())
+    turn = np.outer(order, angle)
+    return wave.real[..., order] @ np.cos(turn) - wave.imag[..., order] @ np.sin(turn)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -130,14 +147,31 @@ class Modes:
         """participation^2 (m, 6) [kg, kg m^2]; the columns of a held disk add up to its mass and inertia."""
         return self.participation**2
 
+    def select(self, indices) -> "Modes":
+        """The modes of these indices (k,), or a mask (m,), in that order; `partner` is renumbered, -1 if left out."""
+        kept = np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
+        place = np.full(len(self) + 1, -1)
+        place[kept] = np.arange(len(kept))
+        of_a_mode = {name: getattr(self, name)[kept] for name in OF_A_MODE}
+        of_a_mode["partner"] = place[of_a_mode["partner"]]
+        names = {name: tuple(getattr(self, name)[i] for i in kept) for name in ("family", "parity")}
+        body = replace(self.body, displacement=self.body.displacement[kept])
+        return replace(self, **of_a_mode, **names, body=body)
+
     def at_rim(self, angle) -> np.ndarray:
-        """Radial, tangential, axial displacement (m, k, 3) of the bottom edge at angles (k,) [rad]."""
-        k = len(self.rim_angle)
-        wave = np.fft.rfft(self.rim_shape, axis=1) / k
-        order = np.arange(wave.shape[1])
-        twice = np.where((order == 0) | (2 * order == k), 1.0, 2.0)
-        basis = twice * np.exp(1j * np.outer(np.atleast_1d(angle), order))
-        return np.einsum("kn,mnc->mkc", basis, wave).real
+        """Radial, tangential, axial displacement (m, k, 3) [kg^-1/2] of the bottom edge at angles (k,) [rad]."""
+        shape = around(self.rim_shape.transpose(0, 2, 1), np.atleast_1d(angle))
+        return np.ascontiguousarray(shape.transpose(0, 2, 1))
+
+    def at_face(self, radius, angle) -> np.ndarray:
+        """Axial displacement (m, 2, k) [kg^-1/2] of the bottom (0) and top (1) face at radii [m], angles [rad], (k,).
+
+        Fourier's sum of `face_shape` around, the polynomial through its Gauss points in the radius, up to the rim.
+        """
+        radius, angle = np.broadcast_arrays(np.atleast_1d(radius), angle)
+        nodes, degree = self.face_radius, len(self.face_radius) - 1
+        at, between = (legvander(2 * (r - nodes[0]) / np.ptp(nodes) - 1, degree) for r in (radius, nodes))
+        return np.einsum("mfrk,kr->mfk", around(self.face_shape, angle), at @ np.linalg.inv(between))
 
     def with_decay(self, decay_rate) -> "Modes":
         """The same modes with other decay rates (m,) or scalar [1/s], as measured on a real disk."""

@@ -68,6 +68,32 @@ def test_pairs_are_exact_and_partners_are_a_quarter_wave_apart(modes):
     assert modes.at_rim(modes.rim_angle - pi / (2 * n))[0] == pytest.approx(modes.rim_shape[1], abs=1e-9)
 
 
+def test_a_choice_of_modes_is_those_modes_in_that_order_and_keeps_what_is_left_of_a_pair(modes):
+    chosen = modes.select([3, 1, 0])
+    assert chosen.partner.tolist() == [-1, 2, 1]
+    assert modes.partner[[3, 1, 0]].tolist() == [4, 0, 1]
+    for name in ("frequency", "face_shape", "rim_shape", "participation", "error"):
+        assert (getattr(chosen, name) == getattr(modes, name)[[3, 1, 0]]).all()
+    assert chosen.family == tuple(modes.family[i] for i in (3, 1, 0))
+    assert (chosen.body.displacement == modes.body.displacement[[3, 1, 0]]).all()
+    assert (modes.select(modes.frequency < 20e3).frequency == modes.frequency[:3]).all()
+    assert len(modes.select([])) == 0
+
+
+def test_a_face_meets_the_rim_and_the_nodes_of_the_body(modes):
+    """Oracle: the same amplitudes where the record has them by other ways, on the rim and at the body's nodes.
+
+    Chebyshev's coefficients of cos(x s) at degree 16 are 2 J_16(x) < 5e-9 up to x = 4: below 40 kHz bending turns by
+    no more than 4 radians to either side of the middle of the radius.
+    """
+    assert modes.at_face(RADIUS, modes.rim_angle)[:, 0] == pytest.approx(modes.rim_shape[..., 2], abs=1e-6)
+    x, y, z = modes.body.points.T
+    for face, height in enumerate((-THICKNESS / 2, THICKNESS / 2)):
+        there = np.abs(z - height) < 1e-12
+        shape = modes.at_face(np.hypot(x, y)[there], np.arctan2(y, x)[there])[:, face]
+        assert shape == pytest.approx(modes.body.displacement[:, there, 2], abs=1e-6)
+
+
 def test_free_modes_do_not_move_the_centre_of_mass_nor_turn_the_disk(modes):
     assert np.abs(modes.participation).max() < 1e-9
 
