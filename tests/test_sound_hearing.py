@@ -5,6 +5,7 @@ BS.1770, the definition of the asper. Oracle: values printed in those tables; a 
 """
 
 import sys
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -19,6 +20,7 @@ from sonify.hearing.loudness import (
     loudness_lufs,
     roughness,
 )
+from sonify.hearing.source import BLOCK, SoundFile, pieces, stretch
 from sonify.hearing.spectrogram import spectrogram
 
 RATE = 48000
@@ -111,3 +113,57 @@ def test_a_file_shorter_than_the_window_is_seen_in_it(tmp_path, seconds):
     seen = spectrogram(tone(tmp_path / "short.wav", 1000.0, 1.0, seconds), 0.2)
     assert np.isfinite(seen.power).all()
     assert len(seen.time) == 1
+
+
+class InBlocks:
+    """A source that hands out samples (n, c) in uneven blocks."""
+
+    sample_rate = RATE
+
+    def __init__(self, samples, sizes=(1, 7000, 333)):
+        self.samples, self.frames, self.sizes = samples, len(samples), sizes
+
+    def blocks(self, start=0):
+        edges = np.cumsum([start, *self.sizes * (1 + self.frames // sum(self.sizes))])
+        return (self.samples[a:b] for a, b in pairwise(edges) if a < self.frames)
+
+
+@pytest.mark.parametrize(("step", "overlap", "start"), [(1000, 0, 0), (1000, 3000, 17), (50_000, 5, 0), (8, 90_000, 3)])
+def test_pieces_are_the_samples_however_they_come(step, overlap, start):
+    samples = np.random.default_rng(0).normal(size=(60_001, 2))
+    source = InBlocks(samples)
+    padded = np.pad(samples, ((0, 100_000), (0, 0)))
+    for reading in range(2):  # the second finds what the first found
+        for i, piece in enumerate(pieces(source, step, overlap, start)):
+            assert np.array_equal(piece, padded[start + i * step :][: step + overlap]), reading
+            if i > 100:
+                break
+        else:
+            assert start + (i + 1) * step >= len(samples)
+    assert np.array_equal(stretch(source, start, start + step), samples[start : start + step])
+
+
+def test_a_file_and_its_samples_look_and_sound_the_same(tmp_path):
+    samples = np.random.default_rng(1).normal(scale=0.1, size=(3 * BLOCK + 5, 2)).astype(np.float32)
+    soundfile.write(tmp_path / "noise.wav", samples, RATE, "FLOAT")
+    file, blocks = SoundFile(tmp_path / "noise.wav"), InBlocks(samples)
+    assert (file.sample_rate, file.frames) == (RATE, len(samples))
+    assert np.array_equal(stretch(file, 100, BLOCK + 200), samples[100 : BLOCK + 200])
+    for options in ({"window": 0.02}, {"window": 0.3, "span": (1.0, 2.5)}, {"window": 0.01, "columns": 20}):
+        seen, true = spectrogram(blocks, **options), spectrogram(file, **options)
+        assert seen.power == pytest.approx(true.power, rel=1e-5)
+        assert np.array_equal(seen.time, true.time)
+    assert loudness_lufs(blocks) == pytest.approx(loudness_lufs(file))
+
+
+def test_the_power_in_a_window_is_that_of_a_transform_written_out(tmp_path):
+    """Oracle: the sum |sum w x exp(-i w t)|^2 of one window, term by term."""
+    samples = np.random.default_rng(2).normal(size=(RATE // 10, 1))
+    seen = spectrogram(InBlocks(samples), 0.01)
+    size, column, bin_ = 480, 7, 31
+    n = np.arange(size)
+    window = 0.5 - 0.5 * np.cos(2 * np.pi * n / size)
+    wave = np.exp(-2j * np.pi * seen.frequency[bin_] * n / RATE)
+    value = window @ (samples[column * size // 4 :][:size, 0] * wave)
+    assert seen.time[column] == pytest.approx((column * size // 4 + size / 2) / RATE)
+    assert seen.power[bin_, column] == pytest.approx(2 * abs(value) ** 2 / window.sum() ** 2, rel=1e-5)

@@ -6,9 +6,9 @@ from math import gcd
 from pathlib import Path
 
 import numpy as np
-import soundfile
 from scipy.signal import resample_poly
 
+from sonify.hearing.source import Source, source_of, stretch
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE, Spectrogram, spectrogram
 
 # fmt: off
@@ -53,9 +53,9 @@ def a_weighting_db(frequency) -> np.ndarray:
     return 20 * np.log10(np.maximum(gain, 1e-15)) + 1.9997
 
 
-def audibility(path: str | Path) -> Audibility:
-    """Return how audible a file of pressure [Pa] is, window by window. Tones below 20 Hz have no threshold here."""
-    seen = spectrogram(path, WINDOW, COLUMNS)
+def audibility(pressure: Source | str | Path) -> Audibility:
+    """Return how audible a pressure [Pa] is, window by window. Tones below 20 Hz have no threshold here."""
+    seen = spectrogram(pressure, WINDOW, COLUMNS)
     weighted = seen.power * 10 ** (a_weighting_db(seen.frequency) / 10)[:, None]
     return Audibility(
         time=seen.time,
@@ -77,19 +77,18 @@ def level_db(mean_square) -> np.ndarray:
     return 10 * np.log10(np.maximum(np.asarray(mean_square) / REFERENCE_PRESSURE**2, 1e-20))
 
 
-def loudness_lufs(path: str | Path) -> float:
-    """Return the integrated loudness [LUFS] of a sound file, ITU-R BS.1770 by pyloudnorm; -inf for silence.
+def loudness_lufs(sound: Source | str | Path) -> float:
+    """Return the integrated loudness [LUFS] of a source or file, ITU-R BS.1770 by pyloudnorm; -inf for silence.
 
     At most the last ten minutes count. Raises ValueError for less than 0.4 s, the length of a gating block.
     """
     from pyloudnorm import Meter
 
-    with soundfile.SoundFile(path) as file:
-        file.seek(max(file.frames - 600 * file.samplerate, 0))
-        samples = file.read(always_2d=True)
-        if len(samples) < 0.4 * file.samplerate:
-            raise ValueError("loudness needs at least 0.4 s")
-        return float(Meter(file.samplerate).integrated_loudness(samples[:, :5]))
+    source = source_of(sound)
+    rate, frames = source.sample_rate, source.frames
+    if frames < 0.4 * rate:
+        raise ValueError("loudness needs at least 0.4 s")
+    return float(Meter(rate).integrated_loudness(stretch(source, max(frames - 600 * rate, 0), frames)[:, :5]))
 
 
 def unheard() -> list[str]:
@@ -97,8 +96,8 @@ def unheard() -> list[str]:
     return [] if find_spec("mosqito") else [ROUGHNESS_MISSING]
 
 
-def roughness(path: str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (w,) [s] and roughness (w,) [asper] of a file of pressure, ROUGH_LAST seconds up to `end` [s].
+def roughness(pressure: Source | str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa], ROUGH_LAST seconds up to `end` [s].
 
     By the model of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and 60 dB, fully modulated at
     70 Hz. Raises MissingExtraError where mosqito is not installed, ValueError where less than a window is left.
@@ -107,14 +106,13 @@ def roughness(path: str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
         from mosqito.sq_metrics import roughness_dw
     except ImportError:
         raise MissingExtraError(ROUGHNESS_MISSING) from None
-    with soundfile.SoundFile(path) as file:
-        rate = file.samplerate
-        last = min(int(end * rate), file.frames)
-        first = max(last - int(ROUGH_LAST * rate), 0)
-        if last - first < ROUGH_WINDOW * rate:
-            raise ValueError(f"roughness needs at least {ROUGH_WINDOW:g} s")
-        file.seek(first)
-        samples = file.read(last - first, always_2d=True).mean(axis=1)
+    source = source_of(pressure)
+    rate = source.sample_rate
+    last = min(int(end * rate), source.frames)
+    first = max(last - int(ROUGH_LAST * rate), 0)
+    if last - first < ROUGH_WINDOW * rate:
+        raise ValueError(f"roughness needs at least {ROUGH_WINDOW:g} s")
+    samples = stretch(source, first, last).mean(axis=1)
     common = gcd(rate, ROUGH_RATE)
     samples = resample_poly(samples, ROUGH_RATE // common, rate // common) if rate != ROUGH_RATE else samples
     asper, _, _, time = roughness_dw(samples, ROUGH_RATE, overlap=0)

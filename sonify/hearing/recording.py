@@ -10,6 +10,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.signal import butter, find_peaks, resample_poly, sosfiltfilt
 
 from sonify.hearing.rising_tone import RisingTone, rising_tone
+from sonify.hearing.source import Source, pieces, source_of, stretch
 from sonify.scene_errors import InputError
 
 LONGEST = 240.0
@@ -48,12 +49,13 @@ class Heard:
     carriers: list[Carrier]
 
 
-def listen(path: str | Path) -> Heard:
-    """Return what the recording tells: any rate, channels and format that libsndfile reads. Raises RecordingError.
+def listen(sound: Source | str | Path) -> Heard:
+    """Return what a source, or a file of any rate, channels and format that libsndfile reads, tells. Raises
+    RecordingError.
 
-    Times in the result are those of the file. Memory does not grow with its length.
+    Times in the result are those of the sound. Memory does not grow with its length.
     """
-    samples, rate, start, duration = read(path)
+    samples, rate, start, duration = read(sound)
     return Heard(
         duration=duration,
         sample_rate=rate,
@@ -66,29 +68,28 @@ def listen(path: str | Path) -> Heard:
     )
 
 
-def read(path: str | Path):
-    """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the file [s].
+def read(sound: Source | str | Path):
+    """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the sound [s].
 
     Raises RecordingError for what is no sound file, is too short, too slow, silent, or holds samples that are not
     finite.
     """
+    source, name = source_of(sound), f"{sound}" if isinstance(sound, (str, Path)) else "the sound"
     try:
-        with soundfile.SoundFile(path) as file:
-            start, count = _part(file)
-            file.seek(start)
-            channels, rate, frames = file.read(count, always_2d=True), file.samplerate, file.frames
+        rate, (start, stop) = source.sample_rate, _part(source)
+        channels = stretch(source, start, stop)
     except (soundfile.LibsndfileError, OSError) as error:
-        raise RecordingError(f"{path}: not a sound file that can be read: {_reason(error)}") from None
+        raise RecordingError(f"{name}: not a sound file that can be read: {_reason(error)}") from None
     if not np.isfinite(channels).all():
-        raise RecordingError(f"{path}: holds samples that are not finite")
+        raise RecordingError(f"{name}: holds samples that are not finite")
     if rate < SLOWEST:
-        raise RecordingError(f"{path}: {rate} samples a second: at least {SLOWEST} are needed")
-    samples = channels[:, np.argmax(np.square(channels).sum(axis=0))]
+        raise RecordingError(f"{name}: {rate} samples a second: at least {SLOWEST} are needed")
+    samples = channels[:, np.argmax(np.square(channels, dtype=float).sum(axis=0))].astype(float)
     if len(samples) < SHORTEST * rate:
-        raise RecordingError(f"{path}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed")
+        raise RecordingError(f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed")
     if not np.ptp(samples):
-        raise RecordingError(f"{path}: silent")
-    return samples - samples.mean(), rate, start / rate, frames / rate
+        raise RecordingError(f"{name}: silent")
+    return samples - samples.mean(), rate, start / rate, source.frames / rate
 
 
 def envelope(samples, rate) -> tuple[np.ndarray, float]:
@@ -119,14 +120,15 @@ def _later(tone, start):
     return None if tone is None else replace(tone, end=tone.end + start, time=tone.time + start)
 
 
-def _part(file):
-    """First frame and number of frames to listen to: all, or LONGEST up to five seconds after the loudest second."""
-    rate, most = file.samplerate, int(LONGEST * file.samplerate)
-    if file.frames <= most:
-        return 0, file.frames
-    power = [np.square(block.astype(float)).sum() for block in file.blocks(rate, dtype="float32")]
-    end = min((int(np.argmax(power)) + 6) * rate, file.frames)
-    return max(end - most, 0), most
+def _part(source):
+    """First frame to listen to and the one after the last: all, or LONGEST up to five seconds after the loudest
+    second."""
+    rate, most = source.sample_rate, int(LONGEST * source.sample_rate)
+    if source.frames <= most:
+        return 0, source.frames
+    power = [np.square(second, dtype=float).sum() for second in pieces(source, rate)]
+    stop = min((int(np.argmax(power)) + 6) * rate, source.frames)
+    return max(stop - most, 0), max(stop, most)
 
 
 def _spectrum(frame):

@@ -1,19 +1,17 @@
-"""WAV -> SPECTROGRAM: levels over time and frequency, read block by block from a file of any length."""
+"""SOUND -> SPECTROGRAM: levels over time and frequency, block by block in a sound of any length."""
 
 from dataclasses import dataclass
+from itertools import islice
 from math import inf
 from pathlib import Path
 
 import numpy as np
-import soundfile
-from numpy.lib.stride_tricks import sliding_window_view
-from scipy.fft import rfft
-from scipy.signal import get_window
+from scipy.signal import ShortTimeFFT, get_window
+
+from sonify.hearing.source import BLOCK, Source, pieces, source_of
 
 MOST_COLUMNS = 1600
-"""A longer file is looked at in as many places, with gaps between them."""
-GROUP = 64
-"""So many windows are read and transformed at once."""
+"""A longer sound is looked at in as many places, with gaps between them."""
 REFERENCE_PRESSURE = 20e-6
 """0 dB of sound pressure level [Pa]."""
 
@@ -42,31 +40,22 @@ class Spectrogram:
         return Spectrogram(time=self.time[part], frequency=self.frequency, power=self.power[:, part])
 
 
-def spectrogram(path: str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)) -> Spectrogram:
-    """Return the spectrogram of a sound file with Hann windows of `window` [s], the mean power of its channels.
+def spectrogram(sound: Source | str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)) -> Spectrogram:
+    """Return the spectrogram of a source or file with Hann windows of `window` [s], the mean power of its channels.
 
-    Windows overlap by three quarters, in a long file by less: there are at most `columns`. Only the part within `span`
-    [s] is read. A part shorter than the window is padded with silence. Memory does not grow with the length.
+    Windows overlap by three quarters, in a long sound by less: there are at most `columns`. Only the part within `span`
+    [s] is looked at. A part shorter than the window is padded with silence. Memory does not grow with the length.
     """
-    with soundfile.SoundFile(path) as file:
-        rate, size = file.samplerate, max(int(window * file.samplerate), 16)
-        first, last = int(span[0] * rate), int(min(span[1] * rate, file.frames))
-        hop = max(size // 4, -(-(last - first) // columns))
-        starts = np.arange(first, max(last - size, first) + 1, hop)
-        shape = get_window("hann", size).astype(np.float32)
-        groups = np.array_split(starts, -(-len(starts) // GROUP))
-        power = np.vstack([_power(_frames(file, group, size, hop) * shape) for group in groups]).T
-    frequency = np.fft.rfftfreq(size, 1 / rate)
-    return Spectrogram(time=(starts + size / 2) / rate, frequency=frequency, power=power * 2 / float(shape.sum()) ** 2)
-
-
-def _power(frames):
-    spectra = rfft(frames, axis=2)
-    return (spectra.real**2 + spectra.imag**2).mean(axis=1)
-
-
-def _frames(file, starts, size, hop):
-    """The windows (t, channels, size) that begin at `starts` (t,), `hop` apart, read at once; zeros after the end."""
-    file.seek(starts[0])
-    samples = file.read(starts[-1] - starts[0] + size, "float32", always_2d=True, fill_value=0.0)
-    return sliding_window_view(samples, size, axis=0)[::hop]
+    source = source_of(sound)
+    rate, size = source.sample_rate, max(int(window * source.sample_rate), 16)
+    first, last = int(span[0] * rate), int(min(span[1] * rate, source.frames))
+    hop = max(size // 4, -(-(last - first) // columns))
+    count, group = max(last - size - first, 0) // hop + 1, max(BLOCK // hop, 1)
+    shape = ShortTimeFFT(get_window("hann", size), hop, rate, scale_to="magnitude", phase_shift=None)
+    seen = islice(pieces(source, group * hop, max(size - hop, 0), first), -(-count // group))
+    power = [shape.spectrogram(part.T, p0=0, p1=group, k_offset=shape.m_num_mid).mean(axis=0) for part in seen]
+    return Spectrogram(
+        time=(first + hop * np.arange(count) + size / 2) / rate,
+        frequency=shape.f,
+        power=2 * np.concatenate(power, axis=1, dtype=np.float32)[:, :count],
+    )
