@@ -6,6 +6,7 @@ Source: the README's table of commands. Oracle: the files that exist afterwards,
 import errno
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
@@ -15,6 +16,7 @@ from sonify.__main__ import main
 from sonify.files import whole
 from sonify.scene import load_scene
 
+ROOT = Path(__file__).parent.parent
 HEAVY = ("numpy", "scipy", "matplotlib", "numba", "heyoka", "skfem", "pydantic")
 
 
@@ -163,3 +165,12 @@ def test_a_file_is_whole_or_as_it_was(tmp_path, fault):
         write_half()
     assert path.read_text() == "before"
     assert [p.name for p in tmp_path.iterdir()] == ["file.txt"]
+
+
+def test_no_command_writes_unasked_over_what_the_checkout_keeps():
+    """Every default folder is outputs/<something else than shown>."""
+    if not (ROOT / ".git").exists():
+        pytest.skip("not a checkout")
+    asked = subprocess.run(["git", "ls-files", "outputs"], cwd=ROOT, capture_output=True, text=True, check=True)
+    kept = {Path(name).parts[1] for name in asked.stdout.splitlines()}
+    assert kept == {"README.md", "shown"}
