@@ -3,23 +3,30 @@
 import errno
 import os
 import sys
+from signal import SIGINT
 
 import click
 
 from sonify.charts import CHARTS
+from sonify.process import well_behaved
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: more threads only wait for each other
 
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
-REFUSED = {errno.EACCES, errno.EPERM, errno.EROFS, errno.EISDIR, errno.ENOTDIR}
+REFUSED = {errno.EACCES, errno.EPERM, errno.EROFS, errno.EISDIR, errno.ENOTDIR, errno.ENAMETOOLONG, errno.ELOOP}
 ACCURACIES = ("draft", "standard", "reference")
 
 
 class OneLine(click.Group):
     """Turns what is expected to go wrong into one line on standard error and the exit status of the contract."""
 
+    def main(self, *arguments, **options):
+        """Run the command line; a reader who leaves early, as `head` does, changes neither files nor exit status."""
+        with well_behaved():
+            return super().main(*arguments, **options)
+
     def invoke(self, context):
-        """Run the command. Exit status: 1 full disk, 2 wrong input or output, 130 interrupted."""
+        """Run the command. Exit status: 1 full disk, 2 wrong input or output, 128 + the number of a signal."""
         from sonify.files import OutputError
         from sonify.scene_errors import InputError
 
@@ -27,8 +34,8 @@ class OneLine(click.Group):
             return super().invoke(context)
         except (InputError, OutputError) as error:
             _stop(error, 2)
-        except KeyboardInterrupt:
-            _stop("interrupted", 130)
+        except KeyboardInterrupt as signal:
+            _stop("interrupted", 128 + (signal.args or [SIGINT])[0])
         except OSError as error:
             if error.errno not in FULL | REFUSED:
                 raise

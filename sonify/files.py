@@ -1,9 +1,14 @@
-"""Files that are either whole or not there."""
+"""Files that are either whole or not there, and nothing left behind by whatever way a run ends."""
 
 import os
-import tempfile
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from secrets import token_hex
+
+from filelock import FileLock, Timeout
+
+HIDDEN = ".sonify-"
+"""So begin the names of a file that is being written and of the lock that its writer holds as long as it lives."""
 
 
 class OutputError(OSError):
@@ -15,7 +20,7 @@ def claim(folder: str | Path) -> Path:
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=folder):
+        with _alive(folder):
             return folder
     except OSError as error:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
@@ -24,7 +29,7 @@ def claim(folder: str | Path) -> Path:
 @contextmanager
 def claimed(folder: str | Path):
     """Yield the `claim`ed folder; it is removed again if nothing came to be written in it. Raises OutputError."""
-    new = not Path(folder).exists()
+    new = not os.path.exists(folder)  # unlike Path.exists, False for a path that is too long
     folder = claim(folder)
     try:
         yield folder
@@ -35,20 +40,41 @@ def claimed(folder: str | Path):
 
 @contextmanager
 def whole(path: str | Path):
-    """Yield a temporary path beside `path`, renamed to it if the block ends well and removed if it does not."""
+    """Yield a temporary path beside `path`, renamed to it if the block ends well and removed if it does not.
+
+    What a process that was killed has left beside `path` is removed, too; tests/test_files.py kills some.
+    """
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(prefix=".", suffix=path.suffix, dir=path.parent)
-    os.close(handle)
+    _remove_orphans(path.parent)
+    with _alive(path.parent) as name:
+        temporary = path.with_name(f"{name}{path.suffix}")
+        try:
+            yield temporary
+            os.replace(temporary, path)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def _alive(folder):
+    """Yield a hidden name that no one else has in `folder`; its lock lasts no longer than this process."""
+    lock = folder / f"{HIDDEN}{token_hex(6)}.lock"
     try:
-        yield Path(name)
-        os.chmod(name, 0o666 & ~_umask())
-        os.replace(name, path)
+        with FileLock(lock, thread_local=False):
+            yield lock.stem
     finally:
-        Path(name).unlink(missing_ok=True)
+        _unlink(lock)
 
 
-def _umask():
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+def _remove_orphans(folder):
+    """Remove the files in `folder` whose writer is dead, which is when its lock can be had."""
+    for lock in folder.glob(f"{HIDDEN}*.lock"):
+        with suppress(Timeout), FileLock(lock, timeout=0):
+            for orphan in folder.glob(f"{lock.stem}.*"):
+                _unlink(orphan)
+
+
+def _unlink(path):
+    with suppress(PermissionError):  # Windows: someone else has just opened the lock, and will remove it
+        path.unlink(missing_ok=True)

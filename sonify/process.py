@@ -1,0 +1,65 @@
+"""How a command meets the system around it: the signals that end it, and readers who leave before it is done."""
+
+import errno
+import os
+import signal
+import sys
+import threading
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from stat import S_ISREG
+
+ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
+"""Ctrl-C; the end that a batch queue sends; the end of the terminal, which Windows does not know."""
+LEFT = {errno.EPIPE, errno.EIO, errno.EINVAL}
+"""What a stream answers whose reader has left: a closed pipe, a closed terminal, a closed pipe of Windows."""
+
+
+@contextmanager
+def well_behaved():
+    """Within, every signal that ends is a KeyboardInterrupt that holds its number, and unread streams are no error."""
+    with _signals(), redirect_stdout(Unread(sys.stdout)), redirect_stderr(Unread(sys.stderr)):
+        yield
+
+
+@contextmanager
+def _signals():
+    """Only the main thread may set what answers a signal; one that is ignored, as under nohup, stays so."""
+
+    def end(number, _):
+        raise KeyboardInterrupt(number)
+
+    main = threading.current_thread() is threading.main_thread()
+    heeded = [number for number in ENDS if main and signal.getsignal(number) is not signal.SIG_IGN]
+    before = {number: signal.signal(number, end) for number in heeded}
+    try:
+        yield
+    finally:
+        for number, answer in before.items():
+            signal.signal(number, answer)
+
+
+class Unread:
+    """A text stream that goes on into nothing once its reader has left, for the files are wanted all the same."""
+
+    def __init__(self, stream):
+        self._stream = stream
+
+    def __getattr__(self, name):
+        return getattr(self._stream, name)
+
+    def write(self, text: str) -> int:
+        """Write as the stream does."""
+        return self._unheard(self._stream.write, text)
+
+    def flush(self):
+        """Flush as the stream does."""
+        self._unheard(self._stream.flush)
+
+    def _unheard(self, act, *what):
+        try:
+            return act(*what)
+        except OSError as error:
+            if error.errno not in LEFT or S_ISREG(os.fstat(self.fileno()).st_mode):
+                raise
+            os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
+            return act(*what)

@@ -1,0 +1,159 @@
+"""Claim: however a run ends, it leaves whole files and no others, and what a killed one left goes with the next run.
+
+Source: the README's exit statuses. Oracle: real processes that are really ended, and what the folder then holds.
+"""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from sonify.__main__ import main
+from sonify.files import HIDDEN, OutputError, claim, whole
+
+ROOT = Path(__file__).parent.parent
+COMMAND = """
+import sys, time, click
+from sonify.__main__ import main
+from sonify.files import whole
+
+@main.command()
+def hang():
+    with whole(sys.argv[1]) as temporary:
+        temporary.write_text("half")
+        click.echo("writing")
+        time.sleep(60)
+
+main(["hang"])
+"""
+"""A command beside the others that is caught while it writes."""
+POSIX = pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no such signals")
+
+
+@pytest.fixture
+def writer(tmp_path):
+    """Start processes that each write a file in tmp_path until they are ended."""
+    started = []
+
+    def start(name):
+        call = [sys.executable, "-c", COMMAND, str(tmp_path / name)]
+        started.append(subprocess.Popen(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True))
+        assert started[-1].stdout.readline() == "writing\n"
+        return started[-1]
+
+    yield start
+    for process in started:
+        process.kill()
+        process.communicate()
+
+
+def names(folder):
+    return {path.name for path in folder.iterdir()}
+
+
+def hidden(folder):
+    return {name for name in names(folder) if name.startswith(HIDDEN)}
+
+
+@POSIX
+@pytest.mark.parametrize(("name", "status"), [("SIGINT", 130), ("SIGTERM", 143), ("SIGHUP", 129)])
+def test_a_signal_that_ends_leaves_nothing_and_says_so(writer, tmp_path, name, status):
+    process = writer("sound.wav")
+    process.send_signal(getattr(signal, name))
+    assert process.communicate(timeout=30)[1] == "sonify: interrupted\n"
+    assert process.returncode == status
+    assert names(tmp_path) == set()
+
+
+def test_what_a_killed_run_left_goes_with_the_next_file_and_what_a_living_one_writes_stays(writer, tmp_path):
+    dead = writer("dead.wav")
+    left = hidden(tmp_path)
+    dead.kill()
+    dead.wait()
+    assert hidden(tmp_path) == left
+    assert any(name.endswith(".wav") for name in left)
+    living = writer("living.wav")
+    owned = hidden(tmp_path)
+    assert owned.isdisjoint(left)
+    assert any(name.endswith(".wav") for name in owned)
+    with whole(tmp_path / "one.txt") as first, whole(tmp_path / "two.txt") as second:
+        first.write_text("one")
+        second.write_text("two")
+    assert names(tmp_path) == owned | {"one.txt", "two.txt"}
+    living.kill()
+    living.wait()
+    with whole(tmp_path / "one.txt") as first:
+        first.write_text("three")
+    assert names(tmp_path) == {"one.txt", "two.txt"}
+
+
+def test_hidden_files_of_others_are_left_alone(tmp_path):
+    for name in (".a.lock", ".a.wav", ".sonify", "b.lock"):
+        (tmp_path / name).touch()
+    before = names(tmp_path)
+    with whole(tmp_path / "new.txt") as temporary:
+        temporary.touch()
+    assert names(tmp_path) == before | {"new.txt"}
+
+
+@pytest.mark.skipif(not hasattr(os, "umask") or sys.platform == "win32", reason="permissions of POSIX")
+def test_a_file_may_be_read_by_whom_any_new_file_may(tmp_path):
+    (tmp_path / "plain").touch()
+    with whole(tmp_path / "ours") as temporary:
+        temporary.touch()
+    assert (tmp_path / "ours").stat().st_mode == (tmp_path / "plain").stat().st_mode
+
+
+@pytest.mark.parametrize("name", ["x" * 300, "x/" * 3000])
+def test_a_path_that_is_too_long_is_one_line(tmp_path, name):
+    with pytest.raises(OutputError, match="cannot be written"):
+        claim(tmp_path / name)
+    for command in ("run", "listen"):
+        asked = CliRunner().invoke(main, [command, str(tmp_path / name)])
+        assert asked.exit_code == 2
+        assert len(asked.stderr.splitlines()) == 1
+    asked = CliRunner().invoke(main, ["run", "--out", str(tmp_path / name)])
+    assert asked.exit_code == 2
+    assert len(asked.stderr.splitlines()) == 1
+
+
+@POSIX
+@pytest.mark.parametrize("stream", ["stdout", "stderr"])
+def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status(tmp_path, stream):
+    """The pipe is closed before the first line; what is written afterwards is whole, and no self-check has failed."""
+    code = f"""
+import sys, click
+from sonify.__main__ import main
+from sonify.files import whole
+
+@main.command()
+def tell():
+    for _ in range(3):
+        click.echo("a line", file=sys.{stream})
+    with whole({str(tmp_path / "kept.txt")!r}) as temporary:
+        temporary.write_text("whole")
+
+main(["tell"])
+"""
+    reading, writing = os.pipe()
+    os.close(reading)
+    other = "stderr" if stream == "stdout" else "stdout"
+    call = [sys.executable, "-c", code]
+    done = subprocess.run(call, cwd=ROOT, text=True, check=False, **{stream: writing, other: subprocess.PIPE})
+    os.close(writing)
+    assert (done.returncode, getattr(done, other)) == (0, "")
+    assert (tmp_path / "kept.txt").read_text() == "whole"
+
+
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="no device that is always full")
+def test_results_that_a_full_disk_does_not_take_are_missed():
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(
+            [sys.executable, "-m", "sonify", "scenes"], cwd=ROOT, stdout=full, stderr=subprocess.PIPE, check=False
+        )
+    assert done.returncode == 1
+    assert b"No space left on device" in done.stderr
