@@ -1,0 +1,122 @@
+"""Resonances of a body on the three springs of its contact: one of them rings, and it is the carrier of the sound.
+
+Components are along a_1 (the rolling direction), a_2 (horizontal, towards the contact) and a_3 (the vertical).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..disk import Disk
+from .contact import ContactLaw, Springs
+
+TINY = 1e-300
+
+
+class Resonances(NamedTuple):
+    """Frequency [Hz], ascending, and loss factor 2|Re s|/|s| of the roots s, each (k, 3)."""
+
+    frequency: np.ndarray
+    loss_factor: np.ndarray
+
+
+class Linear(NamedTuple):
+    """x' = A x + B z' and N' = C x + D z', for x = (velocities, spring deflections) of the contact point (k, 6).
+
+    z' [m/s] is the rate at which the table rises under the contact; N' [N] what it adds to the normal force.
+    """
+
+    A: np.ndarray
+    B: np.ndarray
+    C: np.ndarray
+    D: np.ndarray
+
+
+def rigid_shapes(disk: Disk, inclination) -> np.ndarray:
+    """Return (k, 3, 6) [kg^-1/2]: motion of the contact point in the six rigid modes of unit modal mass.
+
+    Three translations, and the rotations about a_1, about the axis and about the diameter through the contact. The
+    product with its transpose is the mobility W = 1/m - [r]x J^-1 [r]x of the contact point.
+    """
+    beta = np.atleast_1d(np.asarray(inclination, dtype=float))
+    J1, J2, R, H = *inertias(disk), disk.radius, disk.thickness / 2
+    reach, height = R * np.cos(beta) - H * np.sin(beta), R * np.sin(beta) + H * np.cos(beta)
+    shapes = np.zeros((len(beta), 3, 6))
+    shapes[:, range(3), range(3)] = disk.mass**-0.5
+    shapes[:, 1, 3], shapes[:, 2, 3] = height / J1**0.5, reach / J1**0.5
+    shapes[:, 0, 4], shapes[:, 0, 5] = R / J2**0.5, H / J1**0.5
+    return shapes
+
+
+def inertias(disk: Disk) -> tuple[float, float]:
+    """Return the moments of inertia [kg m^2] about a diameter and about the axis."""
+    unit, K, h = disk.mass * disk.radius**2, disk.gyration, disk.aspect
+    return unit * (K / 4 + h * h / 3), unit * K / 2
+
+
+def mobility(disk: Disk, inclination) -> np.ndarray:
+    """Return W (k, 3, 3) [1/kg]: acceleration of the contact point of the rigid disk for a unit force on it."""
+    shapes = rigid_shapes(disk, inclination)
+    return shapes @ shapes.swapaxes(1, 2)
+
+
+def stiffness_matrix(springs: Springs) -> np.ndarray:
+    """Return diag(k1, k2, kn) (k, 3, 3) [N/m]."""
+    return np.stack(np.broadcast_arrays(springs.k1, springs.k2, springs.kn), axis=-1)[..., None] * np.eye(3)
+
+
+def on_springs(shapes, stiffness, squared=0.0, residual=0.0):
+    """Return frequencies (k, m) [Hz], ascending, of a body with modes of unit mass held by springs at one point.
+
+    `shapes` (k, 3, m) [kg^-1/2] are the modes at that point and `squared` (m,) [1/s^2] their own w^2, 0 if rigid;
+    `stiffness` (k, 3, 3) [N/m]. What left-out modes yield, `residual` (3, 3) [m/N], lies in series with the springs.
+    """
+    held = np.linalg.solve(np.eye(3) + stiffness @ np.broadcast_to(residual, stiffness.shape), stiffness)
+    matrix = shapes.swapaxes(1, 2) @ held @ shapes + np.broadcast_to(squared, shapes.shape[-1:]) * np.eye(
+        shapes.shape[-1]
+    )
+    return np.sqrt(np.maximum(np.linalg.eigvalsh(matrix), 0.0)) / (2 * np.pi)
+
+
+def damping(law: ContactLaw, inclination, load):
+    """Return c [N s/m] along the normal that gives the normal resonance sqrt(kn W33) the loss factor of the law."""
+    kn = law.springs(inclination, load).kn
+    return law.loss_factor * np.sqrt(kn / mobility(law.disk, inclination)[:, 2, 2])
+
+
+def linear(disk: Disk, inclination, springs: Springs, speed=0.0, damping=0.0, impedance=np.inf) -> Linear:
+    """Return the linearised contact at inclinations (k,), with the contact moving along its path at `speed` [m/s].
+
+    q_t' = u_t - q_t V/l: the tangential springs forget; q_z' = u_z - z' + N'/Z: the table yields at `impedance` Z
+    [N s/m], downwards under a force that lifts the disk; N' = -kn q_z - c q_z'.
+    """
+    W = mobility(disk, inclination)
+    share = 1 / (1 + np.asarray(damping) / impedance)
+    C, B, A = np.zeros((len(W), 6)), np.zeros((len(W), 6)), np.zeros((len(W), 6, 6))
+    C[:, 2], C[:, 5] = -damping * share, -springs.kn * share
+    D = np.broadcast_to(damping * share, len(W))
+    forces = np.zeros((len(W), 3, 6))
+    forces[:, 0, 3], forces[:, 1, 4], forces[:, 2] = -springs.k1, -springs.k2, C
+    A[:, :3], B[:, :3] = W @ forces, W[:, :, 2] * D[:, None]
+    A[:, range(3, 6), range(3)] = 1.0
+    A[:, 3, 3], A[:, 4, 4] = -np.abs(speed) / springs.length1, -np.abs(speed) / springs.length2
+    A[:, 5] += C / impedance
+    B[:, 5] = D / impedance - 1.0
+    return Linear(A, B, C, D)
+
+
+def resonances(system: Linear) -> Resonances:
+    """Return the three resonances of a linearised contact; one that is overdamped has frequency 0."""
+    roots = np.linalg.eigvals(system.A)
+    roots = np.take_along_axis(roots, np.argsort(roots.imag, axis=1), axis=1)[:, 3:]
+    return Resonances(roots.imag / (2 * np.pi), -2 * roots.real / np.maximum(np.abs(roots), TINY))
+
+
+def carrier(law: ContactLaw, inclination, load, speed) -> Resonances:
+    """Return frequency (k,) [Hz] and loss factor (k,) of the resonance that rings, along a motion that rolls.
+
+    Arguments (k,): inclination [rad], normal force [N], speed of the contact along its path [m/s].
+    """
+    springs, c = law.springs(inclination, load), damping(law, inclination, load)
+    found = resonances(linear(law.disk, inclination, springs, speed, c))
+    return Resonances(found.frequency[:, 2], found.loss_factor[:, 2])

@@ -1,0 +1,185 @@
+"""Claim: the elastic contact is Hertz's, Mindlin's and Kalker's, and the disk on it has the resonances that follow.
+
+Source: Johnson, Contact Mechanics (1985), ch. 4 and 7; Mindlin (1949); Kalker (1990), table E3.
+Oracle: half-space integrals, spheres, the energy, numbers of an independent prototype, a dense eigenproblem.
+"""
+
+import json
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from dynamics.coupled.contact import ContactLaw, Elastic
+from dynamics.coupled.creep import C11, C22, RATIOS, creep_coefficients, slender
+from dynamics.coupled.resonance import carrier, linear, mobility, on_springs, resonances, rigid_shapes, stiffness_matrix
+from dynamics.disk import GRAVITY, Disk
+
+STEEL, GRANITE = Elastic(195e9, 0.28), Elastic(60e9, 0.2)
+REFERENCE = json.loads((Path(__file__).parent / "references" / "elastic_contact.json").read_text("utf-8"))
+
+
+def law(fillet=1.6e-3, thickness=0.0128, **changes):
+    disk = Disk(radius=0.03755, thickness=thickness, mass=4.30365 / GRAVITY)
+    return ContactLaw(**{"disk": disk, "fillet": fillet, "body": STEEL, "table": GRANITE} | changes)
+
+
+def column(name):
+    return np.array([row[name] for row in REFERENCE["static"]])
+
+
+def prototype(contact, beta):
+    """Return the springs of the prototype: Mindlin's ratio of a circle, one relaxation length 1.1 a."""
+    weight = contact.disk.weight
+    a, kn = contact.semi_axes(beta, weight)[0], contact.springs(beta, weight).kn
+    return contact.springs(beta, weight)._replace(k1=0.87655 * kn, k2=0.87655 * kn, length1=1.1 * a, length2=1.1 * a)
+
+
+def test_static_numbers():
+    contact, beta, load = law(), column("inclination"), 4.30365
+    a, b = contact.semi_axes(beta, load)
+    found = (
+        a * 1e6,
+        b * 1e6,
+        contact.approach(beta, load) * 1e6,
+        contact.stiffness(beta),
+        contact.springs(beta, load).kn,
+    )
+    for values, name in zip(found, ("a_um", "b_um", "approach_um", "K", "kn"), strict=True):
+        assert values == pytest.approx(column(name), rel=1e-4)
+    assert 1 / mobility(contact.disk, beta)[:, 2, 2] == pytest.approx(column("normal_mass"), rel=1e-4)
+
+
+def test_resonances_of_the_prototype():
+    contact, beta = law(), column("inclination")
+    springs = prototype(contact, beta)
+    free = on_springs(rigid_shapes(contact.disk, beta), stiffness_matrix(springs))
+    assert free[:, 3:] == pytest.approx(column("free"), rel=1e-4)
+    for name, impedance in (("relaxed", np.inf), ("on_plate", 26456.0)):
+        found = resonances(linear(contact.disk, beta, springs, column("speed"), 0.0, impedance))
+        assert found.frequency == pytest.approx(column(name)[:, 0], rel=1e-3)
+        assert found.loss_factor == pytest.approx(column(name)[:, 1], rel=1e-2)
+
+
+def test_one_resonance_rings_and_rises():
+    """Creep that is Kalker's and not one number moves the carrier by less than 2 %, and it still is the only one."""
+    contact, beta = law(loss_factor=0.0), column("inclination")
+    found = carrier(contact, beta, contact.disk.weight, column("speed"))
+    assert found.frequency == pytest.approx(column("relaxed")[:, 0, 2], rel=0.02)
+    assert (np.diff(found.frequency) > 0).all()
+    assert (found.loss_factor < 0.2).all()
+    springs = contact.springs(beta, contact.disk.weight)
+    assert (resonances(linear(contact.disk, beta, springs, column("speed"))).loss_factor[:, :2] > 0.5).all()
+
+
+def test_loss_factor_is_that_of_the_normal_resonance():
+    """Without grip the normal spring is alone with the disk: its loss factor is the law's, 2 zeta exactly."""
+    contact, beta = law(loss_factor=0.03), np.array([0.5, 0.01])
+    springs = contact.springs(beta, 4.0)
+    c = 0.03 * np.sqrt(springs.kn / mobility(contact.disk, beta)[:, 2, 2])
+    slides = linear(contact.disk, beta, springs._replace(k1=0.0 * beta, k2=0.0 * beta), 1.0, c)
+    assert resonances(slides).loss_factor[:, 2] == pytest.approx(0.03, rel=1e-9)
+
+
+def test_sphere():
+    """A fillet as large as an upright disk is a sphere: N = 4/3 E* sqrt(R) delta^1.5, k = 2 a E*, k_t of Mindlin."""
+    sphere = law(fillet=0.03755, thickness=0.0751)
+    upright, radius = np.array([np.pi / 2]), 0.03755
+    assert sphere.stiffness(upright) == pytest.approx(4 / 3 * sphere.modulus * radius**0.5, rel=1e-12)
+    a, b = sphere.semi_axes(upright, 1.0)
+    springs = sphere.springs(upright, 1.0)
+    assert a == pytest.approx(b, rel=1e-12)
+    assert springs.kn == pytest.approx(2 * a * sphere.modulus, rel=1e-12)
+    shear = 1 / sum((2 - m.poisson) / m.shear for m in (STEEL, GRANITE))
+    assert springs.k1 == pytest.approx(8 * a * shear, rel=1e-12)
+    assert springs.k2 == pytest.approx(springs.k1, rel=1e-12)
+
+
+@pytest.mark.parametrize("beta", [0.57, 0.01, 1e-6])
+def test_pressure_fits_the_gap(beta):
+    """Hertz's pressure displaces the bodies by delta - A x^2 - B y^2: at the centre and at both ends of the ellipse.
+
+    At a point the displacement is the integral over all lines through it; along each the pressure is a half-circle.
+    """
+    contact, load = law(), 4.3
+    (a, b), delta = contact.semi_axes(beta, load), contact.approach(beta, load)
+
+    def displaced(x, y):
+        peak = 3 * load / (2 * np.pi * a * b)
+
+        def line(phi):
+            c, s = np.cos(phi) / a, np.sin(phi) / b
+            square, cross = c * c + s * s, x / a * c + y / b * s
+            return np.pi / 2 * (1 - (x / a) ** 2 - (y / b) ** 2 + cross**2 / square) / square**0.5
+
+        side = np.append(0, np.geomspace(b / a / 10, np.pi / 2, 16))  # the integrand of a long ellipse is narrow
+        ends = np.concatenate([-side[:0:-1], side])
+        parts = [quad(line, lo, hi, epsrel=1e-12)[0] for lo, hi in pairwise(ends)]
+        return peak / (np.pi * contact.modulus) * sum(parts)
+
+    assert displaced(0, 0) == pytest.approx(delta, rel=1e-7)
+    assert delta - displaced(a, 0) == pytest.approx(contact.curvature(beta) * a * a, rel=1e-6)
+    assert delta - displaced(0, b) == pytest.approx(b * b / (2 * contact.fillet), rel=1e-6)
+
+
+def test_slope_is_that_of_the_stiffness():
+    contact, beta = law(), np.geomspace(1e-6, 1.2, 9)
+    step = 1e-4 * beta
+    central = [(contact.stiffness(beta + s) - contact.stiffness(beta - s)) / (2 * s) for s in (step, 2 * step)]
+    assert contact.stiffness_slope(beta) == pytest.approx((4 * central[0] - central[1]) / 3, rel=1e-8)
+
+
+def test_tangential_springs_are_integrals_of_the_tractions():
+    """A traction Q/(2 pi a b) over the root of 1 - x^2/a^2 - y^2/b^2 gives every line through the centre Q/4 s_0/ab."""
+    contact, beta = law(), 0.1
+    (a, b), springs = contact.semi_axes(beta, 4.3), contact.springs(beta, 4.3)
+
+    def yields(material, along):
+        def line(phi):
+            x = np.cos(phi) if along else np.sin(phi)
+            reach = 1 / np.hypot(np.cos(phi) / a, np.sin(phi) / b)
+            return (1 - material.poisson + material.poisson * x * x) * reach / (4 * a * b)
+
+        return 4 * quad(line, 0, np.pi / 2, epsrel=1e-11, limit=400)[0] / (2 * np.pi * material.shear)
+
+    for stiffness, along in ((springs.k1, True), (springs.k2, False)):
+        assert 1 / stiffness == pytest.approx(yields(STEEL, along) + yields(GRANITE, along), rel=1e-8)
+
+
+def test_creep_table():
+    """The table at its nodes; continuous at b/a = 0.1 and equal to the asymptote for a line; relaxation tends to a."""
+    along, across = creep_coefficients(RATIOS, 0.25)
+    assert along == pytest.approx(C11[1], rel=1e-12)
+    assert across == pytest.approx(C22[1], rel=1e-12)
+    for below, above in zip(creep_coefficients(0.1 - 1e-9, 0.28), creep_coefficients(0.1 + 1e-9, 0.28), strict=True):
+        assert below == pytest.approx(above, rel=1e-6)
+    for value, limit in zip(creep_coefficients(1e-9, 0.28), slender(1e-9, 0.28), strict=True):
+        assert value == pytest.approx(limit, rel=1e-8)
+    contact, beta = law(), np.geomspace(1e-6, 0.57, 30)
+    ratio = np.array(contact.springs(beta, 4.3)[3:]) / contact.semi_axes(beta, 4.3)[0]
+    assert ((ratio > 1.05) & (ratio < 1.1 * 1.2)).all(), "the one number 1.1 is right within 20 %"
+    assert (np.diff(ratio) > 0).all()
+
+
+def test_modes_know_what_a_body_yields():
+    """A left-out mode w >> k enters by its residual 1/w^2: both ways agree to the order that is left out."""
+    contact, beta = law(), np.array([0.1])
+    stiffness = stiffness_matrix(contact.springs(beta, 4.3))
+    rigid, extra = rigid_shapes(contact.disk, beta), np.array([0.3, -0.7, 1.6])
+    w2 = (2 * np.pi * 30e3) ** 2
+    full = on_springs(np.concatenate([rigid, extra[None, :, None]], axis=2), stiffness, np.array([0.0] * 6 + [w2]))
+    reduced = on_springs(rigid, stiffness, residual=np.outer(extra, extra) / w2)
+    shift = full[0, 5] / on_springs(rigid, stiffness)[0, 5] - 1
+    assert reduced[0, 3:] == pytest.approx(full[0, 3:6], rel=3 * (2000 / 30e3) ** 2 * abs(shift))
+    assert shift < -1e-4
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [({"fillet": 1e-7}, "at least 2.86e-06"), ({"fillet": 0.0}, "positive"), ({"fillet": 0.01}, "at most 0.0064")],
+)
+def test_wrong_fillets(changes, words):
+    with pytest.raises(ValueError, match=words):
+        law(**changes)
