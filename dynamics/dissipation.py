@@ -5,13 +5,14 @@ motion. In the quasi-steady range it makes the energy fall as (t0 - t)^(2/(b + 2
 """
 
 from dataclasses import dataclass
+from itertools import chain
 from math import pi
 from typing import Annotated, NamedTuple
 
 from annotated_types import Ge, Le
 
 from .disk import GRAVITY, Disk
-from .equations import Loads
+from .equations import Law, Loads
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -55,34 +56,54 @@ def power_laws(dissipation: Dissipation, disk: Disk) -> list[tuple[float, float]
 
 
 class Resistance(NamedTuple):
-    """The loads of a Dissipation, dimensionless: ((c, b), ...), moment and force per velocity."""
+    """The loads of a Dissipation, dimensionless: ((c, (b - 2)/2), ...) of the powers, moment and force per velocity.
+
+    `is_singular`: a law is not smooth where the precession stops.
+    """
 
     powers: tuple[tuple[float, float], ...]
     viscous_moment: float
     viscous_force: float
+    is_singular: bool
 
-    def __call__(self, beta, omega, slip, law, flow) -> Loads:
+    def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
         """Return the loads at inclination beta, angular velocity omega and slip velocity, for the scalars of `flow`."""
         sin_a, cos_a = flow.cos(beta), flow.sin(beta)
         e = law.h * sin_a + cos_a
         rate = omega[2] / cos_a
         v1, v2 = slip[0] + omega[1] - law.h * omega[2], slip[1] - e * omega[0]
         M1, M2, M3 = (-self.viscous_moment * w for w in omega)
-        for c, b in self.powers:  # |Omega|^(b-1) sign(Omega), written so that b = 2, 4, ... stay polynomials
-            M3 = M3 - c * rate * flow.power(rate * rate, (b - 2) / 2) / cos_a
+        for c, half in self.powers:  # |Omega|^(b-1) sign(Omega), written so that b = 2, 4, ... stay polynomials
+            M3 = M3 - c * rate * flow.power(rate * rate, half) / cos_a
         return Loads(-self.viscous_force * v1, -self.viscous_force * v2, M1, M2, M3)
 
     @property
-    def is_singular(self) -> bool:
-        """Whether a law is not smooth where the precession stops."""
-        return any(b < 2 for _, b in self.powers)
+    def shape(self) -> "Resistance":
+        """What a compiled flow depends on: None in place of every number, but for absent laws and whole exponents b."""
+        powers = tuple((None, half if (2 * half).is_integer() else None) for _, half in self.powers)
+        viscous = (None if number else 0.0 for number in (self.viscous_moment, self.viscous_force))
+        return Resistance(powers, *viscous, self.is_singular)
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """The numbers (n,) that `shape` leaves out."""
+        return tuple(own for own, kept in zip(self._flat(), self.shape._flat(), strict=True) if kept is None)
+
+    def filled(self, numbers) -> "Resistance":
+        """Return a shape with `numbers` (n,), of any kind, in place of None."""
+        left = iter(numbers)
+        *powers, moment, force = (next(left) if kept is None else kept for kept in self._flat())
+        return Resistance(tuple(zip(powers[::2], powers[1::2], strict=True)), moment, force, self.is_singular)
+
+    def _flat(self):
+        return *chain(*self.powers), self.viscous_moment, self.viscous_force
 
 
 def resistance(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:
     """Return the dimensionless loads of a scene, None where there are none."""
     if dissipation is None:
         return None
-    chi, unit = disk.time_unit, disk.mass * disk.radius**2
-    powers = tuple((c * chi ** (3 - b) / unit, b) for c, b in power_laws(dissipation, disk))
-    loads = Resistance(powers, dissipation.viscous_moment * chi / unit, dissipation.viscous_force * chi / disk.mass)
-    return loads if powers or loads.viscous_moment or loads.viscous_force else None
+    chi, unit, laws = disk.time_unit, disk.mass * disk.radius**2, power_laws(dissipation, disk)
+    powers = tuple((c * chi ** (3 - b) / unit, (b - 2) / 2) for c, b in laws)
+    moment, force = dissipation.viscous_moment * chi / unit, dissipation.viscous_force * chi / disk.mass
+    return Resistance(powers, moment, force, any(b < 2 for _, b in laws)) if powers or moment or force else None

@@ -4,8 +4,9 @@ import numpy as np
 
 from .equations import Law
 from .hybrid import Arc, StalledError
-from .regime import Branch, Regime, describe
+from .regime import Regime, describe
 from .runge_kutta import integrate
+from .symbolic import constants, shape
 from .trace import compiled
 
 FINEST = 1e-15
@@ -14,12 +15,11 @@ FINEST = 1e-15
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
     """Integrate from y within `regime` until a guard falls through zero, for `span`, or for a thousand steps.
 
-    Raises StalledError where no step is short enough.
+    Safe to call from several threads at once. Raises StalledError where no step is short enough.
     """
-    flow, names = compiled(Branch.of(regime, law, loads))
-    constants = np.array([*law, *regime.senses, r_end])
-    start = np.array(y, float)
-    times, coefficients, end, fired = integrate(flow, start, constants, len(names), span, max(tolerance, FINEST))
+    flow, names = compiled(shape(regime, law, loads))
+    start, parameters = np.array(y, float), np.array(constants(regime, law, loads, r_end))
+    times, coefficients, end, fired = integrate(flow, start, parameters, len(names), span, max(tolerance, FINEST))
     if not len(times):
         raise StalledError(f"{describe(y)}: no step is short enough in {regime}")
     return Arc(times, coefficients, end.tolist(), names[fired] if fired >= 0 else None)

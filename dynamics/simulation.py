@@ -34,8 +34,9 @@ OUTCOMES = {
 def simulate(scene, watch=lambda t, inclination: None) -> Motion:
     """Solve the rigid motion of `scene`, which offers disk, friction, release and numerics.
 
-    `watch(t, inclination)` is called on the way. Raises ImpossibleContactError, with time and state, where no contact
-    force satisfies the balance laws.
+    `watch(t, inclination)` is called on the way. Threads may call this at the same time and share scenes and motions,
+    which nobody changes; every call has integrators of its own. Raises ImpossibleContactError, with time and state,
+    where no contact force satisfies the balance laws.
     """
     disk, numerics = scene.disk, scene.numerics
     name, integrate = chosen_integrator(numerics.integrator)

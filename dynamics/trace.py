@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from numba import njit, types
 
-from .equations import Law
 from .regime import DISSIPATED, Branch, Flow
+from .symbolic import formulas
 
 ROW = types.float64[::1]
 FLOW = types.void(ROW, ROW, ROW, ROW)
@@ -73,9 +73,9 @@ class Compiled(NamedTuple):
     guards: tuple[str, ...]
 
 
-@functools.cache
+@functools.lru_cache(64)
 def compiled(branch: Branch) -> Compiled:
-    """Compile one branch, once a process; the constants of a scene are Law, senses and the inclination that ends it."""
+    """Compile the `shape` of a branch; the constants of a scene are arguments. Safe to share between threads."""
     source, names = program_of(branch)
     scope = {name: getattr(math, name) for name in ("sin", "cos", "sqrt", "pow")}
     exec(source, scope)
@@ -87,11 +87,7 @@ def program_of(branch: Branch) -> tuple[str, tuple[str, ...]]:
     program = Program()
     flow = Flow(*(program.call(name) for name in ("sin", "cos", "sqrt", "pow")))
     y = [program.note(f"y[{i}]") for i in range(DISSIPATED + 1)]
-    constants = [program.note(f"p[{i}]") for i in range(len(Law._fields) + 4)]
-    law, senses, r_end = Law(*constants[:-4]), constants[-4:-1], constants[-1]
-    contact = flow.contact(y, branch, senses, law)
-    rates = flow.rates(y, contact, branch, law)
-    guards = flow.guards(y, contact, branch, senses, law, r_end)
+    rates, guards = formulas(flow, y, branch, lambda i: program.note(f"p[{i}]"))
     ends = [f"rates[{i}] = {value}" for i, value in enumerate(rates)]
     ends += [f"guards[{i}] = {value}" for i, value in enumerate(guards.values())]
     return "\n    ".join(["def flow(y, p, rates, guards):", *program.lines(), *ends]), tuple(guards)

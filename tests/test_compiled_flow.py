@@ -13,25 +13,32 @@ from dynamics.dissipation import Resistance
 from dynamics.equations import Law
 from dynamics.regime import FLOAT, Branch, Regime
 from dynamics.runge_kutta import at, integrate
+from dynamics.symbolic import constants, shape
 from dynamics.trace import compiled
 
 LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 STATE = np.array([0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0])
-LOADS = [None, Resistance(((1e-3, 2.5), (1e-3, 4.0)), 1e-3, 2e-3)]
+LOADS = [None, Resistance(((1e-3, 0.25), (1e-3, 1.0)), 1e-3, 2e-3, False)]
 SENSES, END = (1.0, -1.0, 1.0), 1e-5
-CONSTANTS = np.array([*LAW, *SENSES, END])
 
 
-def by_formula(y, branch):
+def flow_of(sliding, stuck=(False,) * 3, loads=None):
+    """Return a compiled flow, the names of its guards, and its constants."""
+    regime = Regime(sliding, stuck, SENSES)
+    return *compiled(shape(regime, LAW, loads)), np.array(constants(regime, LAW, loads, END))
+
+
+def by_formula(y, sliding, stuck=(False,) * 3, loads=None):
+    branch = Branch.of(Regime(sliding, stuck, SENSES), LAW, loads)
     contact = FLOAT.contact(y.tolist(), branch, SENSES, LAW)
     rates = FLOAT.rates(y.tolist(), contact, branch, LAW)
     return np.array(rates), FLOAT.guards(y.tolist(), contact, branch, SENSES, LAW, END)
 
 
-def by_code(y, branch):
-    flow, names = compiled(branch)
+def by_code(y, *case):
+    flow, names, numbers = flow_of(*case)
     rates, guards = np.empty(11), np.empty(16)
-    flow(y, CONSTANTS, rates, guards)
+    flow(y, numbers, rates, guards)
     return rates, dict(zip(names, guards, strict=False))
 
 
@@ -39,19 +46,17 @@ def by_code(y, branch):
 @pytest.mark.parametrize("stuck", [(False,) * 3, (True, False, False), (False, True, True)], ids=str)
 def test_rates_and_guards_are_those_of_the_formulas(stuck, loads):
     for sliding in (False, True):
-        branch = Branch.of(Regime(sliding, stuck, SENSES), LAW, loads)
-        rates, guards = by_formula(STATE, branch)
-        found, named = by_code(STATE, branch)
+        rates, guards = by_formula(STATE, sliding, stuck, loads)
+        found, named = by_code(STATE, sliding, stuck, loads)
         np.testing.assert_allclose(found, rates, rtol=1e-13, atol=1e-14)
         assert named == pytest.approx(guards, rel=1e-12, abs=1e-14)
 
 
 def test_a_step_and_its_dense_output_are_those_of_scipy():
-    branch = Branch.of(Regime(True, (False,) * 3, SENSES), LAW, None)
-    flow, _ = compiled(branch)
-    times, c, end, fired = integrate(flow, STATE, CONSTANTS, 0, 0.1, 1.0)
+    flow, _, numbers = flow_of(sliding=True)
+    times, c, end, fired = integrate(flow, STATE, numbers, 0, 0.1, 1.0)
     assert (times.tolist(), fired) == ([0.1], -1)
-    scipys = DOP853(lambda _, y: by_formula(y, branch)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1)
+    scipys = DOP853(lambda _, y: by_formula(y, True)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1)
     scipys.step()
     curve, y = scipys.dense_output(), np.empty(11)
     np.testing.assert_allclose(end, scipys.y, rtol=1e-14, atol=1e-15)
@@ -61,13 +66,12 @@ def test_a_step_and_its_dense_output_are_those_of_scipy():
 
 
 def test_the_error_falls_with_the_eighth_power_of_the_step():
-    branch = Branch.of(Regime(False, (False,) * 3, SENSES), LAW, None)
-    flow, _ = compiled(branch)
+    flow, _, numbers = flow_of(sliding=False)
 
     def end(steps):
         y = STATE
         for _ in range(steps):
-            y = integrate(flow, y, CONSTANTS, 0, 0.64 / steps, 1.0)[2]
+            y = integrate(flow, y, numbers, 0, 0.64 / steps, 1.0)[2]
         return y
 
     exact = end(128)
@@ -77,12 +81,11 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
 
 def test_it_stops_where_a_guard_falls_through_zero():
     """The nutation reverses: omega_1 is a guard, and zero where the integration stops."""
-    branch = Branch.of(Regime(False, (False,) * 3, SENSES), LAW, None)
-    flow, names = compiled(branch)
-    times, _, end, fired = integrate(flow, STATE, CONSTANTS, len(names), 10.0, 1e-13)
+    flow, names, numbers = flow_of(sliding=False)
+    times, _, end, fired = integrate(flow, STATE, numbers, len(names), 10.0, 1e-13)
     assert names[fired] == "nutation reverses"
     assert end[1] == pytest.approx(0, abs=1e-15)
-    free = integrate(flow, STATE, CONSTANTS, 0, 10.0, 1e-13)
+    free = integrate(flow, STATE, numbers, 0, 10.0, 1e-13)
     piece = np.searchsorted(free[0], times[-1])
     start, y = free[0][piece - 1], np.empty(11)
 

@@ -1,0 +1,27 @@
+"""The formulas of one branch of the flow for compilers: a state and the numbers of a scene go in as symbols."""
+
+from itertools import count, islice
+
+from .equations import Law
+from .regime import Branch, Flow, Regime
+
+
+def constants(regime: Regime, law: Law, loads, r_end: float) -> tuple[float, ...]:
+    """Return the run-time numbers (n,) of a flow in the order in which `formulas` asks for their symbols."""
+    return *law, *regime.senses, r_end, *(loads.numbers if loads else ())
+
+
+def shape(regime: Regime, law: Law, loads) -> Branch:
+    """Return the branch that is to be compiled: without any of the `constants`."""
+    return Branch.of(regime, law, loads and loads.shape)
+
+
+def formulas(flow: Flow, y, branch: Branch, symbol):
+    """Return the rates (k,) and the guards by name of a `shape`, for a state y (k,) and symbol(i) of constant i."""
+    following = map(symbol, count())
+    law, senses = Law(*islice(following, len(Law._fields))), tuple(islice(following, 3))
+    r_end = next(following)
+    if branch.loads:
+        branch = branch._replace(loads=branch.loads.filled(following))
+    contact = flow.contact(y, branch, senses, law)
+    return flow.rates(y, contact, branch, law), flow.guards(y, contact, branch, senses, law, r_end)
