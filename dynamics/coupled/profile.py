@@ -1,0 +1,128 @@
+"""Profiles of height against path length, read through the ellipse of the contact at any place, however far.
+
+The pressure of the ellipse weighs heights by 1 - x^2/a^2 along the path. By parts, that mean is a difference of the
+second and third integrals of the heights; a periodic quintic spline of the third gives it for every half-length a.
+"""
+
+from math import pi
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+from scipy.fft import irfft, rfft
+
+MOST_CELLS = 2**24
+
+
+class Profile(NamedTuple):
+    """Coefficients (n + 5,) of the quintic spline of the third integral of the heights, and cells per metre."""
+
+    coefficients: np.ndarray
+    cells_per_metre: float
+
+    @property
+    def period(self) -> float:
+        """Path length [m] after which the profile repeats."""
+        return (len(self.coefficients) - 5) / self.cells_per_metre
+
+
+SMOOTH = Profile(np.zeros(6), 1.0)
+
+
+def spline_profile(waves, period, n=None):
+    """Return the profile with the Fourier transform `waves` (n/2 + 1,) of its heights; their mean is left out."""
+    n = n or 2 * (len(waves) - 1)
+    order = np.arange(len(waves))
+    angle, k = 2 * pi * order / n, 2 * pi * np.maximum(order, 1) / period
+    knot = (66 + 52 * np.cos(angle) + 2 * np.cos(2 * angle)) / 120  # a lone coefficient at the knots
+    third = np.where(order == 0, 0.0, waves / (1j * k) ** 3) / knot
+    coefficients = irfft(third, n, workers=1)
+    return Profile(np.concatenate([coefficients[-2:], coefficients, coefficients[:3]]), n / period)
+
+
+@njit(cache=True)
+def integrals(coefficients, cells_per_metre, s):
+    """Return the third and the second integral of the heights at path length s [m]."""
+    x = s * cells_per_metre
+    whole = np.floor(x)
+    u = x - whole
+    i = int(whole) % (coefficients.size - 5)
+    c0, c1, c2, c3, c4, c5 = (
+        coefficients[i],
+        coefficients[i + 1],
+        coefficients[i + 2],
+        coefficients[i + 3],
+        coefficients[i + 4],
+        coefficients[i + 5],
+    )
+    p0 = c0 + 26 * c1 + 66 * c2 + 26 * c3 + c4
+    p1 = 5 * (-c0 - 10 * c1 + 10 * c3 + c4)
+    p2 = 10 * (c0 + 2 * c1 - 6 * c2 + 2 * c3 + c4)
+    p3 = 10 * (-c0 + 2 * c1 - 2 * c3 + c4)
+    p4 = 5 * (c0 - 4 * c1 + 6 * c2 - 4 * c3 + c4)
+    p5 = -c0 + 5 * c1 - 10 * c2 + 10 * c3 - 5 * c4 + c5
+    third = p0 + u * (p1 + u * (p2 + u * (p3 + u * (p4 + u * p5))))
+    second = p1 + u * (2 * p2 + u * (3 * p3 + u * (4 * p4 + u * 5 * p5)))
+    return third / 120, second * cells_per_metre / 120
+
+
+@njit(cache=True)
+def height(coefficients, cells_per_metre, s, a):
+    """Return the height [m] at path length s [m] under an ellipse of half-length a [m].
+
+    The mean of z weighed by 3 (1 - x^2/a^2)/4a over (s - a, s + a), by parts.
+    """
+    third1, second1 = integrals(coefficients, cells_per_metre, s + a)
+    third0, second0 = integrals(coefficients, cells_per_metre, s - a)
+    return 1.5 * (second1 + second0 - (third1 - third0) / a) / (a * a)
+
+
+@njit(cache=True)
+def heights(coefficients, cells_per_metre, s, a):
+    """Return `height` at path lengths s (k,) under half-lengths a (k,) [m], as (k,) [m]."""
+    out = np.empty(s.size)
+    for i in range(s.size):
+        out[i] = height(coefficients, cells_per_metre, s[i], a[i])
+    return out
+
+
+def profile_from_csv(file, period: float | None = None) -> Profile:
+    """Read heights [m] (second column) against length [m] (first), as stylus instruments write; a header is skipped.
+
+    The best straight line is taken off, and the profile continued by its mirror image, which makes it periodic. For an
+    edge give its circumference as `period` [m]: the length is stretched so that a whole number of repeats fits.
+    Raises ValueError where the file is no such profile.
+    """
+    length, height = _columns(Path(file))
+    height = height - np.polynomial.Polynomial.fit(length, height, 1)(length)
+    span = length[-1] - length[0]
+    n = max(8, int(np.ceil(span / np.diff(length).min() * (1 - 1e-9))))
+    if n > MOST_CELLS // 2:
+        raise ValueError(
+            f"{file}: lengths differ by as little as {np.diff(length).min():.3g} m; at most {MOST_CELLS // 2} steps"
+        )
+    even = np.interp(np.linspace(length[0], length[-1], n + 1), length, height)
+    double = 2 * span if period is None else period / max(1, round(period / (2 * span)))
+    return spline_profile(rfft(np.append(even, even[-2:0:-1])), double)
+
+
+def _columns(file):
+    rows = file.read_text("utf-8-sig").replace(";", ",").splitlines()
+    first = next((i for i, row in enumerate(rows) if _is_number(row.split(",")[0])), len(rows))
+    try:
+        if first == len(rows):
+            raise ValueError("no numbers")
+        length, height = np.loadtxt(rows[first:], delimiter=",", ndmin=2, usecols=(0, 1)).T
+    except ValueError as error:
+        raise ValueError(f"{file}: must have rows of length, height in metres ({error})") from None
+    if len(length) < 8 or not np.isfinite(height).all() or not (np.diff(length) > 0).all():
+        raise ValueError(f"{file}: must have at least 8 rows of increasing length and finite height")
+    return length, height
+
+
+def _is_number(text):
+    try:
+        return np.isfinite(float(text))
+    except ValueError:
+        return False
