@@ -7,6 +7,7 @@ from modal.elements.elastic import mode_count
 from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_held
 from modal.modes import Modes, UnsolvableError
+from modal.one_thread import one_blas_thread
 from modal.spectral import axisymmetric
 from modal.spectral.basis import Plate
 
@@ -51,6 +52,7 @@ def check(disk, support):
         check_held(patch_edge(disk.radius, disk.thickness, support), support.held)
 
 
+@one_blas_thread
 def eigenmodes(scene, below=BELOW) -> Modes:
     """The elastic `Modes` below the frequency `below` [Hz] of the disk of a scene.
 

@@ -6,6 +6,7 @@ from pathlib import Path
 from dynamics import ImpossibleContactError, Motion, simulate
 from dynamics.simulation import chosen_integrator
 from modal import Modes, UnsolvableError, eigenmodes, with_radiation
+from modal.one_thread import one_blas_thread
 from modal.radiation import TOP
 from modal.solve import check
 from sonify.claims.checks import Check, all_checks
@@ -47,6 +48,7 @@ class Result:
         return all(check.passed for check in self.checks)
 
 
+@one_blas_thread
 def run(
     scene: Scene, out: str | Path | None = None, accuracy: str | None = None, stages: Stages | None = None
 ) -> Result:
