@@ -5,7 +5,7 @@ Oracle: threadpoolctl's own account of the libraries that are loaded.
 """
 
 from concurrent.futures import ThreadPoolExecutor
-from threading import Barrier
+from threading import Barrier, Thread
 
 import pytest
 import scipy.linalg  # noqa: F401  loads the BLAS that is asked about
@@ -20,14 +20,21 @@ def blas_threads() -> set[int]:
     return {library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"}
 
 
+def set_threads(count: int) -> None:
+    """Set them from a thread that ends: threadpoolctl lets nobody undo what a living one has set."""
+    setting = Thread(target=threadpool_limits, args=(count, "blas"))
+    setting.start()
+    setting.join()
+
+
 @pytest.fixture(autouse=True)
 def two_threads():
-    with ThreadPoolExecutor(1) as pool:  # a thread that has ended: threadpoolctl lets nobody undo what a living one set
-        before = pool.submit(threadpool_limits, 2, user_api="blas").result()
+    before = blas_threads()
+    set_threads(2)
     if blas_threads() != {2}:
         pytest.skip("no BLAS here whose threads can be set to two")
     yield
-    before.restore_original_limits()
+    set_threads(max(before))
 
 
 class Asked(Exception):
