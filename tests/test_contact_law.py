@@ -4,41 +4,23 @@ Source: Johnson, Contact Mechanics (1985), ch. 4 and 7; Mindlin (1949); Kalker (
 Oracle: half-space integrals, spheres, the energy, numbers of an independent prototype, a dense eigenproblem.
 """
 
-import json
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 import pytest
+from contact_scenes import GRANITE, REFERENCE, STEEL, granite, prototype
 from scipy.integrate import quad
 
-from dynamics.coupled.contact import ContactLaw, Elastic
 from dynamics.coupled.creep import C11, C22, RATIOS, creep_coefficients, slender
 from dynamics.coupled.resonance import carrier, linear, mobility, on_springs, resonances, rigid_shapes, stiffness_matrix
-from dynamics.disk import GRAVITY, Disk
-
-STEEL, GRANITE = Elastic(195e9, 0.28), Elastic(60e9, 0.2)
-REFERENCE = json.loads((Path(__file__).parent / "references" / "elastic_contact.json").read_text("utf-8"))
-
-
-def law(fillet=1.6e-3, thickness=0.0128, **changes):
-    disk = Disk(radius=0.03755, thickness=thickness, mass=4.30365 / GRAVITY)
-    return ContactLaw(**{"disk": disk, "fillet": fillet, "body": STEEL, "table": GRANITE} | changes)
 
 
 def column(name):
     return np.array([row[name] for row in REFERENCE["static"]])
 
 
-def prototype(contact, beta):
-    """Return the springs of the prototype: Mindlin's ratio of a circle, one relaxation length 1.1 a."""
-    weight = contact.disk.weight
-    a, kn = contact.semi_axes(beta, weight)[0], contact.springs(beta, weight).kn
-    return contact.springs(beta, weight)._replace(k1=0.87655 * kn, k2=0.87655 * kn, length1=1.1 * a, length2=1.1 * a)
-
-
 def test_static_numbers():
-    contact, beta, load = law(), column("inclination"), 4.30365
+    contact, beta, load = granite(), column("inclination"), 4.30365
     a, b = contact.semi_axes(beta, load)
     found = (
         a * 1e6,
@@ -53,7 +35,7 @@ def test_static_numbers():
 
 
 def test_resonances_of_the_prototype():
-    contact, beta = law(), column("inclination")
+    contact, beta = granite(), column("inclination")
     springs = prototype(contact, beta)
     free = on_springs(rigid_shapes(contact.disk, beta), stiffness_matrix(springs))
     assert free[:, 3:] == pytest.approx(column("free"), rel=1e-4)
@@ -65,7 +47,7 @@ def test_resonances_of_the_prototype():
 
 def test_one_resonance_rings_and_rises():
     """Creep that is Kalker's and not one number moves the carrier by less than 2 %, and it still is the only one."""
-    contact, beta = law(loss_factor=0.0), column("inclination")
+    contact, beta = granite(loss_factor=0.0), column("inclination")
     found = carrier(contact, beta, contact.disk.weight, column("speed"))
     assert found.frequency == pytest.approx(column("relaxed")[:, 0, 2], rel=0.02)
     assert (np.diff(found.frequency) > 0).all()
@@ -76,7 +58,7 @@ def test_one_resonance_rings_and_rises():
 
 def test_loss_factor_is_that_of_the_normal_resonance():
     """Without grip the normal spring is alone with the disk: its loss factor is the law's, 2 zeta exactly."""
-    contact, beta = law(loss_factor=0.03), np.array([0.5, 0.01])
+    contact, beta = granite(loss_factor=0.03), np.array([0.5, 0.01])
     springs = contact.springs(beta, 4.0)
     c = 0.03 * np.sqrt(springs.kn / mobility(contact.disk, beta)[:, 2, 2])
     slides = linear(contact.disk, beta, springs._replace(k1=0.0 * beta, k2=0.0 * beta), 1.0, c)
@@ -85,7 +67,7 @@ def test_loss_factor_is_that_of_the_normal_resonance():
 
 def test_sphere():
     """A fillet as large as an upright disk is a sphere: N = 4/3 E* sqrt(R) delta^1.5, k = 2 a E*, k_t of Mindlin."""
-    sphere = law(fillet=0.03755, thickness=0.0751)
+    sphere = granite(fillet=0.03755, thickness=0.0751)
     upright, radius = np.array([np.pi / 2]), 0.03755
     assert sphere.stiffness(upright) == pytest.approx(4 / 3 * sphere.modulus * radius**0.5, rel=1e-12)
     a, b = sphere.semi_axes(upright, 1.0)
@@ -103,7 +85,7 @@ def test_pressure_fits_the_gap(beta):
 
     At a point the displacement is the integral over all lines through it; along each the pressure is a half-circle.
     """
-    contact, load = law(), 4.3
+    contact, load = granite(), 4.3
     (a, b), delta = contact.semi_axes(beta, load), contact.approach(beta, load)
 
     def displaced(x, y):
@@ -125,7 +107,7 @@ def test_pressure_fits_the_gap(beta):
 
 
 def test_slope_is_that_of_the_stiffness():
-    contact, beta = law(), np.geomspace(1e-6, 1.2, 9)
+    contact, beta = granite(), np.geomspace(1e-6, 1.2, 9)
     step = 1e-4 * beta
     central = [(contact.stiffness(beta + s) - contact.stiffness(beta - s)) / (2 * s) for s in (step, 2 * step)]
     assert contact.stiffness_slope(beta) == pytest.approx((4 * central[0] - central[1]) / 3, rel=1e-8)
@@ -133,7 +115,7 @@ def test_slope_is_that_of_the_stiffness():
 
 def test_tangential_springs_are_integrals_of_the_tractions():
     """A traction Q/(2 pi a b) over the root of 1 - x^2/a^2 - y^2/b^2 gives every line through the centre Q/4 s_0/ab."""
-    contact, beta = law(), 0.1
+    contact, beta = granite(), 0.1
     (a, b), springs = contact.semi_axes(beta, 4.3), contact.springs(beta, 4.3)
 
     def yields(material, along):
@@ -157,7 +139,7 @@ def test_creep_table():
         assert below == pytest.approx(above, rel=1e-6)
     for value, limit in zip(creep_coefficients(1e-9, 0.28), slender(1e-9, 0.28), strict=True):
         assert value == pytest.approx(limit, rel=1e-8)
-    contact, beta = law(), np.geomspace(1e-6, 0.57, 30)
+    contact, beta = granite(), np.geomspace(1e-6, 0.57, 30)
     ratio = np.array(contact.springs(beta, 4.3)[3:]) / contact.semi_axes(beta, 4.3)[0]
     assert ((ratio > 1.05) & (ratio < 1.1 * 1.2)).all(), "the one number 1.1 is right within 20 %"
     assert (np.diff(ratio) > 0).all()
@@ -165,7 +147,7 @@ def test_creep_table():
 
 def test_modes_know_what_a_body_yields():
     """A left-out mode w >> k enters by its residual 1/w^2: both ways agree to the order that is left out."""
-    contact, beta = law(), np.array([0.1])
+    contact, beta = granite(), np.array([0.1])
     stiffness = stiffness_matrix(contact.springs(beta, 4.3))
     rigid, extra = rigid_shapes(contact.disk, beta), np.array([0.3, -0.7, 1.6])
     w2 = (2 * np.pi * 30e3) ** 2
@@ -182,4 +164,4 @@ def test_modes_know_what_a_body_yields():
 )
 def test_wrong_fillets(changes, words):
     with pytest.raises(ValueError, match=words):
-        law(**changes)
+        granite(**changes)

@@ -1,0 +1,169 @@
+"""The force of a rough contact that is kept: a linear filter that varies slowly, along a rigid motion already solved.
+
+Between knots the linearised contact is constant and stepped exactly for heights that are linear between samples; the
+rolling direction is not excited, so that four numbers are its state: velocities and deflections along a_2 and a_3.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from .profile import SMOOTH, height
+from .resonance import linear
+from .roughness import Roughness, window
+from .table import LawTable
+
+EVERY = 16
+"""Samples between knots."""
+BLOCK = 2048
+"""Knots that are handled together."""
+PART = [1, 2, 4, 5]
+TERMS, LARGEST = 16, 1.0
+"""Terms of a propagator, exact to rounding where the fastest resonance turns by no more radians in a step."""
+AUDIBLE = 200.0
+"""The force above this frequency [Hz] is the contact's, below it the motion's."""
+
+
+class Along(NamedTuple):
+    """A rigid motion at even knots t (k,) [s]: inclination [rad], normal force [N], whether it rolls, path lengths [m]
+    on the table and on the edge, and by how much the force along a_2 and a_3 has just jumped (k, 2) [N]."""
+
+    t: np.ndarray
+    inclination: np.ndarray
+    load: np.ndarray
+    rolls: np.ndarray
+    path: np.ndarray
+    edge: np.ndarray
+    jumps: np.ndarray
+
+
+def along(motion, rate: float, start: float = 0.0, stop: float | None = None):
+    """Yield the motion block by block, each as Along; the last knot of a block is the first of the next.
+
+    `rate` [1/s] is that of the samples, EVERY to a knot. The contact advances by the edge's R d(spin) and the slip.
+    """
+    stop = motion.t[-1] if stop is None else stop
+    last, path = int(np.floor((stop - start) * rate / EVERY)), 0.0
+    jumps = motion.jumps
+    for first in range(0, last, BLOCK):
+        t = start + np.arange(first, min(first + BLOCK, last) + 1) * (EVERY / rate)
+        state, force = motion.at_and_force(t)
+        edge, slip = -motion.disk.radius * state[:, 2], state[:, 8]
+        slid = np.append(0.0, np.cumsum((slip[1:] + slip[:-1]) / 2)) * (EVERY / rate)
+        rolls = np.char.startswith(motion.regime(t), "roll")
+        change = np.zeros((len(t), 2))
+        here = (jumps.t > t[0]) & (jumps.t <= t[-1])
+        np.add.at(change, np.searchsorted(t, jumps.t[here]), (jumps.after - jumps.before)[here, 1:])
+        yield Along(t, state[:, 1], force[:, 2], rolls, edge + path - slid, edge, change)
+        path -= slid[-1]
+
+
+def respond(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH), impedance=np.inf):
+    """Yield what the elastic, rough contact adds to the force, (n, 2) [N] along a_2 and a_3, for every block.
+
+    `blocks` are those of `along`, `profiles` those of the table and of the edge, `impedance` [N s/m] that of the table.
+    Sample i of a block is at t[0] + (i + 1)/rate. Raises ValueError, naming the rate needed, where a resonance turns too far in a step.
+    """
+    x, z = np.zeros(4), np.nan
+    for block in blocks:
+        middle = _middle(block)
+        springs, a, c = table.springs(middle.inclination, middle.load)
+        springs = springs._replace(k2=np.where(middle.rolls, springs.k2, 0.0))
+        speed = np.diff(block.path) / np.diff(block.t)
+        system = linear(table.law.disk, middle.inclination, springs, speed, c, impedance)
+        A = np.ascontiguousarray(system.A[:, PART][:, :, PART])
+        _hold(A, rate)
+        drive = block.jumps[:-1] / np.column_stack([np.where(middle.rolls, springs.k2, np.inf), springs.kn])
+        a = table.springs(block.inclination, block.load)[1]
+        if np.isnan(z):
+            z = sum(height(*p, s[0], a[0]) for p, s in zip(profiles, (block.path, block.edge), strict=True))
+        rows = A, system.B[:, PART], system.C[:, PART], system.D, springs.k2, drive, block.path, block.edge, a
+        out, x, z = _march(x, z, *map(np.ascontiguousarray, rows), 1 / rate, *profiles[0], *profiles[1])
+        yield out
+
+
+def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, speed, impedance=np.inf, above=AUDIBLE):
+    """Return the rms [N] of the force above a frequency [Hz] in steady motion, (k,), from the spectrum of the heights.
+
+    Table and edge are independent and each is read at `speed` (k,) [m/s]; both are taken as endless.
+    """
+    springs, a, c = table.springs(np.asarray(inclination), np.asarray(load))
+    system = linear(table.law.disk, inclination, springs, speed, c, impedance)
+    k = np.geomspace(2 * np.pi / roughness.longest, 2 * np.pi / roughness.shortest, 8192)
+    density = k**-roughness.exponent
+    density *= roughness.rms**2 / np.trapezoid(density, k)
+    square = [
+        np.trapezoid(density * window(k * a[i]) ** 2 * gain**2 * (k * speed[i] > 2 * np.pi * above), k)
+        for i, gain in enumerate(_gains(system, k, speed))
+    ]
+    return np.sqrt(2 * np.array(square))
+
+
+def _gains(system, k, speed):
+    """Yield |N'/z| (w,) [N/m] at every inclination for waves k (w,) [rad/m]."""
+    for A, B, C, D, V in zip(system.A, system.B, system.C, system.D, speed, strict=True):
+        roots, vectors = np.linalg.eig(A[np.ix_(PART, PART)])
+        weight = (C[PART] @ vectors) * np.linalg.solve(vectors, B[PART].astype(complex))
+        s = 1j * k * V
+        yield np.abs(s * ((weight / (s[:, None] - roots)).sum(axis=1) + D))
+
+
+def _middle(block):
+    """Return inclination, load and regime between the knots of a block."""
+    return block._replace(
+        inclination=(block.inclination[1:] + block.inclination[:-1]) / 2,
+        load=(block.load[1:] + block.load[:-1]) / 2,
+        rolls=block.rolls[1:] & block.rolls[:-1],
+    )
+
+
+def _hold(A, rate):
+    """Raise ValueError where the fastest root of A (k, 4, 4) turns by more than LARGEST in a step."""
+    fastest = np.sqrt(np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])).max()
+    if fastest > LARGEST * rate:
+        raise ValueError(
+            f"rate = {rate:g}: the contact is too stiff, at least {fastest / LARGEST:.4g} steps a second are needed"
+        )
+
+
+@njit(cache=True)
+def _propagator(A, B, h):
+    """Return [exp(A h), the mean of exp(A s) B over a step] (4, 5): the Taylor series of the matrix [A h, B; 0, 0]."""
+    total, term, following = np.empty((4, 5)), np.empty((4, 5)), np.empty((4, 5))
+    for i in range(4):
+        for j in range(5):
+            term[i, j] = A[i, j] * h if j < 4 else B[i]
+            total[i, j] = term[i, j] + (1.0 if i == j else 0.0)
+    for n in range(2, TERMS):
+        for i in range(4):
+            for j in range(5):
+                value = 0.0
+                for m in range(4):
+                    value += A[i, m] * term[m, j]
+                following[i, j] = value * h / n
+                total[i, j] += following[i, j]
+        term, following = following, term
+    return total
+
+
+@njit(cache=True)
+def _march(x, z, A, B, C, D, k2, drive, path, edge, a, h, table, table_cells, rim, rim_cells):
+    """Step through a block; return the force (n, 2), the last state and the last height."""
+    out, following = np.empty((EVERY * len(A), 2)), np.empty(4)
+    for j in range(len(A)):
+        E = _propagator(A[j], B[j], h)
+        x[2] = x[2] + drive[j, 0] if k2[j] > 0 else 0.0
+        x[3] += drive[j, 1]
+        for i in range(EVERY):
+            f = (i + 1) / EVERY
+            half = a[j] + f * (a[j + 1] - a[j])
+            s, sigma = path[j] + f * (path[j + 1] - path[j]), edge[j] + f * (edge[j + 1] - edge[j])
+            rise = height(table, table_cells, s, half) + height(rim, rim_cells, sigma, half) - z
+            z += rise
+            for m in range(4):
+                following[m] = E[m, 0] * x[0] + E[m, 1] * x[1] + E[m, 2] * x[2] + E[m, 3] * x[3] + E[m, 4] * rise
+            x, following = following, x
+            out[EVERY * j + i, 0] = -k2[j] * x[2]
+            out[EVERY * j + i, 1] = C[j, 1] * x[1] + C[j, 3] * x[3] + D[j] * rise / h
+    return out, x, z
