@@ -41,16 +41,20 @@ def is_stiff(y, contact, law) -> bool:
     return speed < SLOW * friction and -LAZY_LOSS < gain < LAZY_GAIN
 
 
-def grazing_step(y, nu, first, regime, branch, law) -> Step:
-    """Return the first step of a slide from rest along nu, of a length on which the guards stay positive.
+def grazing_step(y, nu, first, regime, branch, law) -> Step | None:
+    """Return the first step of a slide from rest along nu, of a length on which every guard stays positive.
 
+    None where the slip comes back to rest before it has the speed that ends a slide: then there is no slide to follow.
     Raises StalledError where no length down to SHORTEST converges.
     """
     dt, forward = LENGTH * y[R], (math.cos(nu), math.sin(nu))
     while dt > SHORTEST * y[R]:
         states = _newton(_at_rest(y, nu, first, regime, branch, law, dt), y, forward, regime, branch, law, dt)
-        if states is not None and _valid(states[-1], regime, branch, law):
-            return Step(regime, dt, _powers(y, states, forward, regime, branch, law, dt))
+        if states is not None:
+            step = Step(regime, dt, _powers(y, states, forward, regime, branch, law, dt))
+            grip, *others = _guards(np.vstack([states, step.end]).T, forward, regime, branch, law, 0.0).values()
+            if min(map(np.min, others)) > 0 and grip.min() > -STOP_SPEED:
+                return step if grip[-1] > 0 else None
         dt /= 2
     raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")
 
@@ -64,9 +68,7 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
     forward = np.array(y[V1 : V2 + 1])
 
     def guards(y):
-        contact = ARRAY.contact_along(y, *_slip(y, forward), branch, regime.senses, law)
-        named = ARRAY.guards(y, contact, branch, regime.senses, law, r_end)
-        return {**named, "grip": math.copysign(np.hypot(*y[V1 : V2 + 1]), y[V1 : V2 + 1] @ forward) - STOP_SPEED}
+        return _guards(y, forward, regime, branch, law, r_end)
 
     y = np.array(y)
     t, length, times, blocks, fired, values = 0.0, min(LENGTH, 2 * math.hypot(y[V1], y[V2])), [], [], None, guards(y)
@@ -178,12 +180,12 @@ def _matrix(states, forward, regime, branch, law, dt):
     return np.eye(n * k) - dt * np.einsum("ij,bja->iajb", INTEGRAL, slopes).reshape(n * k, n * k)
 
 
-def _valid(y, regime, branch, law) -> bool:
-    """Tell whether every guard is positive at y; the slip need not have passed the speed that ends a slide."""
-    y = y.tolist()
-    contact = FLOAT.contact(y, branch, regime.senses, law)
-    guards = FLOAT.guards(y, contact, branch, regime.senses, law, 0.0)
-    return all(value > 0 for name, value in guards.items() if name != "grip")
+def _guards(y, forward, regime, branch, law, r_end):
+    """Return the guards at states y (k, ...) by name, grip first: it is negative where the slip runs back."""
+    slip, (c, s) = _slip(y, forward)
+    contact = ARRAY.contact_along(y, slip, (c, s), branch, regime.senses, law)
+    grip = {"grip": y[V1] * c + y[V2] * s - STOP_SPEED}
+    return grip | {**ARRAY.guards(y, contact, branch, regime.senses, law, r_end), **grip}
 
 
 def _powers(y, states, forward, regime, branch, law, dt):

@@ -10,6 +10,7 @@ from scipy.interpolate import PPoly
 
 from .disk import Disk
 from .equations import Law
+from .monotone import largest_fall
 from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
 
 COLUMNS = (
@@ -126,6 +127,10 @@ class Motion:
         """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
         tau = self._tau(t)
         return energy(self.path(tau).T, self.law) * self._unit_of_energy
+
+    def largest_regain(self) -> float:
+        """Return by how much [J] the dissipated energy ever falls, from any instant to any later one."""
+        return largest_fall(self.path.c[..., DISSIPATED], self.path.x) * self._unit_of_energy
 
     def regime(self, t) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""

@@ -68,7 +68,7 @@ def test_every_file_is_there_and_no_other(result):
 
 
 def test_every_self_check_passes(result):
-    assert len(result.checks) == 7
+    assert len(result.checks) == 8
     assert [check.name for check in result.checks if not check.passed] == []
 
 

@@ -46,6 +46,17 @@ def energy_balance(motion) -> Check:
     )
 
 
+def dissipation_never_falls(motion) -> Check:
+    """By how much the dissipated energy falls at most, between any two instants, relative to the energy at first."""
+    return Check(
+        name="dissipated energy never falls",
+        value=motion.largest_regain() / float(motion.energy(0.0)[0]),
+        expected=0.0,
+        tolerance=1e-12,
+        source="no power of (3.2), (3.3) is ever negative; a step of a draft is exact to 1e-12",
+    )
+
+
 def friction_cone(motion, friction) -> Check:
     """By how much |F|/N exceeds the static coefficient while rolling, or misses the dynamic one while sliding."""
     t = (motion.t[1:] + motion.t[:-1]) / 2
@@ -125,6 +136,7 @@ def all_checks(scene, motion, modes, sound) -> list[Check]:
     """Every check of a run."""
     return [
         energy_balance(motion),
+        dissipation_never_falls(motion),
         friction_cone(motion, scene.friction),
         pushing_contact(motion),
         mode_residuals(modes),

@@ -1,0 +1,83 @@
+"""Claim: every guard is positive while its regime holds, and falls through zero where it ends; no event is missed.
+
+Source: (3.2), (3.3) of the paper: friction and moments never give energy. Oracle: the guards themselves, asked where no
+integrator looked; extrema of polynomials in closed form; the dissipated energy, which cannot fall.
+"""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from numpy.polynomial import Polynomial
+from scenes import scene
+
+from dynamics import simulate
+from dynamics.disk import Release
+from dynamics.monotone import largest_fall
+from dynamics.regime import ARRAY, STOP_SPEED, V1, V2, Branch
+from sonify import load_scene
+from sonify.claims.checks import dissipation_never_falls
+
+INSIDE = np.array([1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 1 - 1e-3])
+"""Where in a piece the guards are asked."""
+
+
+def lowest_guards(motion):
+    """Return the lowest value of every guard within the pieces of a motion.
+
+    Of grip it is that of the cosine between two directions of the slip, where it is not in the last step to rest.
+    """
+    lowest, after = {}, INSIDE[:, None, None] * np.diff(motion.path.x)[:, None]
+    y = np.polynomial.polynomial.polyval(after, motion.path.c[::-1], tensor=False)  # (inside, pieces, 11)
+    for kind, regime in enumerate(motion.regimes):
+        of_kind = y[:, motion.regime_of_piece == kind].T
+        branch = Branch.of(regime, motion.law, motion.loads)
+        contact = ARRAY.contact(of_kind, branch, regime.senses, motion.law)
+        guards = ARRAY.guards(of_kind, contact, branch, regime.senses, motion.law, 0.0)
+        if "grip" in guards:
+            speed = guards.pop("grip") + STOP_SPEED
+            slip = (of_kind[V1 : V2 + 1] / speed)[:, speed.max(axis=1) > STOP_SPEED]
+            guards["slip keeps its side"] = (slip[:, :, :1] * slip[:, :, 1:]).sum(axis=0)
+        for name, value in guards.items():
+            lowest[name] = np.minimum(lowest.get(name, np.inf), np.min(value, initial=np.inf))
+    return lowest
+
+
+def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
+    """The state of energy_gain.toml at t = 93.294624074 s, where it rolls: the slide that follows lasts 45 us."""
+    wanted = load_scene(Path(__file__).parent / "references" / "energy_gain.toml")
+    release = Release(
+        inclination_deg=0.04241320147942413, omega=(1.624116734034412, 0.5311056435179342, 0.4499165719985166)
+    )
+    numerics = replace(wanted.numerics, time_limit=0.02)
+    motion = simulate(replace(wanted, release=release, numerics=numerics))
+    assert [e.guard for e in motion.transitions][:3] == ["slip", "grip", "nutation reverses"]
+    assert motion.transitions[1].t - motion.transitions[0].t == pytest.approx(45.2e-6, rel=1e-2)
+    assert dissipation_never_falls(motion).passed
+    assert np.ptp(motion.energy(motion.t) + motion.state[:, 10]) < 1e-11 * motion.energy(0.0)[0]
+    assert min(lowest_guards(motion).values()) > -1e-12
+
+
+@pytest.mark.parametrize(
+    "friction",
+    [{}, {"mu_static": 0.3}, {"mu_static": 0.31}, {"k1": 0.01}, {"k3": 0.1}],
+    ids=["published", "equal frictions", "nearly equal", "nutation sticks", "pivoting sticks"],
+)
+def test_every_guard_is_positive_while_its_regime_holds(friction):
+    motion = simulate(scene({"time_limit": 40 * scene().disk.time_unit}, **friction))
+    lowest = lowest_guards(motion)
+    assert {"lift-off", "nutation reverses", "slip", "slip keeps its side"} <= set(lowest)
+    assert {name: value for name, value in lowest.items() if value < -1e-12} == {}
+    assert dissipation_never_falls(motion).passed
+
+
+def test_the_largest_fall_is_that_of_the_extrema_between_the_ends():
+    """Of x^3 - 3 x on [-2, 0], [0, 2] the ends are -2, 0, 2; it falls from 2 at -1 to -2 at 1."""
+    cubic = [Polynomial([0, -3, 0, 1])(Polynomial([start, 1])).coef[::-1] for start in (-2.0, 0.0)]
+    c, x = np.transpose(cubic), np.array([-2.0, 0.0, 2.0])
+    assert largest_fall(c, x) == pytest.approx(4.0, rel=1e-14)
+    assert largest_fall(c[:, :1], x[:2]) == pytest.approx(2.0, rel=1e-14)
+    assert largest_fall(-c, x) == pytest.approx(4.0, rel=1e-14)
+    assert largest_fall(np.array([[1.0, 1.0], [0.0, 2.0], [0.0, 3.0]]), np.array([0.0, 1.0, 2.0])) == 0.0
+    assert largest_fall(np.zeros((3, 2)), np.array([0.0, 1.0, 2.0])) == 0.0
