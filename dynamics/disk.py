@@ -1,28 +1,36 @@
-"""The sections of a scene that the rigid motion reads: disk, friction, release. SI units unless a key says `_deg`."""
+"""The sections of a scene that the motion reads. SI units unless a key says `_deg`; [ ] holds the unit of a key."""
 
 from dataclasses import dataclass
 from math import inf, pi
 from typing import Annotated, Literal
 
-from annotated_types import Ge, Gt, Lt
+from annotated_types import Ge, Gt, Le, Lt
 
 GRAVITY = 9.81
 """Acceleration of free fall [m/s^2]; it gives the paper's unit of time, 0.0691712 s (7.2)."""
 
 
+LARGEST = 1e6
+"""Coefficient of friction beyond which none is asked for but an infinite one."""
+Rate = Annotated[float, Ge(-1e6), Le(1e6)]
+
+
 @dataclass(frozen=True, kw_only=True)
 class Disk:
-    """A circular cylinder: radius and thickness [m], and its mass [kg] or, where it has a volume, density [kg/m^3].
+    """A circular cylinder, of which either the mass or the density is given."""
 
-    A shell is hollow along its axis: `wall` [m] is what is left between the two radii, negligible unless it is given.
-    """
-
-    radius: Annotated[float, Gt(0)]
-    thickness: Annotated[float, Gt(0)]
-    mass: Annotated[float, Gt(0)] | None = None
-    density: Annotated[float, Gt(0)] | None = None
+    radius: Annotated[float, Gt(0), Le(100)]
+    """Outer radius [m]."""
+    thickness: Annotated[float, Ge(1e-9), Le(100)]
+    """Height along the axis [m]."""
+    mass: Annotated[float, Ge(1e-9), Le(1e9)] | None = None
+    """Mass [kg]."""
+    density: Annotated[float, Ge(1e-3), Le(1e6)] | None = None
+    """Mass per volume [kg/m^3], of a disk that has a volume."""
     shape: Literal["solid", "shell"] = "solid"
-    wall: Annotated[float, Gt(0)] | None = None
+    """A shell is hollow along its axis."""
+    wall: Annotated[float, Ge(1e-9), Le(100)] | None = None
+    """Outer less inner radius of a shell [m], negligible unless it is given."""
 
     def __post_init__(self):
         if (self.mass is None) == (self.density is None):
@@ -69,22 +77,56 @@ class Disk:
 
 @dataclass(frozen=True, kw_only=True)
 class Friction:
-    """Coulomb's coefficients (3.2) and the arms k_1, k_2, k_3 [m] of the resisting moments (3.3)."""
+    """Coulomb's law (3.2), and the moments (3.3) that resist the three parts of the angular velocity."""
 
     mu_static: Annotated[float, Ge(0)]
+    """Coefficient of static friction, at most 1e6; or inf, for a contact that never slips."""
     mu_dynamic: Annotated[float, Ge(0)]
-    arm_nutation: Annotated[float, Ge(0), Lt(inf)] = 0.0
-    arm_rolling: Annotated[float, Ge(0), Lt(inf)] = 0.0
-    arm_pivoting: Annotated[float, Ge(0), Lt(inf)] = 0.0
+    """Coefficient of dynamic friction, not above the static one."""
+    arm_nutation: Annotated[float, Ge(0), Le(100)] = 0.0
+    """Arm k_1 of the normal force in the moment that resists nutation [m], at most the radius."""
+    arm_rolling: Annotated[float, Ge(0), Le(100)] = 0.0
+    """Arm k_2 of the normal force in the moment that resists rolling [m], at most the radius."""
+    arm_pivoting: Annotated[float, Ge(0), Le(100)] = 0.0
+    """Arm k_3 of the normal force in the moment that resists pivoting [m], at most the radius."""
 
     def __post_init__(self):
+        for key in ("mu_static", "mu_dynamic"):
+            if LARGEST < (mu := getattr(self, key)) < inf:
+                raise ValueError(f"{key} = {mu:g}: must be less than or equal to {LARGEST:g}, or inf")
         if self.mu_dynamic > self.mu_static:
             raise ValueError(f"mu_dynamic = {self.mu_dynamic:g} must not exceed mu_static = {self.mu_static:g}")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Release:
-    """The start, without slip: inclination of the disk to the table, angular velocity [rad/s] along e_1, e_2, e_3."""
+    """The start of the motion, without slip (7.4)."""
 
-    inclination_deg: Annotated[float, Gt(0), Lt(90)]
-    omega: tuple[float, float, float]
+    inclination_deg: Annotated[float, Ge(1e-6), Lt(90)]
+    """Inclination of the disk to the table [degrees]."""
+    omega: tuple[Rate, Rate, Rate]
+    """Angular velocity along e_1 (nutation), e_2 (the disk's axis) and e_3 (in its plane) [rad/s]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Surface:
+    """What the disk stands on."""
+
+    kind: Literal["rigid"] = "rigid"
+    """A rigid table neither moves nor sounds."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Numerics:
+    """How exactly to solve; what is not given follows from the accuracy."""
+
+    accuracy: Literal["draft", "standard", "reference"] = "standard"
+    """A draft to listen to, the standard for numbers, the reference for the phase of the ringing."""
+    integrator: Literal["auto", "taylor", "dop853"] = "auto"
+    """Taylor series by heyoka, or DOP853 by numba; auto takes the first where heyoka is installed."""
+    tolerance: Annotated[float, Gt(0), Le(1e-9)] | None = None
+    """Relative tolerance of the integrator."""
+    final_inclination: Annotated[float, Gt(0), Le(0.1)] | None = None
+    """Inclination at which the motion counts as settled [rad]."""
+    time_limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
+    """Time at which a motion that does not settle is ended [s]."""

@@ -17,23 +17,24 @@ from .equations import Law, Loads
 
 @dataclass(frozen=True, kw_only=True)
 class Dissipation:
-    """What resists besides Coulomb friction and the moment (3.3); the laws add up, and zero leaves one out.
+    """What resists besides Coulomb friction and the moment (3.3); the laws add up, and zero leaves one out."""
 
-    power_coefficient [W s^b], power_exponent b -- (1.1), McDonald & McDonald (2002): their measurements suggest b = 2.5
-    air_viscosity [Pa s]            -- Moffatt (2000): the air under the disk, viscous throughout, b = 4
-    boundary_layer_viscosity [m^2/s], air_density [kg/m^3] -- Bildsten (2002): the air's boundary layer, b = 5/2
-    contour_moment [N m]            -- contour friction, Leine (2009): b = 1
-    viscous_moment [N m s], viscous_force [N s/m] -- Compere: proportional to omega and to the velocity of the centre
-    """
-
-    power_coefficient: Annotated[float, Ge(0)] = 0.0
+    power_coefficient: Annotated[float, Ge(0), Le(1e6)] = 0.0
+    """Factor of the power law c |Omega|^b (1.1) [W s^b]."""
     power_exponent: Annotated[float, Ge(0), Le(16)] = 2.5
-    air_viscosity: Annotated[float, Ge(0)] = 0.0
-    boundary_layer_viscosity: Annotated[float, Ge(0)] = 0.0
-    air_density: Annotated[float, Ge(0)] = 1.2
-    contour_moment: Annotated[float, Ge(0)] = 0.0
-    viscous_moment: Annotated[float, Ge(0)] = 0.0
-    viscous_force: Annotated[float, Ge(0)] = 0.0
+    """Exponent b of the power law; the measurements of McDonald & McDonald (2002) suggest 2.5."""
+    air_viscosity: Annotated[float, Ge(0), Le(1e6)] = 0.0
+    """Viscosity of the air under the disk, viscous throughout: Moffatt (2000), b = 4 [Pa s]."""
+    boundary_layer_viscosity: Annotated[float, Ge(0), Le(1e6)] = 0.0
+    """Kinematic viscosity of the air's boundary layer: Bildsten (2002), b = 5/2 [m^2/s]."""
+    air_density: Annotated[float, Ge(0), Le(1e6)] = 1.2
+    """Density of the air of that layer [kg/m^3]."""
+    contour_moment: Annotated[float, Ge(0), Le(1e6)] = 0.0
+    """Moment of contour friction: Leine (2009), b = 1 [N m]."""
+    viscous_moment: Annotated[float, Ge(0), Le(1e6)] = 0.0
+    """Moment per angular velocity, against it: Compere [N m s]."""
+    viscous_force: Annotated[float, Ge(0), Le(1e6)] = 0.0
+    """Force per velocity of the centre, against it: Compere [N s/m]."""
 
 
 def power_laws(dissipation: Dissipation, disk: Disk) -> list[tuple[float, float]]:

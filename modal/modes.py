@@ -20,31 +20,32 @@ class UnsolvableError(ArithmeticError, ValueError):
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """An isotropic elastic solid: Young's modulus [Pa], Poisson's ratio, loss factor (loss per radian over energy).
+    """An isotropic elastic solid."""
 
-    `decay_rates` [1/s], where they have been measured, are those of the first modes in order of their frequencies.
-    """
-
-    young: Annotated[float, Gt(0)]
+    young: Annotated[float, Ge(1), Le(1e15)]
+    """Young's modulus [Pa]."""
     poisson: Annotated[float, Gt(-1), Lt(0.5)]
-    loss_factor: Annotated[float, Ge(0)] = 0.0
-    decay_rates: tuple[Annotated[float, Ge(0)], ...] = ()
+    """Poisson's ratio."""
+    loss_factor: Annotated[float, Ge(0), Le(1)] = 0.0
+    """Loss of energy per radian over the energy, the inverse of the quality factor."""
+    decay_rates: tuple[Annotated[float, Ge(0), Le(1e6)], ...] = ()
+    """Measured decay rates of the first modes, in order of their frequencies [1/s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Support:
-    """How the disk is held: by an arc `patch` of its lateral surface, centred at angle 0, or `free`.
-
-    The patch reaches `half_angle_deg` to either side and over `height` [m], the whole thickness unless given, in the
-    middle of the thickness or from the bottom rim up; `held` names the components that vanish there. On patches
-    below the bounds the lowest modes are lost in round-off.
-    """
+    """How the disk is held; on patches below the bounds the lowest modes are lost in round-off."""
 
     kind: Literal["patch", "free"] = "patch"
+    """By an arc of its lateral surface, centred at angle 0, or not at all."""
     half_angle_deg: Annotated[float, Ge(0.01), Le(180)] = 5.0
-    height: Annotated[float, Ge(1e-5)] | None = None
+    """How far the patch reaches to either side [degrees]."""
+    height: Annotated[float, Ge(1e-5), Le(100)] | None = None
+    """How much of the thickness the patch takes [m], all of it unless given."""
     position: Literal["middle", "bottom"] = "middle"
+    """Where a lower patch sits: in the middle of the thickness, or from the bottom rim up."""
     held: tuple[Literal["radial", "tangential", "axial"], ...] = ("radial", "tangential", "axial")
+    """The components of the displacement that vanish on the patch."""
 
     def __post_init__(self):
         if not self.held or len(set(self.held)) < len(self.held):

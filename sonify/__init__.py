@@ -4,6 +4,7 @@ from importlib import import_module
 
 __all__ = ["SceneError", "load_scene", "run"]
 
+__version__ = "0.1.0"
 _HOME = {"SceneError": "sonify.scene_errors", "load_scene": "sonify.scene", "run": "sonify.pipeline"}
 
 

@@ -7,6 +7,7 @@ from signal import SIGINT
 
 import click
 
+from sonify import __version__
 from sonify.charts import CHARTS
 from sonify.process import well_behaved
 
@@ -48,6 +49,7 @@ def _stop(message, status):
 
 
 @click.group(cls=OneLine, context_settings={"help_option_names": ["-h", "--help"]})
+@click.version_option(__version__, message="%(version)s")
 def main():
     """Euler's disk, heard: from a scene to its sound."""
 
@@ -61,7 +63,7 @@ def main():
 )
 @click.option("--animation", is_flag=True, help="Film the last seconds, too (needs the extra `animation`).")
 def run(scene, out, accuracy, assignments, animation):
-    """Solve SCENE, a shipped name or a TOML file; write sound, pictures and report."""
+    """Solve SCENE, a shipped name, a TOML file or the run.json of a run; write sound, pictures and report."""
     from sonify.scene import load_scene
 
     scene = load_scene(scene).replace(*assignments)
@@ -96,10 +98,16 @@ def listen(recording, out):
 
 
 @main.command()
-def scenes():
+@click.option("--keys", is_flag=True, help="List every key of a scene instead: unit, range, default, meaning.")
+@click.option("--schema", is_flag=True, help="Print the JSON schema of a scene instead, for editors that complete.")
+def scenes(keys, schema):
     """List the shipped scenes."""
     from sonify.scene import shipped_scenes
+    from sonify.scene_keys import as_json, as_table
 
+    if keys or schema:
+        click.echo(as_json() if schema else as_table())
+        return
     for name, summary in shipped_scenes().items():
         click.echo(f"{name:16} {summary}")
 

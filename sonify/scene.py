@@ -4,61 +4,44 @@ import json
 import tomllib
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
+from functools import cache
 from importlib import resources
-from math import isfinite
+from math import inf, isfinite
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated
 
 from annotated_types import Ge, Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from dynamics.disk import Disk, Friction, Release
+from dynamics.disk import Disk, Friction, Numerics, Release, Surface
 from dynamics.dissipation import Dissipation
 from modal.modes import Material, Support
 from sonify.scene_errors import SceneError, explain
 
-MAY_BE_INFINITE = {"friction.mu_static", "friction.mu_dynamic"}
+MAY_BE_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
 """Infinite friction is physics: the contact never slips. Nothing else in a scene may be infinite."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Surface:
-    """What the disk stands on: `rigid` neither moves nor sounds."""
-
-    kind: Literal["rigid"] = "rigid"
-
-
-@dataclass(frozen=True, kw_only=True)
 class Audio:
-    """Samples per second, and the listener: distance [m] from the disk's centre, elevation above the table."""
+    """The sound file and the listener."""
 
     sample_rate: Annotated[int, Ge(8000), Le(768000)] = 48000
+    """Samples per second [Hz]."""
     distance: Annotated[float, Gt(0), Le(1000)] = 0.5
+    """Distance of the listener from the centre of the disk [m], greater than the radius."""
     elevation_deg: Annotated[float, Ge(0), Le(90)] = 45.0
-
-
-@dataclass(frozen=True, kw_only=True)
-class Numerics:
-    """How exactly to solve; None leaves the choice to `accuracy`.
-
-    `tolerance` is the integrator's relative one, at most the slip speed at which a slide counts as at rest;
-    `final_inclination` [rad] is where the motion counts as settled; `time_limit` [s] ends one that does not settle.
-    """
-
-    accuracy: Literal["draft", "standard", "reference"] = "standard"
-    integrator: Literal["auto", "taylor", "dop853"] = "auto"
-    tolerance: Annotated[float, Gt(0), Le(1e-9)] | None = None
-    final_inclination: Annotated[float, Gt(0), Le(0.1)] | None = None
-    time_limit: Annotated[float, Gt(0)] = 600.0
+    """Elevation of the listener above the table [degrees]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
     """Everything a run depends on. A section that is not given has its defaults; SI units unless a key says `_deg`."""
 
-    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
+    __pydantic_config__ = ConfigDict(extra="forbid", strict=True, use_attribute_docstrings=True)
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")] = "scene"
+    """Name of the scene, and of the folder that it is written into."""
     disk: Disk
     material: Material
     friction: Friction
@@ -72,11 +55,14 @@ class Scene:
     def __post_init__(self):
         if self.audio.distance <= self.disk.radius:
             raise ValueError(f"audio.distance = {self.audio.distance:g}: must be greater than disk.radius")
+        for key in ("arm_nutation", "arm_rolling", "arm_pivoting"):
+            if (arm := getattr(self.friction, key)) > self.disk.radius:
+                raise ValueError(f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}")
 
     @property
     def document(self) -> dict:
         """The TOML document that this scene came from, or would come from, as nested plain values (a copy)."""
-        return deepcopy(self._document) if hasattr(self, "_document") else _document(self)
+        return deepcopy(self._document) if hasattr(self, "_document") else _document(asdict(self))
 
     def replace(self, *assignments: str) -> "Scene":
         """Return this scene with `section.key=value` applied in turn; values are TOML, a bare word is a string.
@@ -89,11 +75,17 @@ class Scene:
         return from_document(document)
 
 
+@cache
+def adapter() -> TypeAdapter:
+    """Return what validates a scene, and knows its keys."""
+    return TypeAdapter(Scene)
+
+
 def from_document(document: dict) -> Scene:
     """Return the scene of a TOML document given as nested plain values. Raises SceneError."""
     _refuse_non_finite(document)
     try:
-        scene = TypeAdapter(Scene).validate_json(json.dumps(document, default=str))
+        scene = adapter().validate_json(json.dumps(document, default=str))
     except ValidationError as error:
         raise SceneError(explain(error, Scene)) from None
     object.__setattr__(scene, "_document", deepcopy(document))
@@ -101,18 +93,23 @@ def from_document(document: dict) -> Scene:
 
 
 def load_scene(source: str | Path = "published") -> Scene:
-    """Return the scene of a shipped name or of a TOML file.
+    """Return the scene of a shipped name, of a TOML file, or of the run.json of an earlier run.
 
     Raises SceneError if there is no such scene, if the file cannot be read or is not TOML, and if a key is unknown or
     missing or has a value that is not allowed.
     """
     try:
-        text = _find(source).read_text(encoding="utf-8")
-        return from_document(tomllib.loads(text))
+        text = _find(source).read_text(encoding="utf-8-sig")  # some editors of Windows begin a text with a mark
+        document = _recorded(json.loads(text)) if Path(source).suffix == ".json" else tomllib.loads(text)
     except OSError as error:
         raise SceneError(f"{source}: cannot be read: {error.strerror}") from None
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+    except json.JSONDecodeError as error:
+        raise SceneError(f"{source}: not JSON: {error}") from None
+    except (UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:
         raise SceneError(f"{source}: not TOML: {error}") from None
+    except (LookupError, TypeError, AttributeError):
+        raise SceneError(f"{source}: not the run.json of a run: it holds no scene") from None
+    return from_document(document)
 
 
 def shipped_scenes() -> dict[str, str]:
@@ -129,11 +126,20 @@ def _shipped():
     return resources.files("sonify") / "scenes"
 
 
-def _document(scene):
-    """The document of a scene that was not read from one: every key that has a value."""
-    document = _given(asdict(scene))
-    if scene.disk.density is not None:
+def _document(sections):
+    """The document of a scene that was not read from one but is given by its sections: every key that has a value."""
+    document = _given(sections)
+    if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
+    return document
+
+
+def _recorded(record):
+    """The document of the scene in a run.json, where infinity is a string: JSON has none."""
+    document = _document(record["scene"])
+    for section, key in (path.split(".") for path in MAY_BE_INFINITE):
+        if document[section][key] == "inf":
+            document[section][key] = inf
     return document
 
 
@@ -161,14 +167,29 @@ def _assign(document, assignment):
         document = document.setdefault(section, {})
         if not isinstance(document, dict):
             raise SceneError(f"{path.strip()}: {section} is a value, not a section")
-    document[key] = _value(text.strip())
+    document[key] = _value(path.strip(), text.strip())
 
 
-def _value(text):
+def _value(path, text):
+    """The value that a TOML text gives; text that is neither TOML nor means to be is a bare word."""
     try:
-        return tomllib.loads(f"value = {text}")["value"]
-    except tomllib.TOMLDecodeError:
+        value, *more = tomllib.loads(f"value = {text}").values()
+    except tomllib.TOMLDecodeError as error:
+        if (number := _number(text)) is not None:
+            raise SceneError(f"{path} = {text}: TOML writes this number {number!r}") from None
+        if "\n" in text or text[:1] in {"'", '"', "[", "{"}:
+            raise SceneError(f"{path} = {text!r}: not TOML: {error}") from None
         return text
+    if more:
+        raise SceneError(f"{path} = {text!r}: must be one value, and not several lines")
+    return value
+
+
+def _number(text):
+    try:
+        return float(text)
+    except ValueError:
+        return None
 
 
 def _refuse_non_finite(value, path=""):

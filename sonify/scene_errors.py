@@ -5,6 +5,23 @@ from types import UnionType
 from typing import get_args, get_origin
 
 UNKNOWN = {"unexpected_keyword_argument", "extra_forbidden"}
+SENTENCES = {
+    "missing": "missing",
+    "value_error": "{error}",
+    "dataclass_type": "must be a section, with keys of its own",
+    "tuple_type": "must be a list, as [1.0, 2.0]",
+    "too_long": "must have at most {max_length} values",
+    "float_type": "must be a valid number",
+    "int_type": "must be a whole number",
+    "string_type": "must be text in quotes",
+    "string_pattern_mismatch": "must be made of letters, digits, '.', '_' and '-', and begin with a letter or a digit",
+    "literal_error": "must be {expected}",
+    "greater_than": "must be greater than {gt:g}",
+    "greater_than_equal": "must be greater than or equal to {ge:g}",
+    "less_than": "must be less than {lt:g}",
+    "less_than_equal": "must be less than or equal to {le:g}",
+}
+"""What is said of each kind of fault that pydantic finds in a scene; tests/test_scene.py seeks all that there are."""
 
 
 class InputError(ValueError):
@@ -22,15 +39,10 @@ def explain(error, schema: type) -> str:
     path = ".".join(map(str, fault["loc"]))
     if fault["type"] in UNKNOWN:
         return f"{path}: unknown key; known: {', '.join(_known_keys(schema, fault['loc'][:-1]))}"
-    if fault["type"] == "missing":
-        return f"{path}: missing"
-    if fault["type"] == "value_error":
-        return f"{path}: {fault['ctx']['error']}".removeprefix(": ")
-    return f"{path} = {fault['input']!r}: {_allowed(fault['msg'])}"
-
-
-def _allowed(message):
-    return message.replace("Input should be", "must be")
+    sentence = SENTENCES.get(fault["type"], fault["msg"]).format(**fault.get("ctx", {}))
+    if fault["type"] in {"missing", "value_error"}:
+        return f"{path}: {sentence}".removeprefix(": ")
+    return f"{path} = {fault['input']!r}: {sentence}"
 
 
 def _known_keys(schema, path):

@@ -4,17 +4,22 @@ Source: the README's table of commands. Oracle: the files that exist afterwards,
 """
 
 import errno
+import json
+import pkgutil
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
 from test_scene import FAULTS
 
+import sonify
 from sonify.__main__ import main
 from sonify.files import whole
 from sonify.scene import load_scene
+from sonify.scene_keys import Key, keys, schema
 
 ROOT = Path(__file__).parent.parent
 HEAVY = ("numpy", "scipy", "matplotlib", "numba", "heyoka", "skfem", "pydantic")
@@ -50,6 +55,19 @@ def test_scenes_are_listed_one_a_line():
     result = ask("scenes")
     assert result.exit_code == 0
     assert any(line.startswith("published ") for line in result.stdout.splitlines())
+
+
+def test_the_keys_of_a_scene_and_their_schema_are_printed():
+    listed = ask("scenes", "--keys").stdout.splitlines()
+    assert listed[0].split() == list(Key._fields)
+    assert len(listed) == 1 + len(keys())
+    assert json.loads(ask("scenes", "--schema").stdout) == schema()
+
+
+def test_the_command_has_a_version_and_a_name_of_its_own():
+    told = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert pkgutil.resolve_name(told["scripts"]["sonify"]) is main
+    assert ask("--version").stdout.strip() == sonify.__version__
 
 
 @pytest.mark.parametrize(("assignment", "message"), FAULTS, ids=[fault[0] for fault in FAULTS])

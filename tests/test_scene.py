@@ -4,15 +4,21 @@ Source: the format of scene files in the README. Oracle: the numbers of the pape
 key that each document is made wrong in.
 """
 
+import json
 import math
-from dataclasses import replace
+from dataclasses import asdict, fields, is_dataclass, replace
 from pathlib import Path
 
+import jsonschema
 import pytest
+from pydantic import ValidationError
 
 from sonify import SceneError, load_scene
 from sonify.plan.plan import plan_of
-from sonify.scene import Scene, from_document, shipped_scenes
+from sonify.report.write import finite
+from sonify.scene import Scene, adapter, from_document, shipped_scenes
+from sonify.scene_errors import SENTENCES
+from sonify.scene_keys import keys, schema
 
 
 @pytest.fixture
@@ -124,6 +130,19 @@ FAULTS = [
     ("disk", "'disk': expected section.key=value"),
     (".radius=1", "'.radius=1': expected section.key=value"),
     ("disk.radius.x=1", "disk.radius.x: radius is a value, not a section"),
+    ("disk=word", "disk = 'word': must be a section"),
+    ("disk.thickness=1e-300", "disk.thickness = 1e-300: must be greater than or equal to 1e-09"),
+    ("release.omega=3.0", "release.omega = 3.0: must be a list"),
+    ("release.omega=[1.0, 2.0, 3.0, 4.0]", "release.omega = [1.0, 2.0, 3.0, 4.0]: must have at most 3 values"),
+    ("material.loss_factor=2", "material.loss_factor = 2: must be less than or equal to 1"),
+    ("friction.arm_rolling=1e308", "friction.arm_rolling = 1e+308: must be less than or equal to 100"),
+    ("friction.arm_pivoting=0.04", "friction.arm_pivoting = 0.04: must not exceed disk.radius = 0.03755"),
+    ("friction.mu_static=1e308", "mu_static = 1e+308: must be less than or equal to 1e+06, or inf"),
+    ("friction.mu_static=.6", "friction.mu_static = .6: TOML writes this number 0.6"),
+    ("friction.mu_static=10.", "friction.mu_static = 10.: TOML writes this number 10.0"),
+    ("friction.mu_static=0.4\nmu_dynamic=0.1", "must be one value, and not several lines"),
+    ("name=two\nlines", "name = 'two\\nlines': not TOML"),
+    ("release.omega=[1.0, 2.0", "release.omega = '[1.0, 2.0': not TOML"),
 ]
 
 
@@ -171,3 +190,99 @@ def test_a_file_is_read_like_a_shipped_scene(published, tmp_path):
     path.write_text((Path(__file__).parents[1] / "sonify/scenes/published.toml").read_text())
     assert load_scene(path) == published
     assert load_scene(str(path)) == published
+
+
+def test_the_mark_that_some_editors_put_before_a_text_is_no_fault(published, tmp_path):
+    path = tmp_path / "marked.toml"
+    path.write_bytes(b"\xef\xbb\xbf" + (Path(__file__).parents[1] / "sonify/scenes/published.toml").read_bytes())
+    assert load_scene(path) == published
+
+
+@pytest.mark.parametrize("name", sorted(shipped_scenes()))
+def test_the_record_of_a_run_is_a_scene(tmp_path, name):
+    path, ran = tmp_path / "run.json", load_scene(name).replace("friction.mu_static=inf", "audio.distance=2.0")
+    path.write_text(json.dumps({"scene": finite(asdict(ran))}, allow_nan=False))
+    assert load_scene(path) == ran
+    assert load_scene(path).replace("friction.mu_static=1.0") == ran.replace("friction.mu_static=1.0")
+
+
+@pytest.mark.parametrize("text", ["{", "[]", "{}", '{"scene": 3}', '{"scene": {"disk": 3}}', '{"scene": {}}'])
+def test_json_that_is_no_record_of_a_run(tmp_path, text):
+    path = tmp_path / "some.json"
+    path.write_text(text)
+    with pytest.raises(SceneError, match=r"some\.json: not"):
+        load_scene(path)
+
+
+def complaint(scene, assignment):
+    """What is said of an assignment; nothing where it is allowed."""
+    try:
+        scene.replace(assignment)
+    except SceneError as error:
+        return str(error)
+    return ""
+
+
+WRONG = ["true", "word", "1.5", "-1", "0", "1e308", "1e-300", "1" + "0" * 400, "[]", "[1.0]", "[[1]]", "{}", "{a = 1}"]
+WRONG += ["[1.0, 2.0, 3.0, 4.0]", '["axial", "axial"]', "2024-01-01", "nan", "-inf", "..", "''"]
+
+
+def test_every_fault_that_pydantic_finds_is_said_in_a_sentence_of_ours(published, monkeypatch):
+    """Every key with every wrong value."""
+    found, plain = set(), adapter()
+
+    class Noting:
+        def validate_json(self, text):
+            try:
+                return plain.validate_json(text)
+            except ValidationError as error:
+                found.update(fault["type"] for fault in error.errors())
+                raise
+
+    monkeypatch.setattr("sonify.scene.adapter", Noting)
+    sections = [field.name for field in fields(Scene)]
+    for assignment in [f"{key}={value}" for key in [*sections, *(key.name for key in keys())] for value in WRONG]:
+        told = complaint(published, assignment)
+        assert len(told.splitlines()) <= 1, assignment
+        assert "nput should" not in told, assignment
+    assert len(found) > 10
+    assert found <= set(SENTENCES) | {"unexpected_keyword_argument"}
+
+
+def test_the_reference_lists_every_key_with_unit_and_meaning():
+    sections = {field.name: field.type for field in fields(Scene) if is_dataclass(field.type)}
+    named = {f"{name}.{field.name}" for name, section in sections.items() for field in fields(section)}
+    listed = {key.name: key for key in keys()}
+    assert set(listed) == named | {"name"}
+    for key in listed.values():
+        assert key.meaning[0].isupper(), key
+        assert key.meaning.endswith("."), key
+        assert key.name.endswith("_deg") == (key.unit == "degrees"), key
+    assert listed["disk.radius"] == ("disk.radius", "m", "> 0, <= 100", "required", "Outer radius.")
+    assert listed["numerics.time_limit"][1:4] == ("s", "> 0, <= 1e+06", "600.0")
+
+
+@pytest.mark.parametrize("key", [key for key in keys() if set(key.range) & set("<>")], ids=lambda key: key.name)
+def test_the_range_in_the_reference_is_what_is_allowed(published, key):
+    """Just inside each bound no fault is found in the key itself; just outside, or at an open one, it is."""
+
+    def refused(value):
+        text = f"[{value!r}, 1.0, 1.0]" if key.range.startswith("list") else repr(value)
+        told = complaint(published, f"{key.name}={text}")
+        return told.startswith(key.name) and "must be " in told  # rather than "must not exceed" another key
+
+    for bound in key.range.split(": ")[-1].split(", "):
+        sign, number = bound.split()
+        limit, whole = float(number), key.name == "audio.sample_rate"
+        step = 1 if whole else max(abs(limit), 1e-300) * 1e-6
+        outward = -step if sign.startswith(">") else step
+        assert refused(type(step)(limit) + outward)
+        assert refused(type(step)(limit)) == ("=" not in sign)
+
+
+@pytest.mark.parametrize("name", sorted(shipped_scenes()))
+def test_the_schema_accepts_the_shipped_scenes_and_refuses_what_is_wrong(name):
+    check, document = jsonschema.Draft202012Validator(schema()), load_scene(name).document
+    assert check.is_valid(document)
+    for section, key, value in [("disk", "radius", -1), ("disk", "radios", 1), ("audio", "sample_rate", 44100.5)]:
+        assert not check.is_valid(document | {section: document.get(section, {}) | {key: value}})

@@ -6,6 +6,7 @@ steady carriers, white noise from 30 to -10 dB, and a room of 0.5 s reverberatio
 
 import json
 import struct
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -17,7 +18,9 @@ from sonify.__main__ import main
 from sonify.hearing.loudness import HANN_BANDWIDTH
 from sonify.hearing.recording import LONGEST, RecordingError, listen, read
 from sonify.hearing.rising_tone import rising_tone
+from sonify.hearing.source import SoundFile
 from sonify.hearing.spectrogram import spectrogram
+from sonify.report.recording import own_folder, sentences
 
 RATE, END, LENGTH = 22050, 8.0, 10.0
 LAWS = [(1.0, 60.0), (0.5, 100.0), (0.33, 120.0)]
@@ -164,7 +167,40 @@ def test_a_truncated_recording_is_heard_as_far_as_it_goes(tmp_path):
     path.write_bytes(whole[: int(len(whole) * 0.9)])
     heard = listen(path)
     assert heard.duration == pytest.approx(0.9 * LENGTH, rel=0.01)
+    assert heard.missing == pytest.approx(0.1 * LENGTH, rel=0.01)
+    assert "truncated: its header promises 1.00" in " ".join(sentences(heard))
     assert heard.tone.end == pytest.approx(END, abs=0.02)
+
+
+def test_a_whole_recording_and_one_whose_length_was_not_known_are_not_called_truncated(tmp_path):
+    path = tmp_path / "piped.wav"
+    wav(path, 0.1 * recording(1.0, 60.0, 20)[: 2 * RATE])
+    assert SoundFile(path).missing == 0
+    piped = bytearray(path.read_bytes())
+    size = piped.index(b"data") + 4
+    piped[size : size + 4] = b"\xff" * 4
+    path.write_bytes(piped)
+    assert SoundFile(path).frames == 2 * RATE
+    assert SoundFile(path).missing == 0
+
+
+@pytest.mark.parametrize(
+    ("name", "why"), [("absent.wav", "No such file"), ("voice.m4a", "ffmpeg -i voice.m4a voice.wav")]
+)
+def test_what_cannot_be_read_is_told_with_the_reason_and_what_helps(tmp_path, name, why):
+    (tmp_path / "voice.m4a").write_bytes(b"\0\0\0\x18ftypM4A " + bytes(100))
+    with pytest.raises(RecordingError, match=why) as refused:
+        listen(tmp_path / name)
+    assert "System error" not in str(refused.value)
+
+
+def test_recordings_of_one_name_have_a_folder_each(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for day, name in [("monday", "sound"), ("tuesday", "sound-2"), ("monday", "sound")]:
+        assert own_folder(f"{day}/sound.wav") == Path("outputs/listen") / name
+        own_folder(f"{day}/sound.wav").mkdir(parents=True, exist_ok=True)
+        told = {"recording": str((tmp_path / day / "sound.wav").resolve())}
+        (tmp_path / "outputs/listen" / name / "heard.json").write_text(json.dumps(told))
 
 
 def test_of_a_long_recording_the_part_around_its_loudest_second_is_heard(tmp_path):
@@ -186,7 +222,9 @@ def test_the_command_writes_what_it_says(tmp_path):
     assert asked.exit_code == 0
     assert "rising tone: end at" in asked.stdout
     assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["heard.json", "spectrogram.png"]
-    assert json.loads((tmp_path / "out" / "heard.json").read_text())["tone"]["end"] == pytest.approx(END, abs=0.02)
+    told = json.loads((tmp_path / "out" / "heard.json").read_text())
+    assert told["tone"]["end"] == pytest.approx(END, abs=0.02)
+    assert told["recording"] == str(path.resolve())
 
 
 def test_reading_errors_are_input_errors():

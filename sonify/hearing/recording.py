@@ -24,6 +24,10 @@ CARRIER_WINDOW, CARRIERS_FROM = 0.5, 300.0
 CARRIER_STANDS_OUT_DB, MOST_CARRIERS = 15.0, 12
 
 
+FOREIGN = {".3gp", ".aac", ".amr", ".m4a", ".m4v", ".mkv", ".mov", ".mp4", ".webm", ".wma"}
+"""Endings of what telephones and cameras record, which libsndfile does not read."""
+
+
 class RecordingError(InputError):
     """The recording cannot be judged; the message is one line."""
 
@@ -39,7 +43,8 @@ class Carrier:
 
 @dataclass(frozen=True, kw_only=True)
 class Heard:
-    """What a sound tells by itself. `start` [s] is where in the file the part that was listened to begins."""
+    """What a sound tells by itself. `start` [s] is where in the file the part that was listened to begins, `missing`
+    [s] how much more its header promises than the file holds."""
 
     duration: float
     sample_rate: int
@@ -47,6 +52,7 @@ class Heard:
     tone: RisingTone | None
     repetition: RisingTone | None
     carriers: list[Carrier]
+    missing: float = 0.0
 
 
 def listen(sound: Source | str | Path) -> Heard:
@@ -65,6 +71,7 @@ def listen(sound: Source | str | Path) -> Heard:
         if rate > 2 * ENVELOPE_FROM
         else None,
         carriers=steady_carriers(samples, rate),
+        missing=duration * getattr(source_of(sound), "missing", 0.0),
     )
 
 
@@ -79,7 +86,7 @@ def read(sound: Source | str | Path):
         rate, (start, stop) = source.sample_rate, _part(source)
         channels = stretch(source, start, stop)
     except (soundfile.LibsndfileError, OSError) as error:
-        raise RecordingError(f"{name}: not a sound file that can be read: {_reason(error)}") from None
+        raise RecordingError(f"{name}: not a sound file that can be read: {_reason(name, error)}") from None
     if not np.isfinite(channels).all():
         raise RecordingError(f"{name}: holds samples that are not finite")
     if rate < SLOWEST:
@@ -163,5 +170,12 @@ def _carrier(level, above, peak, spacing):
     )
 
 
-def _reason(error):
+def _reason(path, error):
+    """Why a file cannot be read: what the system says of it, what helps, or what libsndfile says."""
+    try:
+        open(path, "rb").close()
+    except OSError as refusal:
+        return refusal.strerror
+    if Path(path).suffix.lower() in FOREIGN:
+        return f"convert it first, as by ffmpeg -i {Path(path).name} {Path(path).stem}.wav"
     return " ".join(str(getattr(error, "error_string", None) or error.args[-1]).split())

@@ -1,5 +1,6 @@
 """FILE or RENDERED SOUND -> SOURCE: samples that can be read again and again, from any place on, block by block."""
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -9,6 +10,10 @@ from typing import Protocol
 import numpy as np
 import soundfile
 
+PROMISED = re.compile(r"(?:data|SSND|Data Size) *: *(\d+) \(should be (\d+)\)")
+"""What libsndfile notes of WAV, AIFF and AU files whose length is not that of their header [bytes]."""
+UNKNOWN = 0x7FFF0000
+"""So long is a file said to be whose length was not known when its header was written [bytes]."""
 BLOCK = 1 << 16
 """So many samples are read from a file at once."""
 
@@ -49,6 +54,13 @@ class SoundFile:
     def frames(self) -> int:
         """Number of samples in each channel."""
         return self._header.frames
+
+    @property
+    def missing(self) -> float:
+        """How much more the header promises than the file holds, over what it holds: 0 unless the file was cut off."""
+        promised = PROMISED.search(self._header.extra_info)
+        said, held = map(int, promised.groups()) if promised else (0, 0)
+        return max(said / held - 1, 0.0) if held and said < UNKNOWN else 0.0
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Yield (k, channels), float32: the samples from number `start` on."""

@@ -1,6 +1,8 @@
 """RECORDING -> FILES: what a sound file of the user's own tells, in words, numbers and a picture."""
 
+import json
 from dataclasses import asdict
+from itertools import chain, count
 from pathlib import Path
 
 from sonify.files import claim
@@ -13,13 +15,30 @@ def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
     Raises RecordingError before anything is written, and OutputError when `out` cannot be written.
     """
     heard = listen(recording)
-    folder = claim(out or Path("outputs") / "listen" / Path(recording).stem)
+    folder = claim(out or own_folder(recording))
     from sonify.report.sound import draw_recording
     from sonify.report.write import finite, write_json
 
     draw_recording(recording, heard, folder / "spectrogram.png")
-    write_json(finite(numbers(heard)), folder / "heard.json")
+    write_json({"recording": _name(recording)} | finite(numbers(heard)), folder / "heard.json")
     return [*sentences(heard), str(folder)]
+
+
+def own_folder(recording: str | Path) -> Path:
+    """Return outputs/listen/<name of the recording>, or <name>-2, ... where the folder before is another one's."""
+    first = Path("outputs") / "listen" / Path(recording).stem
+    folders = chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2)))
+    return next(folder for folder in folders if _recording_in(folder) in (None, _name(recording)))
+
+
+def _recording_in(folder):
+    """The recording that a folder tells of, None where it tells of none."""
+    told = folder / "heard.json"
+    return json.loads(told.read_text(encoding="utf-8")).get("recording", "") if told.exists() else None
+
+
+def _name(recording):
+    return str(Path(recording).resolve())
 
 
 def numbers(heard) -> dict:
@@ -30,6 +49,8 @@ def numbers(heard) -> dict:
 def sentences(heard) -> list[str]:
     """Return what was heard in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
+    if heard.missing:
+        lines.append(f"the file is truncated: its header promises {heard.missing:.3f} s more")
     for name, tone in (("rising tone", heard.tone), ("rising repetition of the envelope", heard.repetition)):
         lines.append(f"{name}: {_fit(tone) if tone else 'none stands out'}")
     return lines + [

@@ -1,0 +1,80 @@
+"""Every key of a scene: its unit, range, default and meaning, as the types of the sections have them."""
+
+import json
+import re
+from typing import NamedTuple
+
+from sonify.scene import adapter
+
+DIALECT = "https://json-schema.org/draft/2020-12/schema"
+BOUNDS = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}
+KINDS = {"number": "number", "integer": "whole number", "string": "text", "boolean": "true, false"}
+
+
+class Key(NamedTuple):
+    """A key of a scene file, in words."""
+
+    name: str
+    unit: str
+    range: str
+    default: str
+    meaning: str
+
+
+def schema() -> dict:
+    """Return the JSON schema of a scene, with which editors complete and check a scene file while it is written."""
+    return {"$schema": DIALECT} | adapter().json_schema()
+
+
+def keys() -> list[Key]:
+    """Return every key of a scene, section by section."""
+    whole = schema()
+    return list(_keys(whole, whole["$defs"], ""))
+
+
+def as_json() -> str:
+    """Return the schema as a JSON text."""
+    return json.dumps(schema(), indent=1)
+
+
+def as_table() -> str:
+    """Return the keys as a table of text, one line each under a line of headings."""
+    rows = [Key._fields, *keys()]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
+
+
+def _keys(section, sections, path):
+    for name, key in section["properties"].items():
+        options = [option for option in key.get("anyOf", [key]) if option.get("type") != "null"]
+        inner = [sections[option["$ref"].rpartition("/")[2]] for option in options if "$ref" in option]
+        for own in inner:
+            yield from _keys(own, sections, f"{path}{name}.")
+        if not inner:
+            meaning, unit = _apart(key["description"])
+            span = " or ".join(map(_range, options))
+            yield Key(f"{path}{name}", unit, span, _default(name, key, section), meaning)
+
+
+def _apart(description):
+    """Meaning and unit of a description, which names the unit in brackets."""
+    unit = re.search(r" \[([^]]*)\]", description)
+    return (description.replace(unit[0], "", 1), unit[1]) if unit else (description, "-")
+
+
+def _range(key):
+    """What is allowed, in words, by a type of JSON schema."""
+    if "enum" in key or "const" in key:
+        return ", ".join(map(str, key.get("enum", [key.get("const")])))
+    if key["type"] == "array":
+        parts = key.get("prefixItems") or [key["items"]]
+        return f"list of {len(parts) if 'prefixItems' in key else 'any length'}: {_range(parts[0])}"
+    bounds = [f"{sign} {key[name]:g}" for name, sign in BOUNDS.items() if name in key]
+    return ", ".join(bounds) or KINDS[key["type"]]
+
+
+def _default(name, key, section):
+    if name in section.get("required", ()):
+        return "required"
+    default = key.get("default")
+    return "-" if default is None else default if isinstance(default, str) else json.dumps(default)
