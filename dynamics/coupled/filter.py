@@ -26,8 +26,10 @@ AUDIBLE = 200.0
 
 
 class Along(NamedTuple):
-    """A rigid motion at even knots t (k,) [s]: inclination [rad], normal force [N], whether it rolls, path lengths [m]
-    on the table and on the edge, and by how much the force along a_2 and a_3 has just jumped (k, 2) [N]."""
+    """A rigid motion at even knots t (k,) [s]: inclination [rad], normal force [N], whether it rolls.
+
+    Path lengths [m] on the table and on the edge; `jumps` (k, 2) [N] of the force along a_2, a_3 since the last knot.
+    """
 
     t: np.ndarray
     inclination: np.ndarray
@@ -53,7 +55,7 @@ def along(motion, rate: float, start: float = 0.0, stop: float | None = None):
         slid = np.append(0.0, np.cumsum((slip[1:] + slip[:-1]) / 2)) * (EVERY / rate)
         rolls = np.char.startswith(motion.regime(t), "roll")
         change = np.zeros((len(t), 2))
-        here = (jumps.t > t[0]) & (jumps.t <= t[-1])
+        here = (jumps.t > t[0] - EVERY / rate) & (jumps.t <= t[-2])
         np.add.at(change, np.searchsorted(t, jumps.t[here]), (jumps.after - jumps.before)[here, 1:])
         yield Along(t, state[:, 1], force[:, 2], rolls, edge + path - slid, edge, change)
         path -= slid[-1]
@@ -63,24 +65,38 @@ def respond(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH), imp
     """Yield what the elastic, rough contact adds to the force, (n, 2) [N] along a_2 and a_3, for every block.
 
     `blocks` are those of `along`, `profiles` those of the table and of the edge, `impedance` [N s/m] that of the table.
-    Sample i of a block is at t[0] + (i + 1)/rate. Raises ValueError, naming the rate needed, where a resonance turns too far in a step.
+    Sample i of a block is at t[0] + (i + 1)/rate. Raises ValueError, naming the rate needed, where a resonance turns
+    too far in a step.
     """
     x, z = np.zeros(4), np.nan
     for block in blocks:
-        middle = _middle(block)
-        springs, a, c = table.springs(middle.inclination, middle.load)
-        springs = springs._replace(k2=np.where(middle.rolls, springs.k2, 0.0))
-        speed = np.diff(block.path) / np.diff(block.t)
-        system = linear(table.law.disk, middle.inclination, springs, speed, c, impedance)
-        A = np.ascontiguousarray(system.A[:, PART][:, :, PART])
-        _hold(A, rate)
-        drive = block.jumps[:-1] / np.column_stack([np.where(middle.rolls, springs.k2, np.inf), springs.kn])
-        a = table.springs(block.inclination, block.load)[1]
+        knots, A, B, drive = _coefficients(table, block, rate, impedance)
         if np.isnan(z):
-            z = sum(height(*p, s[0], a[0]) for p, s in zip(profiles, (block.path, block.edge), strict=True))
-        rows = A, system.B[:, PART], system.C[:, PART], system.D, springs.k2, drive, block.path, block.edge, a
-        out, x, z = _march(x, z, *map(np.ascontiguousarray, rows), 1 / rate, *profiles[0], *profiles[1])
+            z = sum(height(*p, s, knots[0, 0]) for p, s in zip(profiles, (block.path[0], block.edge[0]), strict=True))
+        out, x, z = _march(x, z, knots, A, B, drive, 1 / rate, *profiles[0], *profiles[1])
         yield out
+
+
+def _coefficients(table, block, rate, impedance):
+    """Return what `_march` needs: at knots a, path, edge, k2, kn, c (k, 6); between them A (k - 1, 4, 4), B, drive."""
+    springs, a, c = table.springs(block.inclination, block.load)
+    rolls = block.rolls[1:] & block.rolls[:-1]
+    between = springs._replace(**{name: (s[1:] + s[:-1]) / 2 for name, s in springs._asdict().items()})
+    between = between._replace(k2=np.where(rolls, between.k2, 0.0))
+    inclination, speed = (block.inclination[1:] + block.inclination[:-1]) / 2, np.diff(block.path) / np.diff(block.t)
+    system = linear(table.law.disk, inclination, between, speed, (c[1:] + c[:-1]) / 2, impedance)
+    A, B = system.A[:, PART][:, :, PART], system.B[:, PART]
+    fastest = np.sqrt(np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])).max() / LARGEST
+    if fastest > rate:
+        raise ValueError(
+            f"rate = {rate:g}: too low for the stiffness of the contact, at least {fastest:.4g} 1/s is needed"
+        )
+    share = 1 / (1 + c / impedance)
+    knots = np.column_stack([a, block.path, block.edge, springs.k2, springs.kn * share, c * share])
+    drive = np.column_stack(
+        [np.where(rolls, block.jumps[:-1, 0] / springs.k2[:-1], np.nan), block.jumps[:-1, 1] / springs.kn[:-1]]
+    )
+    return knots, np.ascontiguousarray(A), np.ascontiguousarray(B), drive
 
 
 def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, speed, impedance=np.inf, above=AUDIBLE):
@@ -94,7 +110,7 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
     density = k**-roughness.exponent
     density *= roughness.rms**2 / np.trapezoid(density, k)
     square = [
-        np.trapezoid(density * window(k * a[i]) ** 2 * gain**2 * (k * speed[i] > 2 * np.pi * above), k)
+        np.trapezoid(density * window(k * a[i]) ** 2 * gain**2 * (k * abs(speed[i]) > 2 * np.pi * above), k)
         for i, gain in enumerate(_gains(system, k, speed))
     ]
     return np.sqrt(2 * np.array(square))
@@ -107,24 +123,6 @@ def _gains(system, k, speed):
         weight = (C[PART] @ vectors) * np.linalg.solve(vectors, B[PART].astype(complex))
         s = 1j * k * V
         yield np.abs(s * ((weight / (s[:, None] - roots)).sum(axis=1) + D))
-
-
-def _middle(block):
-    """Return inclination, load and regime between the knots of a block."""
-    return block._replace(
-        inclination=(block.inclination[1:] + block.inclination[:-1]) / 2,
-        load=(block.load[1:] + block.load[:-1]) / 2,
-        rolls=block.rolls[1:] & block.rolls[:-1],
-    )
-
-
-def _hold(A, rate):
-    """Raise ValueError where the fastest root of A (k, 4, 4) turns by more than LARGEST in a step."""
-    fastest = np.sqrt(np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])).max()
-    if fastest > LARGEST * rate:
-        raise ValueError(
-            f"rate = {rate:g}: the contact is too stiff, at least {fastest / LARGEST:.4g} steps a second are needed"
-        )
 
 
 @njit(cache=True)
@@ -148,22 +146,27 @@ def _propagator(A, B, h):
 
 
 @njit(cache=True)
-def _march(x, z, A, B, C, D, k2, drive, path, edge, a, h, table, table_cells, rim, rim_cells):
-    """Step through a block; return the force (n, 2), the last state and the last height."""
-    out, following = np.empty((EVERY * len(A), 2)), np.empty(4)
+def _march(x, z, knots, A, B, drive, h, table, table_cells, rim, rim_cells):
+    """Step through a block; return the force (n, 2), the last state and the last height.
+
+    Where `drive` along a_2 is NaN the contact slides, and its tangential spring is gone.
+    """
+    out, following, now = np.empty((EVERY * len(A), 2)), np.empty(4), np.empty(6)
     for j in range(len(A)):
         E = _propagator(A[j], B[j], h)
-        x[2] = x[2] + drive[j, 0] if k2[j] > 0 else 0.0
+        slides = np.isnan(drive[j, 0])
+        x[2] = 0.0 if slides else x[2] + drive[j, 0]
         x[3] += drive[j, 1]
         for i in range(EVERY):
             f = (i + 1) / EVERY
-            half = a[j] + f * (a[j + 1] - a[j])
-            s, sigma = path[j] + f * (path[j + 1] - path[j]), edge[j] + f * (edge[j + 1] - edge[j])
-            rise = height(table, table_cells, s, half) + height(rim, rim_cells, sigma, half) - z
+            for m in range(6):
+                now[m] = knots[j, m] + f * (knots[j + 1, m] - knots[j, m])
+
+            rise = height(table, table_cells, now[1], now[0]) + height(rim, rim_cells, now[2], now[0]) - z
             z += rise
             for m in range(4):
                 following[m] = E[m, 0] * x[0] + E[m, 1] * x[1] + E[m, 2] * x[2] + E[m, 3] * x[3] + E[m, 4] * rise
             x, following = following, x
-            out[EVERY * j + i, 0] = -k2[j] * x[2]
-            out[EVERY * j + i, 1] = C[j, 1] * x[1] + C[j, 3] * x[3] + D[j] * rise / h
+            out[EVERY * j + i, 0] = 0.0 if slides else -now[3] * x[2]
+            out[EVERY * j + i, 1] = -now[4] * x[3] - now[5] * (x[1] - rise / h)
     return out, x, z
