@@ -27,6 +27,8 @@ COLUMNS = (
     "dissipated_energy",
 )
 """Names of the columns of `Motion.state`."""
+HARMONICS = 8
+"""Multiples of the precession rate that the contact force is taken to contain."""
 BLOCK = 8192
 """Times at which the force is computed together: few enough for the cache."""
 
@@ -118,6 +120,10 @@ class Motion:
             y = self.path(tau[some])
             state[some], force[some] = self._columns(y), self._force(y, self._piece(tau[some]))
         return state, force
+
+    def bandwidth(self, state) -> np.ndarray:
+        """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11); (2.3)."""
+        return HARMONICS / (2 * np.pi) * np.abs(state[:, 7] / np.sin(state[:, 1]))
 
     def normal_load(self, t) -> np.ndarray:
         """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""

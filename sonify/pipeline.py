@@ -1,6 +1,6 @@
-"""SCENE -> MOTION -> MODES -> FORCE -> SOUND -> FINDINGS: the whole program on one screen."""
+"""SCENE -> PLAN -> MODES -> MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one screen."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dynamics import ImpossibleContactError, Motion, simulate
@@ -20,16 +20,17 @@ from sonify.progress import Stages
 from sonify.report.write import write_record
 from sonify.scene import Scene, SceneError
 from sonify.sound.audible_modes import after_a_jump
-from sonify.sound.render import Renderer, Sound
+from sonify.sound.pressure import Sound
+from sonify.sound.render import Renderer
 from sonify.sound.wav import write_sound
 
 RECORDS = ("run.json", "report.html")
 """What speaks of the other files; that of an earlier run goes before the first of them is replaced."""
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Result:
-    """What a run found; the files are in `out`. `seconds` by stage."""
+    """What a run found, `seconds` by stage. Its files are in `out`, where they have been written."""
 
     scene: Scene
     plan: Plan
@@ -40,7 +41,7 @@ class Result:
     findings: list[Finding]
     checks: list[Check]
     seconds: dict[str, float]
-    out: Path
+    out: Path | None = None
 
     @property
     def passed(self) -> bool:
@@ -49,36 +50,25 @@ class Result:
 
 
 @one_blas_thread
-def run(
-    scene: Scene, out: str | Path | None = None, accuracy: str | None = None, stages: Stages | None = None
-) -> Result:
-    """Solve `scene`, write sound, pictures and report into `out` (default outputs/<scene name>), return what was found.
+def solve(scene: Scene, accuracy: str | None = None, stages: Stages | None = None) -> Result:
+    """Return everything that a run finds; no file is written.
 
-    `accuracy` (draft, standard, reference) replaces the scene's. Raises SceneError, OutputError when `out` cannot be
-    written, and OSError when the disk is full. No file is ever left half written.
+    `accuracy` (draft, standard, reference) replaces the scene's. Raises SceneError where the scene cannot be solved.
     """
-    scene = solvable(scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene)
-    with claimed(out or Path("outputs") / scene.name) as folder:
-        return solved(scene, folder, stages or Stages())
-
-
-def solved(scene: Scene, out: Path, stages: Stages) -> Result:
-    """Solve `scene`, write every file into the folder `out`."""
+    scene, stages = with_accuracy(scene, accuracy), stages or Stages()
     with stages.stage("modes"):
         plan, modes = planned(scene)
     with stages.stage("motion") as watch:
         motion = solve_motion(
             plan.scene(scene), lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}")
         )
-    for stale in RECORDS:
-        (out / stale).unlink(missing_ok=True)
     with stages.stage("sound") as watch:
-        sound = write_sound(Renderer(scene, motion, modes, plan.voices, plan.calm), out, watch)
+        sound = Renderer(scene, motion, modes, plan.voices, plan.calm).sound(watch)
     with stages.stage("findings"):
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound)
-    result = Result(
+    return Result(
         scene=scene,
         plan=with_end(plan, motion, silence),
         motion=motion,
@@ -88,15 +78,46 @@ def solved(scene: Scene, out: Path, stages: Stages) -> Result:
         findings=findings,
         checks=checks,
         seconds=stages.seconds,
-        out=out,
     )
-    stages.answer(result)
-    write_record(result, stages)
+
+
+@one_blas_thread
+def write(result: Result, out: str | Path | None = None, stages: Stages | None = None) -> Result:
+    """Write sound, pictures and report into `out` (default outputs/<scene name>), return the result that knows it.
+
+    Raises OutputError when `out` cannot be written, and OSError when the disk is full. No file is ever left half
+    written.
+    """
+    stages = stages or Stages(result.seconds)
+    with claimed(out or Path("outputs") / result.scene.name) as folder:
+        for stale in RECORDS:
+            (folder / stale).unlink(missing_ok=True)
+        with stages.stage("sound files") as watch:
+            write_sound(result.sound, folder, watch)
+        result = replace(result, out=folder)
+        write_record(result, stages)
     return result
 
 
-def solvable(scene: Scene) -> Scene:
-    """Return the scene. Raises SceneError, before any work, where its disk, support or integrator cannot be solved."""
+@one_blas_thread
+def run(
+    scene: Scene, out: str | Path | None = None, accuracy: str | None = None, stages: Stages | None = None
+) -> Result:
+    """Solve `scene` and write the result into `out`, which is known to be writable before any work: `solve`, `write`.
+
+    Raises what these do.
+    """
+    scene, stages = with_accuracy(scene, accuracy), stages or Stages()
+    with claimed(out or Path("outputs") / scene.name) as folder:
+        result = solve(scene, stages=stages)
+        stages.answer(result)
+        return write(result, folder, stages)
+
+
+def with_accuracy(scene: Scene, accuracy: str | None) -> Scene:
+    """Return the scene with that accuracy. Raises SceneError, before any work, where its disk, support or integrator
+    cannot be solved."""
+    scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
     try:
         check(scene.disk, scene.support)
         chosen_integrator(scene.numerics.integrator)
@@ -125,19 +146,19 @@ def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
     return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
 
 
-def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
-    """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
-    try:
-        heard = listen(sound.folder / "pressure.wav")
-    except RecordingError as error:
-        return None, [f"A verdict by ear: {error}.", *unheard()]
-    silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []
-    return heard, [*unheard(), *silent]
-
-
-def solve_motion(scene: Scene, watch) -> Motion:
+def solve_motion(scene: Scene, watch=lambda t, inclination: None) -> Motion:
     """Return the motion of a scene. Raises SceneError where no contact force satisfies the balance laws."""
     try:
         return simulate(scene, watch)
     except ImpossibleContactError as error:
         raise SceneError(f"friction, release: {error}") from None
+
+
+def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
+    """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
+    try:
+        heard = listen(sound.pressure)
+    except RecordingError as error:
+        return None, [f"A verdict by ear: {error}.", *unheard()]
+    silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []
+    return heard, [*unheard(), *silent]

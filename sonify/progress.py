@@ -7,8 +7,8 @@ from time import perf_counter
 class Stages:
     """Times the stages of a run; `seconds` by name. Silent: the command line shows them by a subclass."""
 
-    def __init__(self):
-        self.seconds: dict[str, float] = {}
+    def __init__(self, seconds: dict[str, float] | None = None):
+        self.seconds = {} if seconds is None else seconds
 
     @contextmanager
     def stage(self, name: str):

@@ -33,7 +33,7 @@ def test_another_process_writes_the_same_bytes(tmp_path):
     environment = {**os.environ, "PYTHONHASHSEED": "7"}
     subprocess.run(command, check=True, cwd=Path(__file__).parent.parent, env=environment, capture_output=True)
     files = sorted(p.relative_to(tmp_path / "here") for p in (tmp_path / "here").rglob("*") if p.is_file())
-    assert len(files) == 15
+    assert len(files) == 16
     for file in files:
         one, other = ((tmp_path / place / file).read_bytes() for place in ("here", "there"))
         if file.name == "run.json":

@@ -27,10 +27,10 @@ from dynamics import simulate
 from dynamics.motion import Jumps
 from modal import eigenmodes
 from sonify import load_scene
-from sonify.hearing import audibility, loudness_lufs
-from sonify.listen import listen
-from sonify.sound import Renderer
-from sonify.wav import write_sound
+from sonify.hearing.loudness import audibility, loudness_lufs
+from sonify.hearing.recording import listen
+from sonify.sound.render import Renderer
+from sonify.sound.wav import write_sound
 
 what, seconds, folder = sys.argv[1], float(sys.argv[2]), sys.argv[3]
 scene = load_scene("published").replace("audio.sample_rate=8000", "numerics.time_limit=2.0")
@@ -43,11 +43,13 @@ if what == "render":
         t=np.array([0.0, seconds]),
         outcome=once.outcome,
         at=lambda t: once.at(np.asarray(t) % period),
+        bandwidth=once.bandwidth,
         force=lambda t: once.force(np.asarray(t) % period),
         at_and_force=lambda t: once.at_and_force(np.asarray(t) % period),
         jumps=Jumps((np.arange(n)[:, None] * period + jumps.t).ravel(), *(np.tile(f, (n, 1)) for f in jumps[1:])),
     )
-    sound = write_sound(Renderer(scene, endless, modes), folder)
+    sound = Renderer(scene, endless, modes).sound()
+    write_sound(sound, folder)
     assert sound.samples >= seconds * 8000
 else:
     path = folder + "/sound.wav"
@@ -80,7 +82,8 @@ def renderer(scene):
 def test_what_a_wav_file_cannot_hold_is_written_as_rf64(scene, renderer, tmp_path, monkeypatch):
     """The limit is lowered to between the sizes of sound.wav and pressure.wav; the samples stay the same."""
     monkeypatch.setattr(wav, "MOST_BYTES", int(3.5 * renderer.samples))
-    sound = wav.write_sound(renderer, tmp_path)
+    sound = renderer.sound()
+    wav.write_sound(sound, tmp_path)
     assert soundfile.info(tmp_path / "pressure.wav").format == "RF64"
     assert soundfile.info(tmp_path / "sound.wav").format == "WAV"
     pressure, copy = (soundfile.read(tmp_path / name)[0] for name in ("pressure.wav", "sound.wav"))

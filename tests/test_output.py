@@ -17,13 +17,13 @@ import pytest
 import soundfile
 
 from dynamics.rates import nutation_frequency, slips
-from sonify import load_scene, run
+from sonify import load_scene, run, solve, summary, write
 from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.motion import Finding
 from sonify.hearing import loudness as hearing
 from sonify.report import page as report
 
-FILES = {"sound.wav", "pressure.wav", "stems", "spectrogram.png", "stems.png", "motion.png", "modes.png"}
+FILES = {"sound.wav", "audible.wav", "pressure.wav", "stems", "spectrogram.png", "stems.png", "motion.png", "modes.png"}
 FILES |= {"motion.npz", "modes.json", "modes.vtu", "run.json", "report.html"}
 STANDS = {
     "The disk goes from rolling to sliding again and again": True,
@@ -84,6 +84,32 @@ def test_the_normal_force_reaches_36_hz_when_the_paper_says(result):
     assert np.searchsorted(slips(result.motion) / chi, [50, 100, 150]).tolist() == [3, 6, 11]
 
 
+def test_what_is_solved_needs_no_folder(result, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = solve(load_scene("published").replace("numerics.time_limit=0.6", "name=cut"), accuracy="draft")
+    assert found.out is None
+    assert list(tmp_path.iterdir()) == []
+    written = write(found, tmp_path / "first")
+    again = write(found, tmp_path / "again")
+    for name in ("sound.wav", "pressure.wav", "audible.wav", "stems/tilt.wav"):
+        assert (written.out / name).read_bytes() == (again.out / name).read_bytes()
+    pressure, _ = soundfile.read(again.out / "pressure.wav", dtype="float32")
+    assert np.array_equal(pressure, found.sound.pressure.read())
+
+
+def test_a_summary_is_a_row_of_plain_values_under_stable_keys(result, record):
+    row = summary(result)
+    assert all(isinstance(value, (str, float, bool)) for value in row.values())
+    assert (row["outcome"], row["t_end"]) == ("SETTLED", result.motion.t[-1])
+    for kind, answer in (("findings", "holds"), ("checks", "passed")):
+        keys = [one["key"] for one in record[kind]]
+        assert len(set(keys)) == len(keys)
+        assert all(re.fullmatch("[a-z][a-z_]*", key) for key in keys)
+        assert [one["value"] for one in record[kind]] == [row[key] for key in keys]
+        assert [one[answer] for one in record[kind]] == [row[f"{key}_{answer}"] for key in keys]
+    assert {"contact_kept", "energy_balance", "seconds_motion"} <= row.keys()
+
+
 def test_run_json_says_what_was_done(result, record):
     assert record["scene"]["disk"]["mass"] == 0.4387
     assert record["outcome"]["name"] == "SETTLED"
@@ -117,6 +143,7 @@ def test_the_page_needs_no_other_file(result):
     assert re.findall(r'(?:src|href)="(?!data:)', page) == []
     assert page.count("data:image/png") == 4
     assert page.count("data:audio/wav") == 1
+    assert page.count("data:audio/flac") == 1
     assert all(f"{finding.claim[:30]}" in page.replace("&#39;", "'") for finding in result.findings)
 
 
@@ -132,12 +159,12 @@ def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatc
     ("value", "passed"), [(1.0, True), (1.1, True), (1.11, False), (float("nan"), False), (float("inf"), False)]
 )
 def test_a_check_can_fail(value, passed):
-    assert Check(name="x", value=value, expected=1.0, tolerance=0.1 + 1e-12, source="-").passed == passed
+    assert Check(key="x", name="x", value=value, expected=1.0, tolerance=0.1 + 1e-12, source="-").passed == passed
 
 
 @pytest.mark.parametrize(("value", "passed"), [(-9.0, True), (1.0, True), (1.01, False), (float("nan"), False)])
 def test_a_check_may_have_one_side(value, passed):
-    check = Check(name="x", value=value, expected=1.0, tolerance=0.0, source="-", one_sided=True)
+    check = Check(key="x", name="x", value=value, expected=1.0, tolerance=0.0, source="-", one_sided=True)
     assert check.passed == passed
     assert check.expectation == "at most 1"
 
@@ -151,7 +178,7 @@ def test_a_clipped_or_endless_sample_is_found(peak, finite, passed):
 
 @pytest.mark.parametrize(("value", "holds"), [(1.9, False), (2, True), (3, True), (3.1, False), (float("nan"), False)])
 def test_a_finding_can_be_no(value, holds):
-    finding = Finding(claim="x", value=value, unit="1", at_least=2.0, at_most=3.0, source="-")
+    finding = Finding(key="x", claim="x", value=value, unit="1", at_least=2.0, at_most=3.0, source="-")
     assert finding.holds == holds
     assert finding.expectation == "at least 2 and at most 3"
 
@@ -179,7 +206,8 @@ def test_a_motion_that_is_cut_off_says_so(tmp_path):
     assert cut.passed
     assert cut.motion.outcome.name == "TIME_LIMIT"
     assert any("time limit" in line for line in cut.plan.left_out)
-    assert cut.sound.duration == pytest.approx(0.6, abs=0.01)
+    assert cut.sound.source_end == pytest.approx(0.6, abs=0.01)
+    assert cut.sound.duration > 1.0  # its modes ring out
 
 
 def test_a_full_disk_leaves_no_half_wav(tmp_path):

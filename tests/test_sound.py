@@ -5,16 +5,22 @@ the end of the chain in closed form; the frequencies and decay rates that go in;
 """
 
 import hashlib
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import soundfile
 
-from dynamics import simulate
+from dynamics import Outcome, simulate
 from modal import eigenmodes
+from sonify import load_scene
 from sonify.sound.drive import in_patch_frame, modal_drive, rigid_acceleration
+from sonify.sound.force import FADE_OUT
+from sonify.sound.oscillators import free_response
+from sonify.sound.pressure import STEMS
 from sonify.sound.radiation import piston_strength
-from sonify.sound.render import FADE_IN, STEMS, Renderer
+from sonify.sound.radiators import ElasticFace
+from sonify.sound.render import FADE_IN, Renderer
 from sonify.sound.wav import write_sound
 
 HEAVE, TILT, SMOOTH, JUMPS = range(4)
@@ -85,10 +91,8 @@ def test_the_ring_down_has_the_pitch_and_the_decay_of_its_mode_at_any_sample_rat
 
 def test_the_energy_of_the_modes_falls_at_twice_the_decay_rate(scene, motion, modes):
     """After the halt, when only the two slowest modes are left; the energy of each is exp(-2 d t)."""
-    renderer = Renderer(scene, motion, modes)
-    for _ in renderer.blocks():
-        pass
-    t, energy = np.concatenate(renderer.energy_time), np.concatenate(renderer.energy)
+    sound = Renderer(scene, motion, modes).sound()
+    t, energy = sound.energy_time, sound.energy
     late = t > motion.t[-1] + 2.0
     rate = -np.polyfit(t[late], np.log(energy[late]), 1)[0] / 2
     assert 0.98 * modes.decay_rate[0] < rate < 1.02 * modes.decay_rate[1]
@@ -100,7 +104,8 @@ def test_modes_above_half_the_sample_rate_are_left_out(scene, short, modes):
 
 
 def test_files_hold_what_they_say(scene, short, modes, tmp_path):
-    sound = write_sound(Renderer(scene, short, modes), tmp_path)
+    sound = Renderer(scene, short, modes).sound()
+    write_sound(sound, tmp_path)
     pressure, rate = soundfile.read(tmp_path / "pressure.wav", dtype="float32")
     parts = np.column_stack([soundfile.read(tmp_path / "stems" / f"{name}.wav")[0] for name in STEMS])
     copy = soundfile.read(tmp_path / "sound.wav")[0]
@@ -111,17 +116,17 @@ def test_files_hold_what_they_say(scene, short, modes, tmp_path):
     assert soundfile.info(tmp_path / "sound.wav").subtype == "PCM_24"
     assert soundfile.info(tmp_path / "pressure.wav").subtype == "FLOAT"
     assert sound.samples == len(pressure)
-    assert sorted(p.name for p in tmp_path.iterdir()) == ["pressure.wav", "sound.wav", "stems"]
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["audible.wav", "pressure.wav", "sound.wav", "stems"]
 
 
 def test_the_same_scene_gives_the_same_bytes(scene, modes, tmp_path):
     prints = []
     for folder in ("a", "b"):
         motion = simulate(scene.replace("numerics.time_limit=0.5"))
-        write_sound(Renderer(scene, motion, eigenmodes(scene, below=20e3)), tmp_path / folder)
+        write_sound(Renderer(scene, motion, eigenmodes(scene, below=20e3)).sound(), tmp_path / folder)
         files = sorted((tmp_path / folder).rglob("*.wav"))
         prints.append([hashlib.sha256(file.read_bytes()).hexdigest() for file in files])
-    assert len(prints[0]) == 6
+    assert len(prints[0]) == 7
     assert prints[0] == prints[1]
 
 
@@ -130,10 +135,73 @@ def test_the_samples_do_not_depend_on_the_block(scene, short, modes):
     assert np.abs(whole - parts).max() < 1e-12 * np.abs(whole).max()
 
 
+def test_a_renderer_and_its_sound_are_read_again_and_again(scene, short, modes, monkeypatch):
+    """One reading inside another, too; and from a file in the place of memory."""
+    renderer = Renderer(scene, short, modes)
+    once, again = (np.vstack(list(renderer.blocks(10_000))) for _ in range(2))
+    pairs = list(zip(renderer.blocks(10_000), renderer.blocks(10_000), strict=True))
+    assert np.array_equal(once, again)
+    assert all(np.array_equal(one, other) for one, other in pairs)
+    held = renderer.sound()
+    monkeypatch.setattr("sonify.sound.pressure.MOST_IN_MEMORY", 0)
+    filed = renderer.sound()
+    for name in ("pressure", *STEMS):
+        for start in (0, 70_000):
+            parts = [np.vstack(list(sound.track(name).blocks(start))) for sound in (held, filed, filed)]
+            assert np.array_equal(parts[0], parts[1])
+            assert np.array_equal(parts[0], parts[2])
+    assert (filed.peak, filed.stem_peak) == (held.peak, held.stem_peak)
+
+
+@pytest.mark.parametrize("name", ["contour", "published"])
+def test_the_modes_ring_out_however_the_motion_ends(name):
+    """A fall, and a motion that is cut off: each mode decays at its own rate then, the rigid disk is still."""
+    scene = load_scene(name).replace("audio.sample_rate=8000", *(["numerics.time_limit=2.0"] * (name == "published")))
+    motion, modes = simulate(scene), eigenmodes(scene, below=4e3)
+    assert motion.outcome in (Outcome.FELL, Outcome.TIME_LIMIT)
+    renderer = Renderer(scene, motion, modes)
+    stems, rate = np.vstack(list(renderer.blocks())), 8000
+    end = int(renderer.source_end * rate)
+    assert np.abs(stems[end + 20 :, [HEAVE, TILT]]).max() == 0
+    ringing = stems[end + 20 : -int(FADE_OUT * rate) - 1, [SMOOTH, JUMPS]].sum(axis=1)
+    assert len(ringing) > rate / 2
+    t = np.arange(len(ringing)) / rate
+    poles = -modes.decay_rate + 1j * np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2)
+    waves = np.exp(np.outer(t, poles))
+    basis = np.hstack([waves.real, waves.imag])
+    left = ringing - basis @ np.linalg.lstsq(basis, ringing, rcond=None)[0]
+    assert rms(left) < 1e-6 * rms(ringing)
+
+
+def test_a_motion_may_carry_its_own_modes(scene, short, modes):
+    """What the modes radiate is the same whether oscillators or the motion itself move them, to its end and after."""
+
+    def swinging(t):
+        """Each mode rings from 0 on, with velocity 1."""
+        omega, decay = 2 * np.pi * modes.frequency, modes.decay_rate
+        c, s = free_response(omega, decay, np.asarray(t)[:, None])
+        return np.stack([s, c - decay * s, -(omega**2) * s - 2 * decay * (c - decay * s)], axis=1)
+
+    names = ("disk", "t", "outcome", "at", "at_and_force", "bandwidth", "jumps")
+    carried = SimpleNamespace(**{name: getattr(short, name) for name in names}, vibration=swinging)
+    slow, rate = scene.replace("audio.sample_rate=8000"), 8000
+    driven, own = (Renderer(slow, one, modes, range(3)) for one in (short, carried))
+    one, other = (np.vstack(list(renderer.blocks())) for renderer in (driven, own))
+    assert np.array_equal(one[:, [HEAVE, TILT]], other[:, [HEAVE, TILT]])
+    assert not other[:, JUMPS].any()
+    force = own.sampler.block(0, own.samples)
+    moved = np.where(force.t[:-1, None] >= 0, swinging(np.maximum(force.t[:-1], 0))[:, 2], 0)[:, :3]
+    radiated = ElasticFace(own.modes, own.listener, rate, own._rigid.reach).from_rest(force.samples[0, 2:4])
+    expected = radiated(moved[None], force.samples[:-1, 2:4])[:, 0]
+    inside = slice(int(FADE_IN * rate) + 1, -int(FADE_OUT * rate) - 1)
+    assert other[inside, SMOOTH] == pytest.approx(expected[inside], abs=1e-9 * np.abs(expected).max())
+
+
 def test_the_two_contact_models_differ_and_both_sound(scene, short):
     free = scene.replace("support.kind=free")
     sounds = [np.vstack(list(Renderer(s, short, eigenmodes(s, below=20e3)).blocks())) for s in (scene, free)]
-    assert np.array_equal(sounds[0][:, [HEAVE, TILT]], sounds[1][:, [HEAVE, TILT]])
+    count = min(map(len, sounds)) - int(FADE_OUT * 48000)  # their modes ring out for other times
+    assert np.array_equal(*(sound[:count, [HEAVE, TILT]] for sound in sounds))
     levels = [rms(sound[:, [SMOOTH, JUMPS]].sum(axis=1)) for sound in sounds]
     assert min(levels) > 0
     assert levels[1] != pytest.approx(levels[0], rel=0.1)

@@ -9,20 +9,18 @@ from dataclasses import replace
 from functools import partial
 from itertools import product
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
 import numpy as np
 from matplotlib.figure import Figure
 
 from sonify.charts.chart import DPI, MARKERS
 from sonify.charts.records import Answer, Record, Work, measure
-from sonify.files import claim, whole
+from sonify.files import whole
 from sonify.pipeline import planned, solve_motion
 from sonify.plan.accuracy import LEVELS
 from sonify.plan.predictions import SOUND, audible_error, level_error
 from sonify.scene import load_scene
 from sonify.sound.render import Renderer
-from sonify.sound.wav import write_sound
 
 SUPPORTS = {"held": "patch", "free": "free"}
 MEASURES = {
@@ -30,7 +28,7 @@ MEASURES = {
     "samples": partial(audible_error, weighted=False),
     "third octaves": level_error,
 }
-"""The errors of a sound file against another."""
+"""The errors of a sound against another."""
 ACCURACY, PREDICTED, CHOICE = "accuracy", "predicted for", "reference, but"
 QUICK = ("numerics.time_limit=3.0",)
 REPEATS = 3
@@ -87,8 +85,8 @@ class JumpsOnGrid:
         return replace(force, jump_time=np.zeros(0), jump=none, bend=none)
 
 
-def render(scene, choice, folder: Path) -> Answer:
-    """Render `scene` into `folder`, with a coarse `choice` by name or None; return the file of its pressure."""
+def render(scene, choice) -> Answer:
+    """Render `scene`, with a coarse `choice` by name or None; return its pressure."""
     plan, modes = planned(scene)
     if choice:
         plan, modes = CHOICES[choice](plan, modes, planned(scene.replace("numerics.accuracy=draft")))
@@ -96,38 +94,42 @@ def render(scene, choice, folder: Path) -> Answer:
     renderer = Renderer(scene, motion, modes, plan.voices, plan.calm)
     if choice == "jumps spread over a sample":
         renderer.sampler = JumpsOnGrid(renderer.sampler)
-    write_sound(renderer, claim(folder))
-    return Answer(folder / "pressure.wav", renderer.samples)
+    return Answer(renderer.sound().pressure, renderer.samples)
 
 
-def works(support: str, quick: bool, folder: Path) -> list[Work]:
-    """Return the runs of one support, the reference first; run i writes into `folder`/i."""
+def works(support: str, quick: bool, heard: dict) -> list[Work]:
+    """Return the runs of one support, the reference first; run i leaves its pressure in `heard`."""
     scene = load_scene("published").replace(f"support.kind={SUPPORTS[support]}", *(QUICK if quick else ()))
     settings = [(ACCURACY, name, None) for name in reversed(LEVELS)]
     settings += [(CHOICE, "reference", name) for name in (list(CHOICES)[:2] if quick else CHOICES)]
     runs = []
     for i, (family, accuracy, choice) in enumerate(settings):
-        call = partial(render, scene.replace(f"numerics.accuracy={accuracy}"), choice, folder / str(i))
-        runs.append(Work(family, choice or accuracy, "", support, call, lambda _: 0.0, math.inf))
+        call = partial(render, scene.replace(f"numerics.accuracy={accuracy}"), choice)
+        runs.append(Work(family, choice or accuracy, "", support, call, partial(keep, heard, i), math.inf))
     return runs
+
+
+def keep(heard: dict, i: int, pressure) -> float:
+    """Put a pressure into `heard`; it is judged when the reference is known."""
+    heard[i] = pressure
+    return 0.0
 
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the chart, one for each measure of a run; `watch(share, note)` is called before each."""
     records, done = [], 0
     for support in SUPPORTS:
-        with TemporaryDirectory() as folder:
-            runs = works(support, quick, Path(folder))
-            for i, work in enumerate(runs):
-                watch(done / (len(runs) * len(SUPPORTS)), f"{support}: {work.family} {work.method}")
-                timed = measure(work, warm=not quick, repeats=1 if quick else REPEATS)
-                heard, true = (Path(folder) / str(n) / "pressure.wav" for n in (i, 0))
-                records += [
-                    replace(timed, case=f"{support}: {name}", error=error(heard, true))
-                    for name, error in MEASURES.items()
-                ]
-                records += predicted(work, timed, f"{support}: {next(iter(MEASURES))}")
-                done += 1
+        heard = {}
+        runs = works(support, quick, heard)
+        for i, work in enumerate(runs):
+            watch(done / (len(runs) * len(SUPPORTS)), f"{support}: {work.family} {work.method}")
+            timed = measure(work, warm=not quick, repeats=1 if quick else REPEATS)
+            records += [
+                replace(timed, case=f"{support}: {name}", error=error(heard[i], heard[0]))
+                for name, error in MEASURES.items()
+            ]
+            records += predicted(work, timed, f"{support}: {next(iter(MEASURES))}")
+            done += 1
     return records
 
 

@@ -10,9 +10,10 @@ import numpy as np
 class Check:
     """One number that must stay within `tolerance` of what is `expected`; `source` says why.
 
-    With `one_sided` it may lie below by any amount.
+    With `one_sided` it may lie below by any amount. `key` is the name of its function, the same in every version.
     """
 
+    key: str
     name: str
     value: float
     expected: float
@@ -38,6 +39,7 @@ def energy_balance(motion) -> Check:
     """Energy plus dissipated energy stays what it was, relative to what there was."""
     total = motion.energy(motion.t) + motion.state[:, 10]
     return Check(
+        key="energy_balance",
         name="energy and dissipated energy add up",
         value=float(np.abs(total / total[0] - 1).max()),
         expected=0.0,
@@ -49,6 +51,7 @@ def energy_balance(motion) -> Check:
 def dissipation_never_falls(motion) -> Check:
     """By how much the dissipated energy falls at most, between any two instants, relative to the energy at first."""
     return Check(
+        key="dissipation_never_falls",
         name="dissipated energy never falls",
         value=motion.largest_regain() / float(motion.energy(0.0)[0]),
         expected=0.0,
@@ -66,6 +69,7 @@ def friction_cone(motion, friction) -> Check:
     excess = np.maximum(ratio[~sliding] - friction.mu_static, 0)
     miss = np.abs(ratio[sliding] - friction.mu_dynamic) if sliding.any() else np.zeros(1)
     return Check(
+        key="friction_cone",
         name="the friction force stays on its cone",
         value=float(max(excess.max(initial=0), miss.max())),
         expected=0.0,
@@ -78,6 +82,7 @@ def pushing_contact(motion) -> Check:
     """The share of the motion in which the normal force pulls."""
     force = motion.force(motion.t)[:-1, 2]
     return Check(
+        key="pushing_contact",
         name="the table never pulls",
         value=float(np.sum(np.diff(motion.t)[force <= 0]) / motion.t[-1]),
         expected=0.0,
@@ -89,6 +94,7 @@ def pushing_contact(motion) -> Check:
 def mode_residuals(modes) -> Check:
     """The largest |phi - w^2 K^-1 M phi| / |phi| of the modes."""
     return Check(
+        key="mode_residuals",
         name="the modes solve their eigenvalue problem",
         value=float(modes.residual.max(initial=0.0)),
         expected=0.0,
@@ -100,6 +106,7 @@ def mode_residuals(modes) -> Check:
 def mode_errors(modes) -> Check:
     """The largest estimated relative error of a frequency."""
     return Check(
+        key="mode_errors",
         name="no frequency may be wrong by as much as itself",
         value=float(modes.error.max(initial=0.0)),
         expected=1.0,
@@ -112,6 +119,7 @@ def mode_errors(modes) -> Check:
 def discrete_mass(modes, disk) -> Check:
     """The mass of the elastic model over that of the disk."""
     return Check(
+        key="discrete_mass",
         name="the elastic model weighs what the disk weighs",
         value=modes.mass / disk.mass,
         expected=1.0,
@@ -123,6 +131,7 @@ def discrete_mass(modes, disk) -> Check:
 def no_sample_clipped(sound) -> Check:
     """The peak of sound.wav over full scale, which is finite only if every sample of the pressure is."""
     return Check(
+        key="no_sample_clipped",
         name="no sample of sound.wav is clipped, all are finite",
         value=sound.peak / sound.full_scale if sound.finite else inf,
         expected=1.0,

@@ -13,8 +13,12 @@ HEARING = (20.0, 20e3)
 
 @dataclass(frozen=True, kw_only=True)
 class Finding:
-    """A claim, what was found, and the range in which the claim holds, give or take `tolerance`."""
+    """A claim, what was found, and the range in which the claim holds, give or take `tolerance`.
 
+    `key` is the name of its function, the same in every version.
+    """
+
+    key: str
     claim: str
     value: float
     unit: str
@@ -38,6 +42,7 @@ class Finding:
 def repeated_slips(motion) -> Finding:
     """The number of changes from rolling to sliding."""
     return Finding(
+        key="repeated_slips",
         claim="The disk goes from rolling to sliding again and again",
         value=float(len(slips(motion))),
         unit="transitions",
@@ -50,6 +55,7 @@ def contact_kept(motion) -> Finding:
     """The least normal force over the weight."""
     t = motion.t[:-1]
     return Finding(
+        key="contact_kept",
         claim="The normal force is never zero",
         value=float(motion.force(t)[:, 2].min() / motion.disk.weight),
         unit="least normal force / weight",
@@ -63,6 +69,7 @@ def load_frequency_rises(motion) -> Finding:
     frequency = nutation_frequency(motion)[1]
     tenth = max(len(frequency) // 10, 1)
     return Finding(
+        key="load_frequency_rises",
         claim="The frequency of the normal force rises as the disk declines",
         value=float(np.median(frequency[-tenth:]) / np.median(frequency[:tenth])),
         unit="last tenth of the peaks / first tenth",
@@ -75,6 +82,7 @@ def load_frequency_reached(motion) -> Finding:
     """The highest frequency of the normal force, in units of 1/chi of (4.5)."""
     chi = motion.disk.time_unit
     return Finding(
+        key="load_frequency_reached",
         claim="The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
         value=float(chi * nutation_frequency(motion)[1].max()),
         unit="1/chi",
@@ -86,6 +94,7 @@ def load_frequency_reached(motion) -> Finding:
 def energy_falls(motion) -> Finding:
     """The greatest gain of energy from one solved instant to the next over the energy at the start."""
     return Finding(
+        key="energy_falls",
         claim="The energy falls monotonically",
         value=float(np.diff(motion.energy(motion.t)).max() / motion.energy(motion.t[:1])[0]),
         unit="greatest gain between two instants / energy at the start",
@@ -100,6 +109,7 @@ def sliding_costs_more(motion) -> Finding:
     power, slides = _powers(motion)
     around = np.maximum(power[slides - 1], power[slides + 1])
     return Finding(
+        key="sliding_costs_more",
         claim="Sliding dissipates more than rolling",
         value=float(np.median(power[slides] / around)),
         unit="power in a slide / the greater of those before and after, median",
@@ -120,6 +130,7 @@ def audible_modes(modes) -> Finding:
     """The number of modes between the limits of hearing."""
     low, high = HEARING
     return Finding(
+        key="audible_modes",
         claim="At least four modes of vibration are in the audible range",
         value=float(np.sum((modes.frequency >= low) & (modes.frequency <= high))),
         unit="modes from 20 Hz to 20 kHz",
@@ -134,6 +145,7 @@ def centre_comes_to_rest(motion) -> Finding:
     path = motion.at(t)[:, 3:5]
     fifth = len(t) // 5
     return Finding(
+        key="centre_comes_to_rest",
         claim="The motion of the centre diminishes until it is almost negligible",
         value=float(np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max()),
         unit="extent of the path, last fifth / first fifth",
@@ -148,6 +160,7 @@ def no_singularity(motion) -> Finding:
     left = np.geomspace(least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400)
     rate = np.abs(precession_rate(motion.at(motion.t_end - left)))
     return Finding(
+        key="no_singularity",
         claim="There is no finite-time singularity: the precession rate stays finite",
         value=float(np.polyfit(np.log(left), np.log(rate), 1)[0]),
         unit="exponent of the precession rate in the time left (negative: it diverges)",

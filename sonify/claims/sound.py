@@ -7,7 +7,6 @@ from sonify.claims.motion import Finding
 from sonify.hearing.loudness import HANN_BANDWIDTH, ISO_226, THRESHOLD_DB, WINDOW, a_weighting_db, band_levels, level_db
 from sonify.hearing.recording import Heard
 from sonify.hearing.spectrogram import spectrogram
-from sonify.sound.render import STEMS
 
 LAST = 1.0
 """The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
@@ -47,6 +46,7 @@ def rates_heard(tone, motion, sound) -> list[Finding]:
 def pitch_rises(tone) -> Finding:
     """The frequency of the tone at the end of its ridge over that at the beginning."""
     return Finding(
+        key="pitch_rises",
         claim="The pitch rises sharply towards the end",
         value=tone.factor,
         unit="times over the ridge that is heard",
@@ -58,6 +58,7 @@ def pitch_rises(tone) -> Finding:
 def tone_is_precession(tone, last, motion, sound) -> Finding:
     """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
     return Finding(
+        key="tone_is_precession",
         claim="In the last second the rising tone is the precession of the contact",
         value=_ratio(tone, last, motion, sound, precession_frequency(motion)[1]),
         unit="tone heard / precession solved, median",
@@ -70,6 +71,7 @@ def tone_is_precession(tone, last, motion, sound) -> Finding:
 def tone_was_nutation(tone, early, motion, sound) -> Finding:
     """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
     return Finding(
+        key="tone_was_nutation",
         claim="Until four seconds before the end the tone is the nutation, the frequency of the normal force",
         value=_ratio(tone, early, motion, sound, nutation_frequency(motion)[1]),
         unit="tone heard / nutation solved, median",
@@ -82,6 +84,7 @@ def tone_was_nutation(tone, early, motion, sound) -> Finding:
 def tone_ends_with_the_motion(tone, sound) -> Finding:
     """The time from the end of the motion, at the listener, to the end fitted to the tone [s]."""
     return Finding(
+        key="tone_ends_with_the_motion",
         claim="The tone heard runs to the end of the motion",
         value=tone.end - sound.source_end,
         unit="s from the end of the motion to the end fitted to the tone",
@@ -93,7 +96,7 @@ def tone_ends_with_the_motion(tone, sound) -> Finding:
 
 def tone_is_heard(tone, sound) -> Finding:
     """The time before the end from which the third octave that holds the tone stays above the threshold of hearing."""
-    seen = spectrogram(sound.folder / "pressure.wav", WINDOW / 4)
+    seen = spectrogram(sound.pressure, WINDOW / 4)
     inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (seen.time > 0.1)
     bands = np.array(list(ISO_226))
     above = (band_levels(seen) - THRESHOLD_DB[:, None])[:, inside]
@@ -103,6 +106,7 @@ def tone_is_heard(tone, sound) -> Finding:
     silent = np.flatnonzero(~heard)
     since = seen.time[inside][silent[-1] + 1] if len(silent) and silent[-1] + 1 < len(heard) else sound.source_end
     return Finding(
+        key="tone_is_heard",
         claim="The rising tone can be heard",
         value=float(sound.source_end - (since if len(silent) else seen.time[inside][0])),
         unit="s before the end from which it stays above the threshold of ISO 226",
@@ -113,8 +117,9 @@ def tone_is_heard(tone, sound) -> Finding:
 
 def modes_carry_the_end(sound) -> Finding:
     """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)]."""
-    heave, tilt, smooth, jumps = (_weighted_power(sound, name) for name in STEMS)
+    heave, tilt, smooth, jumps = (_weighted_power(sound, stem) for stem in sound.stems.values())
     return Finding(
+        key="modes_carry_the_end",
         claim="The vibration of the modes is what is heard in the last second",
         value=float(level_db(smooth + jumps) - level_db(heave + tilt)),
         unit="dB(A), ringing of the modes over rigid motion of the disk",
@@ -129,6 +134,7 @@ def modes_take_little(motion, sound) -> Finding:
     t, energy = sound.energy_time[inside], sound.energy[inside]
     more = np.flatnonzero(energy > motion.energy(t))
     return Finding(
+        key="modes_take_little",
         claim="The modes take too little energy to act back on the motion",
         value=float(motion.t[-1] - t[more[0]]) if len(more) else 0.0,
         unit="s before the end when the modes first hold as much energy as the disk",
@@ -140,6 +146,7 @@ def modes_take_little(motion, sound) -> Finding:
 def carriers_are_steady(heard) -> Finding:
     """The spread of the frequency of the strongest carrier over the sound [cents]."""
     return Finding(
+        key="carriers_are_steady",
         claim="The strongest carrier keeps its pitch: no mode rises",
         value=heard.carriers[0].spread,
         unit="cents, spread over the sound",
@@ -152,6 +159,7 @@ def carriers_are_modes(heard, modes) -> Finding:
     """The distance of the strongest carrier from the nearest mode [cents]."""
     strongest = heard.carriers[0].frequency
     return Finding(
+        key="carriers_are_modes",
         claim="The strongest carrier is a mode of the disk",
         value=float(np.abs(1200 * np.log2(strongest / modes.frequency)).min()),
         unit="cents to the nearest mode",
@@ -170,6 +178,6 @@ def _ratio(tone, here, motion, sound, solved):
 def _weighted_power(sound, stem):
     """Mean square of a stem over the last second of the motion, A-weighted [Pa^2]."""
     span = (max(sound.source_end - LAST, 0.0), sound.source_end)
-    seen = spectrogram(sound.folder / "stems" / f"{stem}.wav", 0.1, span=span)
+    seen = spectrogram(stem, 0.1, span=span)
     weight = 10 ** (a_weighting_db(seen.frequency) / 10)
     return np.mean(weight @ seen.power) / HANN_BANDWIDTH

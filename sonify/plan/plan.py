@@ -132,10 +132,11 @@ def with_end(plan: Plan, motion, silence=()) -> Plan:
 
 
 def unsettled(motion) -> list[str]:
-    """Return the warning that a sound breaks off, for a motion that did not reach its end."""
-    return (
-        [] if motion.outcome.name == "SETTLED" else [f"The end of the motion and its sound: {motion.outcome.sentence}."]
-    )
+    """Return what is missing after a motion that did not reach its end, whose modes ring out freely."""
+    if motion.outcome.name == "SETTLED":
+        return []
+    missing = f"The end of the motion and its sound: {motion.outcome.sentence}."
+    return [missing, *([IMPACT] if motion.outcome.name == "FELL" else [])]
 
 
 def damping(material) -> Decision:
@@ -194,4 +195,5 @@ LEFT_OUT = (
     "heave and tilt is lower.",
     "The resisting moments and the centrifugal loads as drivers of the modes.",
 )
+IMPACT = "The impact of the face on the table that ends the fall, and all that it would ring."
 NOT_IN_A_DRAFT = ("The roughness of the sound, the picture of its causes, and the modes seen at a slant.",)

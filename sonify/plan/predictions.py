@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from math import isfinite, pi
 
 import numpy as np
-import soundfile
 
 from dynamics.time_left import time_left
 from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, a_weighting_db, band_levels
+from sonify.hearing.source import source_of, stretch
 from sonify.hearing.spectrogram import spectrogram
 from sonify.plan.accuracy import LEVELS
 
@@ -72,36 +72,39 @@ def true_error(scene, modes) -> np.ndarray:
 
 
 def measured(run, reference) -> dict[str, float]:
-    """Return the errors of a run by the names of its predictions; both are results of `sonify.run`, files included."""
+    """Return the errors of a run by the names of its predictions; both are results of `sonify.solve`."""
     found, true = run.modes.frequency, reference.modes.frequency
     count = min(len(found), len(true))
     return {
         END: float(reference.motion.t[-1] - run.motion.t[-1]),
         FREQUENCIES: float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0,
-        SOUND: audible_error(run.out / "pressure.wav", reference.out / "pressure.wav"),
+        SOUND: audible_error(run.sound.pressure, reference.sound.pressure),
     }
 
 
-def audible_error(path, reference, weighted: bool = True) -> float:
-    """Return the root mean square of the difference of two sound files over that of the reference, A-weighted or not.
+def audible_error(sound, reference, weighted: bool = True) -> float:
+    """Return the root mean square of the difference of two sources or files over that of the reference, A-weighted or
+    not.
 
     The shorter one is followed by silence. Raises ValueError where their sample rates differ.
     """
-    (a, rate), (b, other) = soundfile.read(path), soundfile.read(reference)
-    if rate != other:
-        raise ValueError(f"sample rates differ: {rate} Hz and {other} Hz")
+    one, true = source_of(sound), source_of(reference)
+    if one.sample_rate != true.sample_rate:
+        raise ValueError(f"sample rates differ: {one.sample_rate} Hz and {true.sample_rate} Hz")
+    a, b = (stretch(source, 0, source.frames)[:, 0].astype(float) for source in (one, true))
     size = max(len(a), len(b))
-    weight = 10 ** (a_weighting_db(np.fft.rfftfreq(size, 1 / rate)) / 20) if weighted else 1.0
-    true = np.fft.rfft(b, size)
-    return float(np.linalg.norm(weight * (np.fft.rfft(a, size) - true)) / (np.linalg.norm(weight * true) or 1.0))
+    weight = 10 ** (a_weighting_db(np.fft.rfftfreq(size, 1 / one.sample_rate)) / 20) if weighted else 1.0
+    spectrum = np.fft.rfft(b, size)
+    apart = np.linalg.norm(weight * (np.fft.rfft(a, size) - spectrum))
+    return float(apart / (np.linalg.norm(weight * spectrum) or 1.0))
 
 
-def level_error(path, reference) -> float:
+def level_error(sound, reference) -> float:
     """Return the root mean square error of the levels of third octaves, window by window, relative: 0.12 is 1 dB.
 
     Levels below the threshold of hearing (ISO 226) count as at the threshold; what is heard in neither does not count.
     """
-    a, b = (band_levels(spectrogram(file, WINDOW)) for file in (path, reference))
+    a, b = (band_levels(spectrogram(source, WINDOW)) for source in (sound, reference))
     count = min(a.shape[1], b.shape[1])
     a, b = (np.maximum(levels[:, :count], THRESHOLD_DB[:, None]) for levels in (a, b))
     heard = np.maximum(a, b) > THRESHOLD_DB[:, None]

@@ -103,11 +103,10 @@ def clip_of(result) -> Clip:
 
 
 def cut_sound(clip, path: Path) -> Path:
-    """Write the part of sound.wav that belongs to the clip."""
+    """Write the part of the sound that belongs to the clip, as loud as in sound.wav."""
     sound = clip.result.sound
     first, last = (int(t * sound.sample_rate) for t in clip.span)
-    samples, rate = soundfile.read(sound.folder / "sound.wav", start=first, stop=last)
-    soundfile.write(path, samples, rate, "PCM_24")
+    soundfile.write(path, sound.pressure.read(first, last) / sound.full_scale, sound.sample_rate, "PCM_24")
     return path
 
 
@@ -184,7 +183,8 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
 def reading(clip, t: float) -> str:
     """Return time, inclination and precession in words."""
     state = clip.states(np.array([t]))
-    lines = ["at rest: its modes ring", ""]
+    settled = clip.result.motion.outcome.name == "SETTLED"
+    lines = ["at rest: its modes ring" if settled else "no longer solved: its modes ring", ""]
     if t < clip.result.sound.source_end:
         turns = abs(precession_rate(state)[0]) / (2 * np.pi)
         lines = [f"inclination {np.degrees(state[0, 1]):.3g}°", f"the contact turns at {turns:.3g} Hz"]
@@ -196,7 +196,7 @@ def backdrop(clip):
     figure = Figure(figsize=(SIZE[0] / 100, SIZE[1] / 100), dpi=100, facecolor="w")
     below = (SIZE[1] - STAGE[1] - 74) / SIZE[1]
     axes = figure.add_axes((0.066, 60 / SIZE[1], 0.84, below), facecolor="k")
-    seen = spectrogram(clip.result.sound.folder / "pressure.wav", WINDOW, span=clip.span).band(*RATES)
+    seen = spectrogram(clip.result.sound.pressure, WINDOW, span=clip.span).band(*RATES)
     log_frequency(axes, RATES)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
     image = level_image(axes, seen, 1.0)

@@ -1,11 +1,14 @@
 """RESULT -> PAGE: one self-contained HTML file with the sound, the pictures, the checks and the findings."""
 
 from base64 import b64encode
+from io import BytesIO
 from pathlib import Path
 
+import soundfile
 from jinja2 import Environment, PackageLoader
 
 from sonify.files import whole
+from sonify.sound.listening import energy_below
 
 PICTURES = {
     "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
@@ -24,6 +27,8 @@ def write(result, path: Path):
         result=result,
         zip=zip,
         sound=playable(result.out / "sound.wav"),
+        audible=compressed(result.sound.audible),
+        below=energy_below(result.sound.pressure, 100.0, 300.0),
         pictures=[
             (embedded(result.out / name, "image/png"), caption)
             for name, caption in PICTURES.items()
@@ -37,6 +42,17 @@ def write(result, path: Path):
 def playable(path: Path) -> str:
     """Return a WAV file as a data URL, or the name of a file too long for that."""
     return embedded(path, "audio/wav") if path.stat().st_size <= MOST_EMBEDDED else path.name
+
+
+def compressed(source) -> str:
+    """Return a source as a data URL of FLAC, or "" if it is too long for a page."""
+    if 3 * source.frames > MOST_EMBEDDED:
+        return ""
+    held = BytesIO()
+    with soundfile.SoundFile(held, "w", source.sample_rate, 1, "PCM_16", format="FLAC") as file:
+        for block in source.blocks():
+            file.write(block)
+    return f"data:audio/flac;base64,{b64encode(held.getvalue()).decode()}"
 
 
 def embedded(path: Path, kind: str) -> str:

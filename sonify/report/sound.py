@@ -10,7 +10,7 @@ from sonify.claims.sound import LAST
 from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
 from sonify.report.figure import figure_at
-from sonify.sound.render import STEMS
+from sonify.sound.pressure import STEMS
 
 RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
 """The band of the contact rates [Hz], and the window it is seen through [s]."""
@@ -23,9 +23,9 @@ EDGE = [withStroke(linewidth=2.5, foreground="k")]
 
 
 def draw_spectrogram(motion, modes, sound, path):
-    """Draw pressure.wav in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
-    file, delay = sound.folder / "pressure.wav", sound.source_end - motion.t[-1]
-    low, high = spectrogram(file, WINDOW_RATES).band(*RATES), spectrogram(file, WINDOW_MODES)
+    """Draw the pressure in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
+    delay = sound.source_end - motion.t[-1]
+    low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
     end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
@@ -113,7 +113,7 @@ def draw_stems(sound, path):
     styles = dict(zip(STEMS, [("k", "-"), ("k", "--"), ("0.55", "-"), ("0.55", "--")], strict=True))
     with figure_at(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
         for name, (color, style) in styles.items():
-            heard = audibility(sound.folder / "stems" / f"{name}.wav")
+            heard = audibility(sound.stems[name])
             options = {"color": color, "ls": style, "lw": 1.2, "label": name.replace("_", " ")}
             weighted.plot(heard.time, heard.a_weighted, **options)
             above.plot(heard.time, heard.above_threshold, **options)

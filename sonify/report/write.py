@@ -13,6 +13,7 @@ from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
 from sonify.files import whole
 from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
+from sonify.sound.listening import energy_below
 
 NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
@@ -68,9 +69,12 @@ def run_record(result) -> dict:
             "peak_pascal": sound.peak,
             "full_scale_pascal": sound.full_scale,
             "gain_db": float(sound.gain_db),
-            "loudness_lufs": loudness(sound),
+            "loudness_lufs": loudness(sound.copy),
             "roughness": "not in a draft" if result.plan.accuracy == "draft" else roughness_before(sound),
             "stem_peak_pascal": sound.stem_peak,
+            "energy_below_100_hz_300_hz": energy_below(sound.pressure, 100.0, 300.0),
+            "audible_full_scale_pascal": sound.audible.full_scale,
+            "audible_loudness_lufs": loudness(sound.audible),
         },
         "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
         "findings": [finite(asdict(finding)) | {"holds": finding.holds} for finding in result.findings],
@@ -79,10 +83,22 @@ def run_record(result) -> dict:
     }
 
 
+def summary(result) -> dict:
+    """Return the plain scalars of a result, one row of a table: of each finding and check, by its key, the value and
+    whether it holds or passed; the seconds of each stage."""
+    row = {"outcome": result.motion.outcome.name, "t_end": float(result.motion.t[-1]), "passed": result.passed}
+    row |= {"sound_seconds": result.sound.duration, "peak_pascal": result.sound.peak}
+    for finding in result.findings:
+        row |= {finding.key: finding.value, f"{finding.key}_holds": finding.holds}
+    for check in result.checks:
+        row |= {check.key: check.value, f"{check.key}_passed": check.passed}
+    return row | {f"seconds_{name.replace(' ', '_')}": seconds for name, seconds in result.seconds.items()}
+
+
 def loudness(sound) -> float | str:
-    """Return the loudness of sound.wav by BS.1770 [LUFS], or why there is none."""
+    """Return the loudness of a source by BS.1770 [LUFS], or why there is none."""
     try:
-        return finite(loudness_lufs(sound.folder / "sound.wav"))
+        return finite(loudness_lufs(sound))
     except ValueError as error:
         return str(error)
 
@@ -90,7 +106,7 @@ def loudness(sound) -> float | str:
 def roughness_before(sound) -> dict | str:
     """Return the roughness of the last seconds of the motion, or why there is none."""
     try:
-        time, asper = roughness(sound.folder / "pressure.wav", sound.source_end)
+        time, asper = roughness(sound.pressure, sound.source_end)
         return {"time": time.tolist(), "asper": asper.tolist()}
     except (ValueError, MissingExtraError) as error:
         return str(error)

@@ -1,6 +1,4 @@
-"""MODES -> VOICES: what of the modes is heard, and how much each is worth."""
-
-from typing import NamedTuple
+"""MODES -> LOUDNESS: what of the modes is heard, and how much each is worth."""
 
 import numpy as np
 
@@ -12,31 +10,13 @@ VIEWS = 64
 """Azimuths over which the radiation of a mode is averaged."""
 RING_DOWN_DB, LONGEST = 60.0, 10.0
 """A ring is heard until it is so far [dB] below the loudest at its start, but not longer than this [s]."""
-OF_A_MODE = {"frequency", "decay_rate", "participation", "rim_shape", "face_shape"}
 
 
-class Voices(NamedTuple):
-    """What of the modes is heard: the fields of the same name of `modal.Modes`."""
-
-    frequency: np.ndarray
-    decay_rate: np.ndarray
-    participation: np.ndarray
-    rim_angle: np.ndarray
-    rim_shape: np.ndarray
-    face_radius: np.ndarray
-    face_weight: np.ndarray
-    face_angle: np.ndarray
-    face_shape: np.ndarray
-
-
-def voices(modes, sample_rate: float, wanted=None) -> Voices:
-    """Return the modes of the indices `wanted`, all of them if None, below half the sample rate: a higher one is left
-    out, not folded back."""
-    keep = np.arange(len(modes.frequency)) if wanted is None else np.array(wanted, dtype=int)
-    keep = keep[modes.frequency[keep] < sample_rate / 2]
-    return Voices(
-        *(getattr(modes, name)[keep] if name in OF_A_MODE else getattr(modes, name) for name in Voices._fields)
-    )
+def sounding(modes, sample_rate: float, wanted=None) -> np.ndarray:
+    """Return which (k,) of the indices `wanted`, of all modes if None, lie below half the sample rate: a higher one is
+    left out, not folded back."""
+    keep = np.arange(len(modes)) if wanted is None else np.array(wanted, dtype=int)
+    return keep[modes.frequency[keep] < sample_rate / 2]
 
 
 def after_a_jump(modes, scene) -> tuple[np.ndarray, np.ndarray]:
@@ -56,7 +36,7 @@ def after_a_jump(modes, scene) -> tuple[np.ndarray, np.ndarray]:
 
 
 def ring_down(modes, scene) -> float:
-    """Return for how long [s] the modes of a disk that has settled are still heard."""
+    """Return for how long [s] the modes are still heard after the motion."""
     loudness, _ = after_a_jump(modes, scene)
     at_start = loudness * np.maximum(modes.decay_rate, 1 / LONGEST)
     with np.errstate(divide="ignore"):

@@ -1,13 +1,14 @@
 """MOTION -> FORCE: the contact force, or what it does, at audio rate, with exact times and sizes of its jumps."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from scipy import sparse
 
-HARMONICS = 8
-"""Multiples of the precession rate that the force is taken to contain."""
+from dynamics.motion import HARMONICS
+from dynamics.rates import precession_rate
+
 HALF_WIDTH = 8
 """Half the width of the low-pass before the samples, where the force holds more than they can [samples]."""
 STRIDE = 16
@@ -16,6 +17,8 @@ CALM = 6
 """The nodes of the polynomial through them: three before a sample, three after it."""
 FADE_TURNS = 4
 """Turns of the contact, before the end of a settled motion, over which everything goes to its mean over these turns."""
+FADE_OUT = 0.05
+"""Where a motion breaks off, a channel that has a value at rest goes there over the last of this time [s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,6 +41,11 @@ class ContactForce:
     def samples(self) -> np.ndarray:
         """Both parts together at the samples, (k, c); at a jump the value after it."""
         return self.smooth + self.steps
+
+    def channels(self, some: slice) -> "ContactForce":
+        """Return `some` of the channels."""
+        parts = {name: getattr(self, name)[:, some] for name in ("smooth", "steps", "jump", "bend")}
+        return replace(self, **parts)
 
     @property
     def knots(self):
@@ -62,11 +70,13 @@ class ForceSampler:
     The attitude is precession, inclination, spin. A channel may turn with the attitude, but at a jump of the force it
     must be linear in it. Before the motion the channels have their first values. After it they keep the mean over the
     last turns of the contact, so that the end is no blow: what is left of the self-similar end after the solution stops
-    is far above hearing. `rest` (c,) overrides the mean where it is not NaN. A motion that did not settle keeps its
-    last values. Where the contact turns too fast for the sample rate, the samples are those of the low-passed channels.
+    is far above hearing. `rest` (c,) overrides the mean where it is not NaN. After a motion that did not settle the
+    channels keep their last values, but those with a `rest` have gone there in the last FADE_OUT. Where the force holds
+    more than the sample rate can (`Motion.bandwidth`), the samples are those of the low-passed channels.
 
-    Where no jump is near and the contact turns by less than `calm` [rad] in STRIDE samples, the channels are read that
-    often only, and interpolated; never with calm = 0. `read` counts the instants at which the motion was asked.
+    Where no jump is near and the force holds no more than HARMONICS turns of the contact by `calm` [rad] in STRIDE
+    samples, the channels are read that often only, and interpolated; never with calm = 0. `read` counts the instants at
+    which the motion was asked. Nothing else changes by use: blocks may be asked for in any order, again and again.
     tests/test_sound_force.py.
     """
 
@@ -75,10 +85,11 @@ class ForceSampler:
         self.calm, self.read = calm, 0
         self.end = float(motion.t[-1])
         settled = motion.outcome.name == "SETTLED"
-        self.fade = FADE_TURNS * 2 * np.pi / self._turning(motion.at([self.end]))[0] if settled else 0.0
-        self.rest = self._read(self.end - self.fade * np.linspace(0, 1, 32 * FADE_TURNS))[1].mean(axis=0)
-        if rest is not None and settled:
-            self.rest = np.where(np.isnan(rest), self.rest, rest)
+        turns = FADE_TURNS * 2 * np.pi / abs(precession_rate(motion.at([self.end]))[0]) if settled else 0.0
+        mean = self._read(self.end - turns * np.linspace(0, 1, 32 * FADE_TURNS))[1].mean(axis=0)
+        rest = np.full_like(mean, np.nan) if rest is None else np.asarray(rest, float)
+        self.rest = np.where(np.isnan(rest), mean, rest)
+        self.fade = np.full_like(mean, turns) if settled else np.where(np.isnan(rest), 0.0, FADE_OUT)
         self._prepare_jumps(motion.jumps)
 
     def block(self, first: int, count: int) -> ContactForce:
@@ -119,7 +130,8 @@ class ForceSampler:
         t = self._times((first - before + np.arange(cells + CALM - 1)) * STRIDE)
         state, values = self._continuous(t)
         jumps = np.searchsorted(self.jump_time, t)
-        still = (self._turning(state) * STRIDE < self.calm * self.sample_rate) & (t >= 0) & (t <= self.end - self.fade)
+        turning = 2 * np.pi / HARMONICS * self.motion.bandwidth(state)
+        still = (turning * STRIDE < self.calm * self.sample_rate) & (t >= 0) & (t <= self.end - self.fade.max())
         calm = sliding_window_view(still, CALM).all(axis=1) & (jumps[CALM - 1 :] == jumps[: 1 - CALM])
         nodes = sliding_window_view(values, CALM, axis=0)
         between = np.arange(STRIDE) / STRIDE
@@ -164,20 +176,15 @@ class ForceSampler:
         return self._continuous(t)[1]
 
     def _faded(self, t):
-        return np.cos(np.pi / 2 * np.clip(1 - (self.end - t) / (self.fade or 1e-300), 0, 1))[:, None] ** 2
+        share = (self.end - np.asarray(t)[:, None]) / np.maximum(self.fade, 1e-300)
+        return np.cos(np.pi / 2 * np.clip(1 - share, 0, 1)) ** 2
 
     def _fading(self, t, values):
         return self.rest + self._faded(t) * (values - self.rest)
 
-    @staticmethod
-    def _turning(state):
-        """The precession rate (k,) [rad/s], without its sign; (2.3)."""
-        return np.abs(state[:, 7] / np.sin(state[:, 1]))
-
     def _crowd(self, state):
         """How many times denser than the samples the force must be read at states (k, 11); a power of 2, mostly 1."""
-        fastest = HARMONICS * self._turning(state) / (np.pi * self.sample_rate)
-        return 2 ** np.ceil(np.log2(np.clip(fastest, 1, 2**16))).astype(int)
+        return 2 ** np.ceil(np.log2(np.clip(2 * self.motion.bandwidth(state) / self.sample_rate, 1, 2**16))).astype(int)
 
     def _low_passed(self, n):
         """The continuous part through a windowed sinc, at the samples n (k,) in ascending order."""

@@ -1,0 +1,169 @@
+"""SOUND: the pressure at the listener, by cause, which can be read again and again, from any place on."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from tempfile import TemporaryFile
+
+import numpy as np
+
+from sonify.sound.listening import Copy, audible
+
+STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
+"""The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring after its jumps."""
+COLUMNS = ("pressure", *STEMS)
+LISTENING_PEAK_DB = -1.0
+"""Peak of sound.wav relative to full scale [dB]."""
+MOST_IN_MEMORY = 1 << 27
+"""A sound of more bytes lies in a nameless file in the system's temporary folder."""
+BLOCK = 1 << 16
+"""Samples read at once."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Track:
+    """One column of a sound [Pa]: `frames` samples at `sample_rate` [Hz]; a source for everything in sonify.hearing."""
+
+    sample_rate: int
+    columns: object
+    column: int
+
+    @property
+    def frames(self) -> int:
+        """Number of samples."""
+        return len(self.columns)
+
+    def read(self, first: int = 0, last: int | None = None) -> np.ndarray:
+        """Return the samples (k,) from number `first` up to `last`, or to the end."""
+        return self.columns[first:last][:, self.column]
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield (k, 1), float32: the samples from number `start` on; every call begins anew."""
+        for first in range(start, self.frames, BLOCK):
+            yield self.read(first, first + BLOCK)[:, None]
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Sound:
+    """What is heard of the scene `name`, as rendered.
+
+    `columns` (n, 5) [Pa], float32, are the COLUMNS, the pressure and its causes; they are read by slices of rows.
+    `modes_heard` is the number of modes that sound; `source_end` [s] is when the end of the motion reaches the
+    listener. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time of the motion.
+    """
+
+    name: str
+    sample_rate: int
+    columns: "np.ndarray | Scratch"
+    modes_heard: int
+    source_end: float
+    energy_time: np.ndarray
+    energy: np.ndarray
+
+    @property
+    def pressure(self) -> Track:
+        """The pressure at the listener [Pa]."""
+        return self.track("pressure")
+
+    @property
+    def stems(self) -> dict[str, Track]:
+        """The causes of the pressure [Pa], by name; they add up to it."""
+        return {name: self.track(name) for name in STEMS}
+
+    def track(self, name: str) -> Track:
+        """Return one of the COLUMNS by its name."""
+        return Track(sample_rate=self.sample_rate, columns=self.columns, column=COLUMNS.index(name))
+
+    @property
+    def samples(self) -> int:
+        """Number of samples."""
+        return len(self.columns)
+
+    @property
+    def duration(self) -> float:
+        """Length [s]."""
+        return self.samples / self.sample_rate
+
+    @cached_property
+    def _peaks(self):
+        starts = range(0, self.samples, BLOCK)
+        return np.max([np.abs(self.columns[n : n + BLOCK]).max(axis=0) for n in starts], axis=0).astype(float)
+
+    @property
+    def peak(self) -> float:
+        """The greatest pressure, of either sign [Pa]."""
+        return float(self._peaks[0])
+
+    @property
+    def stem_peak(self) -> dict[str, float]:
+        """The greatest pressure of each cause [Pa]."""
+        return dict(zip(STEMS, self._peaks[1:].tolist(), strict=True))
+
+    @property
+    def finite(self) -> bool:
+        """Whether every sample is a finite number."""
+        return bool(np.isfinite(self._peaks).all())
+
+    @property
+    def full_scale(self) -> float:
+        """The pressure [Pa] that 1.0 in sound.wav stands for."""
+        return self.peak / 10 ** (LISTENING_PEAK_DB / 20) or 1.0
+
+    @property
+    def gain_db(self) -> float:
+        """Gain from pascal in pressure.wav to sound.wav [dB]."""
+        return float(-20 * np.log10(self.full_scale))
+
+    @property
+    def copy(self) -> Copy:
+        """What sound.wav holds: the pressure over its `full_scale`."""
+        return Copy(track=self.pressure, full_scale=self.full_scale)
+
+    @cached_property
+    def audible(self) -> Copy:
+        """What audible.wav holds: the pressure A-weighted and made loud."""
+        return audible(self.pressure)
+
+    def __repr__(self):
+        return (
+            f"Sound({self.duration:.3f} s at {self.sample_rate} Hz, peak {self.peak:.3g} Pa, {self.modes_heard} modes)"
+        )
+
+
+class Scratch:
+    """Rows of COLUMNS in a nameless file that goes with the last reader; scratch[first:last] reads them, (k, 5)."""
+
+    def __init__(self):
+        self._file, self._rows = TemporaryFile(), 0  # noqa: SIM115, it closes with the last reader
+
+    def append(self, rows):
+        """Write rows (k, 5), float32. Raises OSError when the disk is full."""
+        self._file.write(rows.tobytes())
+        self._file.flush()  # what is read is the file
+        self._rows += len(rows)
+
+    def __len__(self):
+        return self._rows
+
+    def __getitem__(self, rows: slice):
+        first, last, _ = rows.indices(self._rows)
+        width, count = len(COLUMNS), max(last - first, 0)
+        if not count:
+            return np.empty((0, width), np.float32)
+        return np.memmap(self._file, np.float32, "r", offset=4 * width * first, shape=(count, width))
+
+
+def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
+    """Return `count` rows of COLUMNS that come in blocks (k, 5): as an array, or on disk where they are too many."""
+    if 4 * len(COLUMNS) * count <= MOST_IN_MEMORY:
+        return np.concatenate(list(rows))
+    scratch = Scratch()
+    for block in rows:
+        scratch.append(block)
+    return scratch
+
+
+def with_sum(stems) -> np.ndarray:
+    """Return the COLUMNS (k, 5), float32, of STEMS (k, 4) [Pa]: rounded, their sum in double precision and rounded."""
+    stems = stems.astype(np.float32)
+    return np.column_stack([stems.astype(float).sum(axis=1).astype(np.float32), stems])

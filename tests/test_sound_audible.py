@@ -1,0 +1,115 @@
+"""Claim: the copy for small loudspeakers is the pressure A-weighted and made loud by a gain alone, and every file says
+what it is.
+
+Source: IEC 61672-1, annex E; ITU-R BS.1770-4; EBU R 128. Oracle: the weighting in closed form; sines of known loudness
+and true peak; readers other than the writer.
+"""
+
+import re
+import subprocess
+import wave
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import soundfile
+from scipy.signal import sosfreqz
+
+from sonify.hearing.loudness import a_weighting_db, loudness_lufs
+from sonify.sound.listening import LOUDNESS_LUFS, a_weighting, audible, energy_below, true_peak
+from sonify.sound.pressure import COLUMNS, Sound, Track, with_sum
+from sonify.sound.wav import write_sound
+
+RATE = 48000
+
+
+def track(samples, rate=RATE):
+    return Track(sample_rate=rate, columns=np.asarray(samples, np.float32)[:, None], column=0)
+
+
+def sine(frequency, seconds=2.0, size=1.0, phase=0.0):
+    return size * np.sin(2 * np.pi * frequency * np.arange(int(seconds * RATE)) / RATE + phase)
+
+
+@pytest.mark.parametrize("rate", [8000, 44100, 48000, 192000])
+def test_the_filter_weighs_as_the_standard_at_any_sample_rate(rate):
+    """Within class 1 of IEC 61672-1, table 3: 1 dB from 20 Hz (there 2.5 dB) to 4 kHz, and 0.1 dB to rate / 4."""
+    frequency = np.geomspace(20, rate / 3, 200)
+    apart = 20 * np.log10(np.abs(sosfreqz(a_weighting(rate), worN=frequency, fs=rate)[1])) - a_weighting_db(frequency)
+    assert np.abs(apart).max() < 0.5
+    assert np.abs(apart[frequency < rate / 4]).max() < 0.1
+
+
+def test_a_tone_of_1_khz_keeps_its_level_and_one_of_100_hz_loses_19_db():
+    for frequency, loss in ((1000.0, 0.0), (100.0, -19.1)):  # IEC 61672-1, table 3
+        heard = audible(track(sine(frequency, size=0.02)))
+        weighted = np.concatenate(list(heard.blocks()))[RATE // 2 :] * heard.full_scale
+        assert 20 * np.log10(weighted.std() * 2**0.5 / 0.02) == pytest.approx(loss, abs=0.1)
+
+
+def test_any_sound_comes_out_as_loud():
+    for size in (1e-6, 1.0, 1e3):
+        assert loudness_lufs(audible(track(sine(440.0, size=size)))) == pytest.approx(LOUDNESS_LUFS, abs=0.01)
+
+
+def test_a_click_is_held_below_the_true_peak_by_its_gain():
+    click = np.zeros(4 * RATE)
+    click[RATE] = 1.0
+    heard = audible(track(click))
+    assert 20 * np.log10(true_peak(heard)) == pytest.approx(-1.0, abs=1e-6)
+    assert loudness_lufs(heard) < LOUDNESS_LUFS
+
+
+def test_a_true_peak_lies_between_the_samples():
+    """BS.1770-4, annex 2: a sine of a quarter of the rate, sampled 45 degrees off its crests, reads 3 dB low."""
+    source = track(sine(RATE / 4, phase=np.pi / 4))
+    assert np.abs(source.read()).max() == pytest.approx(0.5**0.5, rel=1e-6)
+    assert 20 * np.log10(true_peak(source)) == pytest.approx(0.0, abs=0.2)
+
+
+def test_silence_and_a_tenth_of_a_second_pass():
+    assert not np.any(list(audible(track(np.zeros(RATE))).blocks()))
+    assert true_peak(audible(track(sine(1000.0, 0.1)))) == pytest.approx(10 ** (-1 / 20), rel=1e-6)
+
+
+def test_blocks_begin_anew_and_anywhere():
+    heard = audible(track(sine(300.0, 4.0)))
+    whole = np.concatenate(list(heard.blocks()))
+    assert np.array_equal(np.concatenate(list(heard.blocks(70_000))), whole[70_000:])
+
+
+def test_the_energy_is_where_the_tones_are():
+    both = track(sine(50.0) + sine(1000.0, size=0.5))
+    assert energy_below(both, 100.0, 300.0, 2000.0) == pytest.approx([0.8, 0.8, 1.0], abs=1e-3)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("sound")
+    parts = np.column_stack([sine(f, size=0.01) for f in (50.0, 100.0, 1000.0, 2000.0)])
+    none = {"modes_heard": 0, "source_end": 1.0, "energy_time": np.zeros(0), "energy": np.zeros(0)}
+    sound = Sound(name="four sines", sample_rate=RATE, columns=with_sum(parts), **none)
+    write_sound(sound, folder)
+    return SimpleNamespace(path=folder, sound=sound)
+
+
+def test_every_file_says_what_it_is(folder):
+    for name in ("pressure", "sound", "audible", *(f"stems/{name}" for name in COLUMNS[1:])):
+        with soundfile.SoundFile(folder.path / f"{name}.wav") as file:
+            assert file.title == f"Euler's disk, four sines: {name.removeprefix('stems/').replace('_', ' ')}"
+            assert file.software.startswith("eulers-disk-sonify")
+            scale = float(re.search(r"1\.0 = (\S+) pascal", file.comment).group(1))
+            true = {"sound": folder.sound.full_scale, "audible": folder.sound.audible.full_scale}.get(name, 1.0)
+            assert scale == pytest.approx(true, rel=1e-5)
+            assert ("not the pressure" in file.comment) == (name == "audible")
+
+
+def test_other_programs_read_the_files(folder):
+    for name in ("sound", "audible"):
+        with wave.open(str(folder.path / f"{name}.wav")) as file:
+            assert (file.getframerate(), file.getsampwidth(), file.getnframes()) == (RATE, 3, folder.sound.samples)
+    ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
+    asked = [ffmpeg.get_ffmpeg_exe(), "-i", str(folder.path / "pressure.wav")]
+    told = subprocess.run(asked, capture_output=True, text=True, check=False).stderr
+    assert "Euler's disk, four sines: pressure" in told
+    assert "1.0 = 1 pascal" in told
