@@ -18,7 +18,7 @@ from sonify.hearing.recording import Heard, RecordingError, listen
 from sonify.plan.plan import Plan, plan_of, with_end, with_voices
 from sonify.progress import Stages
 from sonify.report.write import write_record
-from sonify.scene import Scene, SceneError
+from sonify.scene import Scene, SceneError, load_scene
 from sonify.sound.audible_modes import after_a_jump
 from sonify.sound.pressure import Sound
 from sonify.sound.render import Renderer
@@ -50,12 +50,12 @@ class Result:
 
 
 @one_blas_thread
-def solve(scene: Scene, accuracy: str | None = None, stages: Stages | None = None) -> Result:
-    """Return everything that a run finds; no file is written.
+def solve(scene: Scene | str | Path, accuracy: str | None = None, stages: Stages | None = None) -> Result:
+    """Return everything that a run of a scene, or of what `load_scene` takes, finds; no file is written.
 
     `accuracy` (draft, standard, reference) replaces the scene's. Raises SceneError where the scene cannot be solved.
     """
-    scene, stages = with_accuracy(scene, accuracy), stages or Stages()
+    scene, stages = solvable(scene, accuracy), stages or Stages()
     with stages.stage("modes"):
         plan, modes = planned(scene)
     with stages.stage("motion") as watch:
@@ -101,22 +101,26 @@ def write(result: Result, out: str | Path | None = None, stages: Stages | None =
 
 @one_blas_thread
 def run(
-    scene: Scene, out: str | Path | None = None, accuracy: str | None = None, stages: Stages | None = None
+    scene: Scene | str | Path,
+    out: str | Path | None = None,
+    accuracy: str | None = None,
+    stages: Stages | None = None,
 ) -> Result:
     """Solve `scene` and write the result into `out`, which is known to be writable before any work: `solve`, `write`.
 
     Raises what these do.
     """
-    scene, stages = with_accuracy(scene, accuracy), stages or Stages()
+    scene, stages = solvable(scene, accuracy), stages or Stages()
     with claimed(out or Path("outputs") / scene.name) as folder:
         result = solve(scene, stages=stages)
         stages.answer(result)
         return write(result, folder, stages)
 
 
-def with_accuracy(scene: Scene, accuracy: str | None) -> Scene:
+def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     """Return the scene with that accuracy. Raises SceneError, before any work, where its disk, support or integrator
     cannot be solved."""
+    scene = scene if isinstance(scene, Scene) else load_scene(scene)
     scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
     try:
         check(scene.disk, scene.support)

@@ -5,16 +5,21 @@ Oracle: the import statements of every file, and the modules that a fresh interp
 """
 
 import ast
+import pydoc
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 
 import pytest
 
+import dynamics
 import modal
+import sonify
 
 ROOT = Path(__file__).parent.parent
-FILES = sorted(f for package in ("dynamics", "modal", "sonify") for f in (ROOT / package).rglob("*.py"))
+PACKAGES = ("dynamics", "modal", "sonify")
+FILES = sorted(f for package in PACKAGES for f in (ROOT / package).rglob("*.py"))
 
 
 def imported(file):
@@ -58,3 +63,37 @@ def test_help_loads_nothing_heavy(command):
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True)
     assert done.stderr.strip().splitlines()[-1] == "[]"
     assert done.stdout
+
+
+@pytest.mark.parametrize("package", [dynamics, modal, sonify], ids=lambda package: package.__name__)
+def test_what_a_package_offers_is_listed_typed_and_explained(package):
+    """Completion, `help` and type checkers see what is imported only when it is asked for."""
+    stub = ast.parse((ROOT / package.__name__ / "__init__.pyi").read_text("utf-8"))
+    listed = {alias.asname for node in stub.body if isinstance(node, ast.ImportFrom) for alias in node.names}
+    assert listed == set(dir(package)) == set(package.__all__)
+    assert all(getattr(package, name).__doc__ for name in listed)
+    assert (ROOT / package.__name__ / "py.typed").exists()
+    told = pydoc.plain(pydoc.render_doc(package))
+    assert all(name in told for name in listed)
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="nonsense"):
+        _ = dynamics.nonsense
+
+
+@pytest.mark.slow
+def test_a_wheel_holds_every_file_of_the_packages_and_runs(tmp_path):
+    call = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "-w", str(tmp_path), str(ROOT)]
+    subprocess.run(call, check=True)
+    with zipfile.ZipFile(next(tmp_path.glob("*.whl"))) as wheel:
+        wheel.extractall(tmp_path / "unpacked")
+    tracked = subprocess.run(
+        ["git", "ls-files", *PACKAGES], cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.split()
+    assert [name for name in tracked if not (tmp_path / "unpacked" / name).is_file()] == []
+    code = "import sonify, dynamics, modal; print(sonify.__file__); sonify.load_scene(); dynamics.Disk; modal.Modes"
+    ran = subprocess.run(
+        [sys.executable, "-c", code], cwd=tmp_path / "unpacked", capture_output=True, text=True, check=True
+    )
+    assert ran.stdout.startswith(str(tmp_path))

@@ -13,7 +13,8 @@ import jsonschema
 import pytest
 from pydantic import ValidationError
 
-from sonify import SceneError, load_scene
+from sonify import SceneError, load_scene, run
+from sonify.pipeline import solvable
 from sonify.plan.plan import plan_of
 from sonify.report.write import finite
 from sonify.scene import Scene, adapter, from_document, shipped_scenes
@@ -168,6 +169,13 @@ def test_a_missing_section_is_named(published, section):
     del document[section]
     with pytest.raises(SceneError, match=f"{section}: missing"):
         from_document(document)
+
+
+def test_a_name_is_a_scene_wherever_one_is_run(tmp_path):
+    assert solvable("coin", "draft") == load_scene("coin").replace("numerics.accuracy=draft")
+    with pytest.raises(SceneError, match="no such scene"):
+        run("coim", out=tmp_path / "out")
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_files_that_are_no_scene(tmp_path):

@@ -1,0 +1,17 @@
+from .elements.given_mesh import mesh_modes as mesh_modes
+from .export import as_faust as as_faust
+from .export import as_faust_library as as_faust_library
+from .export import as_json as as_json
+from .export import write_uff as write_uff
+from .export import write_vtu as write_vtu
+from .modes import Body as Body
+from .modes import Material as Material
+from .modes import Modes as Modes
+from .modes import Support as Support
+from .modes import UnsolvableError as UnsolvableError
+from .radiation import radiation_decay as radiation_decay
+from .radiation import with_radiation as with_radiation
+from .solve import eigenmodes as eigenmodes
+from .spectral.axisymmetric import plate_modes as plate_modes
+from .spectral.basis import Plate as Plate
+from .synthesis.patches import FreeDisk as FreeDisk

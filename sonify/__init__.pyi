@@ -1,0 +1,12 @@
+__version__: str
+
+from .pipeline import Result as Result
+from .pipeline import run as run
+from .pipeline import solve as solve
+from .pipeline import write as write
+from .report.write import summary as summary
+from .scene import Audio as Audio
+from .scene import Scene as Scene
+from .scene import load_scene as load_scene
+from .scene import shipped_scenes as shipped_scenes
+from .scene_errors import SceneError as SceneError
