@@ -45,7 +45,7 @@ class Console(Stages):
         self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
     def answer(self, result):
-        """Print what was found: the sound is written, the pictures follow."""
+        """Print what was found; the files follow."""
         self._bars.stop()
         say(result)
 
@@ -60,6 +60,6 @@ def say(result):
         verdict = "ok    " if c.passed else "FAILED"
         click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
     for f in result.findings:
-        click.echo(f"{'yes' if f.holds else 'no ':6}  {f.claim}: {f.value:.5g} {f.unit} ({f.expectation})")
+        click.echo(f"{f.answer:6}  {f.claim}: {f.value:.5g} {f.unit} ({f.expectation})")
     for line in unsettled(result.motion):
         click.echo(f"note    {line}")

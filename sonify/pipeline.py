@@ -16,6 +16,7 @@ from sonify.files import claimed
 from sonify.hearing.loudness import unheard
 from sonify.hearing.recording import Heard, RecordingError, listen
 from sonify.plan.plan import Plan, plan_of, with_end, with_voices
+from sonify.plan.predictions import SOUND
 from sonify.progress import Stages
 from sonify.report.write import write_record
 from sonify.scene import Scene, SceneError, load_scene
@@ -67,7 +68,7 @@ def solve(scene: Scene | str | Path, accuracy: str | None = None, stages: Stages
     with stages.stage("findings"):
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
-        findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound)
+        findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
     return Result(
         scene=scene,
         plan=with_end(plan, motion, silence),

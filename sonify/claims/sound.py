@@ -3,18 +3,23 @@
 import numpy as np
 
 from dynamics.rates import nutation_frequency, precession_frequency
-from sonify.claims.motion import Finding
+from sonify.claims.motion import Finding, median
 from sonify.hearing.loudness import HANN_BANDWIDTH, ISO_226, THRESHOLD_DB, WINDOW, a_weighting_db, band_levels, level_db
 from sonify.hearing.recording import Heard
 from sonify.hearing.spectrogram import spectrogram
 
 LAST = 1.0
 """The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
+INDEPENDENT = 0.05
+"""The share of the frames of a tone that do not overlap."""
 
 
-def all_verdicts(heard: Heard | None, motion, modes, sound) -> list[Finding]:
-    """Every claim on the sound that this run can judge: those on the end only where the motion settled."""
-    energy = [modes_take_little(motion, sound)]
+def all_verdicts(heard: Heard | None, motion, modes, sound, error: float = 0.0) -> list[Finding]:
+    """Every claim on the sound that this run can judge: those on the end only where the motion settled.
+
+    `error` is the predicted distance of the sound from that of the reference, relative, in quadratic mean.
+    """
+    energy = [modes_take_little(motion, sound, error)]
     if heard is None:
         return energy
     found = [carriers_are_steady(heard)] if heard.carriers else []
@@ -27,7 +32,7 @@ def all_verdicts(heard: Heard | None, motion, modes, sound) -> list[Finding]:
         pitch_rises(tone),
         *rates_heard(tone, motion, sound),
         tone_is_heard(tone, sound),
-        modes_carry_the_end(sound),
+        modes_carry_the_end(sound, error),
         tone_ends_with_the_motion(tone, sound),
         *found,
     ]
@@ -51,32 +56,37 @@ def pitch_rises(tone) -> Finding:
         value=tone.factor,
         unit="times over the ridge that is heard",
         at_least=2.0,
+        margin=2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent,
         source="abstract and section 1; from the sound alone",
     )
 
 
 def tone_is_precession(tone, last, motion, sound) -> Finding:
     """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
+    ratio, error = _ratio(tone, last, motion, sound, precession_frequency(motion)[1])
     return Finding(
         key="tone_is_precession",
         claim="In the last second the rising tone is the precession of the contact",
-        value=_ratio(tone, last, motion, sound, precession_frequency(motion)[1]),
+        value=ratio,
         unit="tone heard / precession solved, median",
         at_least=0.97,
         at_most=1.03,
+        margin=error,
         source="section 8 leaves open what rises; the solved precession",
     )
 
 
 def tone_was_nutation(tone, early, motion, sound) -> Finding:
     """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
+    ratio, error = _ratio(tone, early, motion, sound, nutation_frequency(motion)[1])
     return Finding(
         key="tone_was_nutation",
         claim="Until four seconds before the end the tone is the nutation, the frequency of the normal force",
-        value=_ratio(tone, early, motion, sound, nutation_frequency(motion)[1]),
+        value=ratio,
         unit="tone heard / nutation solved, median",
         at_least=0.97,
         at_most=1.03,
+        margin=error,
         source="section 8: the normal force as a measure of the forcing",
     )
 
@@ -90,6 +100,7 @@ def tone_ends_with_the_motion(tone, sound) -> Finding:
         unit="s from the end of the motion to the end fitted to the tone",
         at_least=-0.1,
         at_most=0.1,
+        margin=2 * tone.end_error,
         source="section 1: the abrupt halt",
     )
 
@@ -111,12 +122,16 @@ def tone_is_heard(tone, sound) -> Finding:
         value=float(sound.source_end - (since if len(silent) else seen.time[inside][0])),
         unit="s before the end from which it stays above the threshold of ISO 226",
         at_least=0.5,
+        margin=WINDOW / 4,
         source="section 8: the frequencies are in the audible range",
     )
 
 
-def modes_carry_the_end(sound) -> Finding:
-    """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)]."""
+def modes_carry_the_end(sound, error: float = 0.0) -> Finding:
+    """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)].
+
+    What differs by the relative `error`, and no longer in step, may have 1 + error^2 times the energy.
+    """
     heave, tilt, smooth, jumps = (_weighted_power(sound, stem) for stem in sound.stems.values())
     return Finding(
         key="modes_carry_the_end",
@@ -124,21 +139,31 @@ def modes_carry_the_end(sound) -> Finding:
         value=float(level_db(smooth + jumps) - level_db(heave + tilt)),
         unit="dB(A), ringing of the modes over rigid motion of the disk",
         at_least=0.0,
+        margin=10 * np.log10(1 + error**2),
         source="section 8: this is not the primary sound source; the forcing excites modes",
     )
 
 
-def modes_take_little(motion, sound) -> Finding:
-    """The one-way coupling holds while the modes own less than the disk: when do they first own as much?"""
+def modes_take_little(motion, sound, error: float = 0.0) -> Finding:
+    """The one-way coupling holds while the modes own less than the disk: when do they first own as much?
+
+    Their energy is known within a factor of 1 + error^2, as in `modes_carry_the_end`.
+    """
     inside = (sound.energy_time >= 0) & (sound.energy_time <= motion.t[-1])
-    t, energy = sound.energy_time[inside], sound.energy[inside]
-    more = np.flatnonzero(energy > motion.energy(t))
+    t, energy, whole = sound.energy_time[inside], sound.energy[inside], motion.energy(sound.energy_time[inside])
+
+    def since(factor):
+        more = np.flatnonzero(factor * energy > whole)
+        return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
+
+    value = since(1.0)
     return Finding(
         key="modes_take_little",
         claim="The modes take too little energy to act back on the motion",
-        value=float(motion.t[-1] - t[more[0]]) if len(more) else 0.0,
+        value=value,
         unit="s before the end when the modes first hold as much energy as the disk",
         at_most=0.0,
+        margin=value - since(1 / (1 + error**2)) if value else since(1 + error**2),
         source="section 8: the vibrations will result in a loss of contact; here they do not act back",
     )
 
@@ -164,15 +189,16 @@ def carriers_are_modes(heard, modes) -> Finding:
         value=float(np.abs(1200 * np.log2(strongest / modes.frequency)).min()),
         unit="cents to the nearest mode",
         at_most=5.0,
+        margin=heard.carriers[0].spread,
         source="section 8",
     )
 
 
 def _ratio(tone, here, motion, sound, solved):
-    """The median, over the frames (r,) chosen, of the frequency heard over a solved rate."""
+    """The median, over the frames (r,) chosen, of the frequency heard over a solved rate, and its error."""
     delay = sound.source_end - motion.t[-1]
     rate = np.interp(tone.time[here] - delay, nutation_frequency(motion)[0], solved)
-    return float(np.median(tone.frequency[here] / rate))
+    return median(tone.frequency[here] / rate, INDEPENDENT)
 
 
 def _weighted_power(sound, stem):

@@ -45,6 +45,10 @@ class Plan:
     modelled: tuple[str, ...]
     left_out: tuple[str, ...]
 
+    def error(self, name: str) -> float:
+        """Return the predicted error of that name; of the reference 0, since what it lacks is not known from within."""
+        return next((p.error for p in self.predictions if p.name == name), 0.0)
+
     def scene(self, scene):
         """Return the scene with the numerics of the plan in it."""
         numerics = replace(scene.numerics, tolerance=self.tolerance, final_inclination=self.final_inclination)

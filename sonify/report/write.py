@@ -77,7 +77,7 @@ def run_record(result) -> dict:
             "audible_loudness_lufs": loudness(sound.audible),
         },
         "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
-        "findings": [finite(asdict(finding)) | {"holds": finding.holds} for finding in result.findings],
+        "findings": [finite(asdict(f)) | {"holds": f.holds, "near": f.near} for f in result.findings],
         "seconds": {name: round(seconds, 3) for name, seconds in result.seconds.items()},
         "versions": versions(),
     }
