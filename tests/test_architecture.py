@@ -12,6 +12,7 @@ import zipfile
 from pathlib import Path
 
 import pytest
+from importlinter.cli import lint_imports
 
 import dynamics
 import modal
@@ -44,6 +45,11 @@ def test_who_imports_whom(file):
         assert not own, "an oracle must not use what it judges"
     if "matplotlib" in tops:
         assert file.relative_to(ROOT).parts[:2] in {("sonify", "report"), ("sonify", "charts")}
+
+
+def test_every_import_keeps_the_contracts():
+    """They stand in pyproject.toml: the order of packages, of stages in `sonify` and `modal`, no circles."""
+    assert lint_imports(str(ROOT / "pyproject.toml"), no_cache=True) == 0
 
 
 def test_modal_is_ours():

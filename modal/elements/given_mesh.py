@@ -6,6 +6,7 @@ with every cell cut in eight: the finer frequencies are given, their distance fr
 
 from dataclasses import dataclass
 from math import pi
+from types import SimpleNamespace
 
 import numpy as np
 from skfem import ElementHex1, ElementHex2, ElementTetP1, ElementTetP2, MeshHex1, MeshHex2, MeshTet1, MeshTet2
@@ -17,7 +18,6 @@ from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import joined
 from modal.mesh.symmetry import check_held, free_unknowns
 from modal.modes import Modes
-from modal.spectral.basis import Plate
 
 SAFETY = 1.5
 """Errors are estimated as so many times that distance: where a patch ends, cutting cells no more than halves them."""
@@ -119,7 +119,7 @@ def mesh_modes(path, material, density, support, below=24000.0, patch=None, prom
     coarse = level(mesh, facets, other, whole, material, density)
     radius = np.hypot(*finer.solid.points[:, :2].T).max()
     thickness = np.ptp(finer.solid.points[:, 2])
-    disk = Plate(radius=radius, thickness=thickness, material=material, density=density)
+    disk = SimpleNamespace(radius=radius, thickness=thickness)
     shift = shift_for(disk, material, support, density)
     if not free:
         check_held(finer.solid.points[finer.held], support.held)

@@ -6,7 +6,8 @@ import numpy as np
 from scipy.interpolate import CloughTocher2DInterpolator, NearestNDInterpolator
 
 from modal.elements import sample
-from modal.elements.unfold import VTK_HEXAHEDRON27, rigid_fields
+from modal.elements.unfold import rigid_fields
+from modal.mesh.sector import VTK_HEXAHEDRON27
 from modal.modes import Body, Modes
 
 VTK = {

@@ -6,16 +6,8 @@ from math import pi
 import numpy as np
 
 from modal.elements import sample
-from modal.mesh.sector import NODES
+from modal.mesh.sector import NODES, VTK_HEXAHEDRON27
 from modal.modes import Body, Modes
-
-VTK_HEXAHEDRON27 = [
-    *[(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)],
-    *[(1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2)],
-    *[(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)],
-    *[(0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)],
-]
-"""Lattice positions of the nodes in the order of VTK_TRIQUADRATIC_HEXAHEDRON."""
 
 
 def flips(quarter):

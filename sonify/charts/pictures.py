@@ -6,8 +6,8 @@ A dot where a method is fine, a ring where it is degraded, a cross where it fail
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from sonify.charts.hazards import DEGRADED, FAILED, FINE, HAZARDS, rows, state
 from sonify.charts.records import Record
-from sonify.charts.stability import DEGRADED, FAILED, FINE, HAZARDS, rows, state
 from sonify.files import whole
 
 DPI = 100
