@@ -12,6 +12,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import soundfile
+from arithmetic import gamma
 from click.testing import CliRunner
 from scipy.signal import correlate
 
@@ -40,10 +41,11 @@ def test_the_disk_stands_on_the_table_where_the_contact_is(scene, motion):
     body, touching = rims(state, state[:, 1], scene.disk), contact(state, state[:, 1], scene.disk)
     lowest = body[:, 0, :, 2].min(axis=1)
     corner = scene.disk.radius * np.sin(state[:, 1]) * (1 - np.cos(np.pi / body.shape[2]))  # between two points
-    assert np.all((lowest >= -1e-12) & (lowest <= corner + 1e-12))
+    slack = gamma(30) * scene.disk.radius
+    assert np.all((lowest >= -slack) & (lowest <= corner + slack))
     apart = np.linalg.norm(body[:, 0] - touching[:, None], axis=2).min(axis=1)
-    assert np.all(apart < scene.disk.radius * np.pi / body.shape[2] + 1e-12)
-    assert np.allclose(np.linalg.norm(body[:, 1] - body[:, 0], axis=2), scene.disk.thickness)
+    assert np.all(apart < scene.disk.radius * np.pi / body.shape[2])
+    assert np.linalg.norm(body[:, 1] - body[:, 0], axis=2) == pytest.approx(scene.disk.thickness, rel=1e-9)
 
 
 def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, motion):

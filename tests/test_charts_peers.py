@@ -11,6 +11,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from arithmetic import gamma
 from scipy.integrate import quad
 
 from dynamics import theory
@@ -46,19 +47,20 @@ def test_the_reference_of_the_conservative_case_is_the_exact_solution(span):
     since = quad(slowness, 0, phi, epsabs=1e-12, epsrel=1e-12)[0]
     rest = span % period
     assert min(abs(since - rest), abs(period - since - rest)) < 1e-9
-    assert energy == pytest.approx(answer_of(RELEASED, case.law, 0).values[1], rel=1e-14)
+    assert energy == pytest.approx(answer_of(RELEASED, case.law, 0).values[1], rel=gamma(60))
 
 
 @pytest.mark.parametrize("case", [published(), conservative(), flat(0.01)], ids=lambda case: case.name)
 def test_the_start_of_the_engines_is_that_of_the_equations(case):
     pose = at_start(case)
-    assert answer(pose, case.law, 0).values == pytest.approx(answer_of(case.start, case.law, 0).values, rel=1e-12)
+    assert answer(pose, case.law, 0).values == pytest.approx(answer_of(case.start, case.law, 0).values, rel=gamma(60))
     contact = pose.rotation @ [0.0, 1.0, -case.law.h]  # -e_3 - h e_2
-    assert pose.centre[2] + contact[2] == pytest.approx(0, abs=1e-15)
-    assert np.abs(pose.velocity + np.cross(pose.angular, contact)).max() < 1e-15
+    assert pose.centre[2] + contact[2] == pytest.approx(0, abs=gamma(20))
+    speed = np.linalg.norm(pose.angular) * np.linalg.norm(contact)
+    assert np.abs(pose.velocity + np.cross(pose.angular, contact)).max() < gamma(20) * speed
     w, x, _, _ = quaternion(case)
     turned = [[1, 0, 0], [0, w * w - x * x, -2 * w * x], [0, 2 * w * x, w * w - x * x]]
-    assert np.abs(pose.rotation - turned).max() < 1e-15
+    assert np.abs(pose.rotation - turned).max() < gamma(20)
 
 
 def test_the_external_moments_lose_energy_along_their_axes():
@@ -97,7 +99,9 @@ def test_engines_with_one_coefficient_of_friction_slide_another_way(method):
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 @pytest.mark.parametrize("case", [conservative(), published(5.0)], ids=lambda case: case.name)
 def test_ours_does_neither(case):
-    assert case.error(ours(case, "taylor", 1e-16).values) < 1e-12
+    """Neither span is long enough to amplify the roundings of its steps."""
+    found = ours(case, "taylor", 1e-16)
+    assert case.error(found.values) < gamma(20 * found.steps)
 
 
 @pytest.mark.skipif(not find_spec("pydrake"), reason="Drake is not installed")

@@ -1,18 +1,22 @@
 """Claim: the machine code of the portable integrator computes what the formulas say, in steps of DOP853, to its events.
 
 Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, sections II.5, II.6.
-Oracle: the same formulas on Python floats; scipy's DOP853 and its dense output; the order of the method.
+Oracle: the same formulas in 30 digits; scipy's DOP853 and its dense output; the order of the method. What rounding
+may do to them is derived from the formulas themselves: arithmetic.py.
 """
 
+import arithmetic
 import numpy as np
 import pytest
+from arithmetic import UNIT, Rounded, errors, gamma, rounded
+from mpmath import mp
 from scipy.integrate import DOP853
 from scipy.optimize import brentq
 
 from dynamics.dissipation import Resistance
 from dynamics.equations import Law
-from dynamics.regime import FLOAT, Branch, Regime
-from dynamics.runge_kutta import at, integrate
+from dynamics.regime import FLOAT, Branch, Flow, Regime
+from dynamics.runge_kutta import POWERS, STAGES, at, integrate
 from dynamics.symbolic import constants, shape
 from dynamics.trace import compiled
 
@@ -20,6 +24,8 @@ LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 STATE = np.array([0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0])
 LOADS = [None, Resistance(((1e-3, 0.25), (1e-3, 1.0)), 1e-3, 2e-3, False)]
 SENSES, END = (1.0, -1.0, 1.0), 1e-5
+EXACT = {"flow": Flow(mp.sin, mp.cos, mp.sqrt, mp.power), "number": mp.mpf}
+BOUNDED = {"flow": Flow(arithmetic.sin, arithmetic.cos, arithmetic.sqrt, Rounded.__pow__), "number": rounded}
 
 
 def flow_of(sliding, stuck=(False,) * 3, loads=None):
@@ -28,11 +34,23 @@ def flow_of(sliding, stuck=(False,) * 3, loads=None):
     return *compiled(shape(regime, LAW, loads)), np.array(constants(regime, LAW, loads, END))
 
 
-def by_formula(y, sliding, stuck=(False,) * 3, loads=None):
+def by_formula(y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT, number=float):
+    """Return the rates (11,) and the guards by name at y (11,), in numbers of a kind and the flow for them."""
+    y, law, senses = [number(x) for x in y], Law(*map(number, LAW)), [number(sense) for sense in SENSES]
     branch = Branch.of(Regime(sliding, stuck, SENSES), LAW, loads)
-    contact = FLOAT.contact(y.tolist(), branch, SENSES, LAW)
-    rates = FLOAT.rates(y.tolist(), contact, branch, LAW)
-    return np.array(rates), FLOAT.guards(y.tolist(), contact, branch, SENSES, LAW, END)
+    contact = flow.contact(y, branch, senses, law)
+    return np.array(flow.rates(y, contact, branch, law)), flow.guards(y, contact, branch, senses, law, number(END))
+
+
+def bounded_step(y, h, sliding):
+    """Return the end (k,) of a step and its Taylor coefficients (8, k) on [0, 1], in bounded arithmetic."""
+    states, rates = [rounded(y)], np.empty((16, len(y)), dtype=object)
+    for i in range(16):
+        rates[i] = by_formula(states[i], sliding, **BOUNDED)[0]
+        states.append(states[0] + h * (STAGES[min(i + 1, 15), : i + 1] @ rates[: i + 1]))
+    c = h * (POWERS @ rates)
+    c[0] = states[0]
+    return states[12], c
 
 
 def by_code(y, *case):
@@ -46,10 +64,16 @@ def by_code(y, *case):
 @pytest.mark.parametrize("stuck", [(False,) * 3, (True, False, False), (False, True, True)], ids=str)
 def test_rates_and_guards_are_those_of_the_formulas(stuck, loads):
     for sliding in (False, True):
-        rates, guards = by_formula(STATE, sliding, stuck, loads)
-        found, named = by_code(STATE, sliding, stuck, loads)
-        np.testing.assert_allclose(found, rates, rtol=1e-13, atol=1e-14)
-        assert named == pytest.approx(guards, rel=1e-12, abs=1e-14)
+        case = sliding, stuck, loads
+        with mp.workdps(30):
+            exact, guards = by_formula(STATE, *case, **EXACT)
+        bounds, guard_bounds = by_formula(STATE, *case, **BOUNDED)
+        for rates, named in (by_code(STATE, *case), by_formula(STATE, *case)):
+            assert (np.abs(rates - exact) <= errors(bounds)).all()
+            assert named.keys() == guards.keys()
+            for name, guard in guards.items():
+                assert abs(named[name] - guard) <= guard_bounds[name].error
+        assert errors(bounds).max() < 100 * UNIT * max(abs(rate) for rate in exact)
 
 
 def test_a_step_and_its_dense_output_are_those_of_scipy():
@@ -58,11 +82,13 @@ def test_a_step_and_its_dense_output_are_those_of_scipy():
     assert (times.tolist(), fired) == ([0.1], -1)
     scipys = DOP853(lambda _, y: by_formula(y, True)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1)
     scipys.step()
-    curve, y = scipys.dense_output(), np.empty(11)
-    np.testing.assert_allclose(end, scipys.y, rtol=1e-14, atol=1e-15)
+    curve, y, (bounded_end, bounded) = scipys.dense_output(), np.empty(11), bounded_step(STATE, 0.1, sliding=True)
+    assert (np.abs(end - scipys.y) <= 2 * errors(bounded_end)).all()
     for t in np.linspace(0, 0.1, 9):
         at(c[0], t, y)
-        np.testing.assert_allclose(y, curve(t), rtol=1e-13, atol=1e-14)
+        bar = 2 * errors(np.polynomial.polynomial.polyval(t / 0.1, bounded))
+        assert (np.abs(y - curve(t)) <= bar).all()
+        assert bar.max() < 1e-8, "powers of x cancel, but what rounding does is far below what a wrong weight does"
 
 
 def test_the_error_falls_with_the_eighth_power_of_the_step():
@@ -82,9 +108,9 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
 def test_it_stops_where_a_guard_falls_through_zero():
     """The nutation reverses: omega_1 is a guard, and zero where the integration stops."""
     flow, names, numbers = flow_of(sliding=False)
-    times, _, end, fired = integrate(flow, STATE, numbers, len(names), 10.0, 1e-13)
+    times, coefficients, end, fired = integrate(flow, STATE, numbers, len(names), 10.0, 1e-13)
     assert names[fired] == "nutation reverses"
-    assert end[1] == pytest.approx(0, abs=1e-15)
+    assert abs(end[1]) <= gamma(20) * np.abs(coefficients[-1][:, 1]).max()
     free = integrate(flow, STATE, numbers, 0, 10.0, 1e-13)
     piece = np.searchsorted(free[0], times[-1])
     start, y = free[0][piece - 1], np.empty(11)

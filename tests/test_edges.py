@@ -10,6 +10,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from arithmetic import gamma
 from scenes import conservative, scene, whirling
 
 from dynamics import ImpossibleContactError, Outcome, regime, simulate, switching
@@ -45,14 +46,17 @@ def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
 def test_upright_is_a_named_end():
     motion = simulate(scene(release={"inclination_deg": 89.9, "omega": (-1.0, 0.0, -10.0)}))
     assert motion.outcome is Outcome.UPRIGHT
-    assert motion.state[-1, 1] == pytest.approx(pi / 2, abs=1e-12)
+    moved = motion.t[-1] * abs(motion.state[-1, 5])
+    assert motion.state[-1, 1] == pytest.approx(pi / 2, abs=gamma(50) * (pi / 2 + moved))
 
 
 def test_lift_off_is_an_outcome_with_its_time():
     fast = scene(release={"inclination_deg": 60.0, "omega": (0.0, 0.5 / 0.06917, -4 / 0.06917)})
     motion = simulate(fast)
     assert motion.outcome is Outcome.LIFTED_OFF
-    assert motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-12)
+    before, after = motion.normal_load(motion.t[-1] - [1e-4, 0])
+    slope = (before - after) / 1e-4
+    assert after == pytest.approx(0, abs=gamma(50) * (1 + motion.t[-1] * slope))
     assert motion.normal_load(np.linspace(0, motion.t[-1] * 0.999, 500)).min() > 0
 
 
@@ -156,7 +160,7 @@ def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state
 def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
     motion = simulate(conservative(numerics={"time_limit": 5.0}))
     assert motion.transitions == ()
-    assert motion.state[:, 10] == pytest.approx(0, abs=1e-15)
+    assert not motion.state[:, 10].any(), "without an arm nothing is dissipated, not even round-off"
 
 
 def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):

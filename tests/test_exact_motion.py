@@ -9,6 +9,7 @@ from math import pi, radians, sqrt
 
 import numpy as np
 import pytest
+from arithmetic import gamma, walk
 from scenes import conservative, scene, whirling
 
 from dynamics import Outcome, simulate, theory
@@ -52,7 +53,9 @@ def test_turning_angle_and_period_of_the_published_release():
     motion = simulate(conservative(numerics={"time_limit": 0.5}))
     disk = motion.disk
     turn, period = theory.nutation(1.0, 0.0, -1.0, disk.aspect, disk.gyration)
-    assert pi / 2 - turn == pytest.approx(0.44837097707011868, abs=1e-13)
+    slope = theory.nutation_rate_squared(turn - 1e-6, 1.0, 0.0, -1.0, disk.aspect, disk.gyration) / 1e-6
+    energy = motion.energy(0.0)[0] / (disk.mass * (disk.radius / disk.time_unit) ** 2)
+    assert pi / 2 - turn == pytest.approx(0.44837097707011868, abs=gamma(100) * energy / slope)
     assert period == pytest.approx(2.8739671849286171, abs=1e-9)
     after = motion.at(np.array([0.5, 1.0]) * period * disk.time_unit)
     np.testing.assert_allclose(after[:, 1], [pi / 2 - turn, pi / 2 - 1], rtol=1e-9)
@@ -63,7 +66,7 @@ def test_energy_is_conserved_for_a_thousand_nutations():
     motion = simulate(conservative(numerics={"time_limit": 200.0}))
     energy = motion.energy(motion.t)
     assert motion.outcome is Outcome.TIME_LIMIT
-    assert np.ptp(energy) < 1e-12 * energy[0]
+    assert np.ptp(energy) < walk(4 * len(motion.t)) * energy[0]
 
 
 @pytest.mark.parametrize("disk", SOLIDS, ids=["published", "thin", "thick", "shell"])

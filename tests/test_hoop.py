@@ -10,6 +10,7 @@ from math import pi
 
 import numpy as np
 import pytest
+from arithmetic import gamma
 from scenes import scene, whirling
 from scipy.linalg import eigh, svdvals
 from scipy.optimize import minimize_scalar
@@ -94,8 +95,10 @@ def test_polynomials_over_the_radius_are_integrated_to_round_off_with_few_points
     rho, weight = graded(hole, count)
     assert len(rho) < 500
     power = np.arange(1, 2 * count)
-    assert weight @ (1 / rho) == pytest.approx(-np.log(hole), rel=1e-13)
-    assert weight @ rho[:, None] ** (power - 1) == pytest.approx((1 - hole**power) / power, rel=1e-12)
+    assert weight @ (1 / rho) == pytest.approx(-np.log(hole), rel=gamma(len(rho) + 60))
+    bar = gamma(len(rho) + 60 + 4 * count)  # of terms that are all positive, and of hole^power under 1
+    exact = (1 - hole**power) / power
+    assert (np.abs(weight @ rho[:, None] ** (power - 1) - exact) <= bar / power).all()
 
 
 def test_a_pinhole_leaves_the_solid_disk():
@@ -147,10 +150,11 @@ def test_six_rigid_motions_and_no_more_cost_nothing():
             values, mode = eigh(k, m, eigvals_only=True), rigid(plate, p, (6, 4))
             here = np.count_nonzero(values < 1.0)
             assert here == rigid_count(plate, p)
-            assert np.abs(k @ mode).max(initial=0) < 1e-12 * np.abs(k).max()
+            bar = gamma(3 * len(k)) * np.abs(k) @ np.abs(mode)
+            assert (np.abs(k @ mode) <= bar).all()
             count += here * (2 if n else 1)
             if n == 0 and here and not torsional:
-                assert mode[:, 0] @ m @ mode[:, 0] == pytest.approx(plate.mass, rel=1e-12)
+                assert mode[:, 0] @ m @ mode[:, 0] == pytest.approx(plate.mass, rel=gamma(3 * len(m)))
     assert count == 6
 
 
@@ -188,7 +192,7 @@ def test_the_shipped_hoop_has_all_its_modes_to_1e_6_in_exact_pairs_and_its_mass(
     exact = eigenmodes(hoop.replace("numerics.accuracy=reference"), below=40e3)
     assert modes.order.tolist() == exact.order.tolist()
     assert modes.frequency == pytest.approx(exact.frequency, rel=1e-6)
-    assert modes.mass == pytest.approx(hoop.disk.mass, rel=1e-12)
+    assert modes.mass == pytest.approx(hoop.disk.mass, rel=gamma(20))
     assert np.abs(modes.participation).max() < 1e-9
     for i, j in enumerate(modes.partner):
         assert (j >= 0) == (modes.order[i] > 0)

@@ -11,6 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import soundfile
+from arithmetic import gamma
 
 from dynamics import Motion
 from dynamics.time_left import time_left
@@ -219,7 +220,8 @@ def test_more_decay_rates_than_modes_are_refused(scene):
 def test_modes_lose_to_the_air_as_well(scene):
     _, modes = planned(scene.replace("support.kind=free"))
     loss = pi * modes.frequency * scene.material.loss_factor
-    assert modes.decay_rate - loss == pytest.approx(radiation_decay(modes, (TOP,)), rel=1e-12)
+    radiated = radiation_decay(modes, (TOP,))
+    assert (np.abs(modes.decay_rate - loss - radiated) <= gamma(5) * modes.decay_rate).all()
     assert (modes.decay_rate > 1.1 * loss).all()
 
 

@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import soundfile
+from arithmetic import gamma
 
 from dynamics import Outcome, simulate
 from modal import eigenmodes
@@ -132,7 +133,7 @@ def test_the_same_scene_gives_the_same_bytes(scene, modes, tmp_path):
 
 def test_the_samples_do_not_depend_on_the_block(scene, short, modes):
     whole, parts = (np.vstack(list(Renderer(scene, short, modes).blocks(size))) for size in (1 << 16, 1000))
-    assert np.abs(whole - parts).max() < 1e-12 * np.abs(whole).max()
+    assert np.abs(whole - parts).max() < gamma(100) * np.abs(whole).max()
 
 
 def test_a_renderer_and_its_sound_are_read_again_and_again(scene, short, modes, monkeypatch):
@@ -211,7 +212,7 @@ def test_the_frame_of_the_patch_keeps_size_and_work(motion):
     t = np.linspace(0.1, 15, 500)
     force, inclination = motion.force(t), motion.at(t)[:, 1]
     turned = in_patch_frame(force, inclination)
-    assert np.linalg.norm(turned, axis=1) == pytest.approx(np.linalg.norm(force, axis=1), rel=1e-13)
+    assert np.linalg.norm(turned, axis=1) == pytest.approx(np.linalg.norm(force, axis=1), rel=gamma(20))
     flat = in_patch_frame([[1.0, 2.0, 3.0]], np.zeros(1))[0]
     assert flat == pytest.approx([2.0, -1.0, 3.0])  # radially out along a_2, tangentially against a_1, up
 

@@ -6,6 +6,7 @@ Source: Rayleigh, The Theory of Sound, section 278. Oracle: the baffled piston i
 
 import numpy as np
 import pytest
+from arithmetic import gamma
 from scipy.special import j1
 
 from sonify.pipeline import planned
@@ -104,14 +105,14 @@ def test_the_step_response_is_that_of_the_taps(kernel, hole):
     step, taps = kernel(listener, RADIUS, h, hole)
     t = (np.arange(len(taps)) - len(taps) // 2) * h
     assert np.abs(step(t + h / 2) - np.cumsum(taps)).max() < 1e-2
-    assert step(np.array([-1.0]))[0] == pytest.approx(0, abs=1e-12)
+    assert step(np.array([-1.0]))[0] == pytest.approx(0, abs=gamma(20))
 
 
 def test_a_piston_seen_from_above_is_at_least_a_sample_wide():
     step, taps = heave_kernel(Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000)
     assert taps.sum() == pytest.approx(1)
     assert step(np.array([0.0]))[0] == 0.5
-    assert np.allclose(tilt_kernel(Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000)[1], 0, atol=1e-15)
+    assert np.abs(tilt_kernel(Listener(distance=1.0, elevation=np.pi / 2), RADIUS, 1 / 48000)[1]).max() < gamma(20)
 
 
 def test_the_delay_is_the_distance():
@@ -129,8 +130,9 @@ def test_the_taps_radiate_a_mode_exactly_at_its_own_frequency_and_at_rest(modes,
     delays = np.outer(2 * np.pi * modes.frequency / sample_rate, [1, 0, -1])
     three, exact = taps(modes, listener, sample_rate), directions(modes, listener)
     found = np.sum(three * np.exp(1j * delays), axis=2)
-    assert np.abs(found - exact).max(axis=0) == pytest.approx(0, abs=1e-12 * np.abs(exact).max())
-    assert three.sum(axis=2) == pytest.approx(directions(modes, listener, still=True).real, abs=1e-12)
+    bar = gamma(20) * np.abs(three).sum(axis=2)
+    assert (np.abs(found - exact) <= bar).all()
+    assert (np.abs(three.sum(axis=2) - directions(modes, listener, still=True).real) <= bar).all()
 
 
 def test_the_taps_stay_bounded_at_half_the_sample_rate(modes):
