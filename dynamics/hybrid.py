@@ -35,7 +35,11 @@ class Step(NamedTuple):
     @property
     def end(self) -> list:
         """The state at the end of the step, (k,)."""
-        return np.polynomial.polynomial.polyval(self.duration, np.array(self.coefficients)).tolist()
+        return self.at(self.duration)
+
+    def at(self, t: float) -> list:
+        """Return the state (k,) after t."""
+        return np.polynomial.polynomial.polyval(t, np.array(self.coefficients)).tolist()
 
 
 class Switch(NamedTuple):

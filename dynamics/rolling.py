@@ -8,8 +8,9 @@ import numpy as np
 
 from . import collocation
 from .equations import Law
+from .first_root import first_fall
 from .hybrid import Arc, Switch
-from .regime import AXES, FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from .regime import AXES, FLOAT, PRECESSION, SPIN, STOP_SPEED, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 from .switching import ImpossibleContactError, follow, slide_to_rest
 
 ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
@@ -75,7 +76,27 @@ class RollingDisk:
         regime, step = follow(y, self.law, self.loads, frozenset(at_zero), frozenset(fired), senses)
         if regime is None:
             return Switch(None, y, ended="lift-off")
-        return Switch(regime, step.end, (step,)) if step else Switch(regime, y)
+        return self._through(step, at_zero) if step else Switch(regime, y)
+
+    def _through(self, step, at_zero) -> Switch:
+        """Take the first step of a slide, up to a turning that reverses within it: its guard would be below zero."""
+        _, stuck, senses = step.regime
+        arms = (self.law.k1, self.law.k2, self.law.k3)
+
+        def guards(y):
+            turns = zip(AXES, arms, stuck, senses, turnings(y), strict=True)
+            return {axis: sense * turn for axis, arm, held, sense, turn in turns if arm > 0 and not held}
+
+        end, axis, _ = first_fall(step.at, 0.0, step.duration, guards, guards(step.at(0.0)))
+        step = step._replace(duration=end)
+        if axis is None:
+            return Switch(step.regime, step.end, (step,))
+        y, held = at_rest(step.end, AXES.index(axis)), {*at_zero, AXES.index(axis) + 1} - {0}
+        if math.hypot(y[V1], y[V2]) < STOP_SPEED:
+            y[V1] = y[V2] = 0.0
+            held |= {0}
+        then = self._follow(y, held, senses=senses)
+        return then._replace(steps=(step, *then.steps))
 
 
 def at_rest(y, i):

@@ -50,6 +50,16 @@ def test_upright_is_a_named_end():
     assert motion.state[-1, 1] == pytest.approx(pi / 2, abs=gamma(50) * (pi / 2 + moved))
 
 
+@pytest.mark.parametrize("rate", [-1e-12, -1e-9, -1e-6, -1e-4])
+def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed(rate):
+    """Its moment would drive the disk instead of resisting it: energy would rise."""
+    motion = simulate(scene(release={"inclination_deg": 3.0, "omega": (rate, 0.0, 0.0)}, k1=0.03, k2=0.0, k3=0.0))
+    assert motion.outcome is Outcome.FELL
+    assert motion.law.k1 * np.ptp(motion.state[:, 1]) > 1e-3, "what the moment takes is far above round-off"
+    assert np.diff(motion.state[:, 10]).min() >= 0
+    assert total_energy_spread(motion) < 1e-10
+
+
 def test_lift_off_is_an_outcome_with_its_time():
     fast = scene(release={"inclination_deg": 60.0, "omega": (0.0, 0.5 / 0.06917, -4 / 0.06917)})
     motion = simulate(fast)
