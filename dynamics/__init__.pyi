@@ -1,11 +1,11 @@
 from .disk import Disk as Disk
 from .disk import Friction as Friction
-from .disk import Numerics as Numerics
 from .disk import Release as Release
 from .disk import Surface as Surface
 from .dissipation import Dissipation as Dissipation
 from .motion import Motion as Motion
 from .motion import Outcome as Outcome
 from .motion import Transition as Transition
+from .numerics import Numerics as Numerics
 from .simulation import simulate as simulate
 from .switching import ImpossibleContactError as ImpossibleContactError

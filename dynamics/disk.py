@@ -114,19 +114,3 @@ class Surface:
 
     kind: Literal["rigid"] = "rigid"
     """A rigid table neither moves nor sounds."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Numerics:
-    """How exactly to solve; what is not given follows from the accuracy."""
-
-    accuracy: Literal["draft", "standard", "reference"] = "standard"
-    """A draft to listen to, the standard for numbers, the reference for the phase of the ringing."""
-    integrator: Literal["auto", "taylor", "dop853"] = "auto"
-    """Taylor series by heyoka, or DOP853 by numba; auto takes the first where heyoka is installed."""
-    tolerance: Annotated[float, Gt(0), Le(1e-9)] | None = None
-    """Relative tolerance of the integrator."""
-    final_inclination: Annotated[float, Gt(0), Le(0.1)] | None = None
-    """Inclination at which the motion counts as settled [rad]."""
-    time_limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
-    """Time at which a motion that does not settle is ended [s]."""

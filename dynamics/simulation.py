@@ -3,7 +3,6 @@
 import math
 from functools import cache
 from importlib import import_module
-from importlib.util import find_spec
 
 import numpy as np
 from scipy.interpolate import PPoly
@@ -13,12 +12,11 @@ from .dissipation import resistance
 from .equations import Law
 from .hybrid import CASCADE, STALLED, StalledError, drive
 from .motion import Motion, Outcome, Transition, read_only
+from .numerics import integrator_of
 from .regime import R
 from .rolling import RollingDisk
 from .switching import ImpossibleContactError
 
-TOLERANCE = {"draft": 1e-12, "standard": 1e-16, "reference": 1e-16}
-FINAL_INCLINATION = 1e-10
 OUTCOMES = {
     "flat": Outcome.SETTLED,
     "falls": Outcome.FELL,
@@ -40,10 +38,9 @@ def simulate(scene, watch=lambda t, inclination: None) -> Motion:
     """
     disk, numerics = scene.disk, scene.numerics
     name, integrate = chosen_integrator(numerics.integrator)
-    r_end = math.sqrt(numerics.final_inclination or FINAL_INCLINATION)
-    tolerance = numerics.tolerance or TOLERANCE[numerics.accuracy]
+    r_end = math.sqrt(numerics.stopping_inclination(disk))
     loads = resistance(getattr(scene, "dissipation", None), disk)
-    system = RollingDisk(law_of(disk, scene.friction), loads, r_end, integrate, tolerance)
+    system = RollingDisk(law_of(disk, scene.friction), loads, r_end, integrate, numerics.chosen_tolerance)
     now = 0.0
 
     def watched(tau, y):
@@ -59,14 +56,8 @@ def simulate(scene, watch=lambda t, inclination: None) -> Motion:
 
 
 def chosen_integrator(name: str):
-    """Return name and flow of the integrator asked for; 'auto' takes heyoka's Taylor series where it is installed.
-
-    Raises ValueError where 'taylor' is asked for and heyoka is missing.
-    """
-    if name == "auto":
-        name = "taylor" if find_spec("heyoka") else "dop853"
-    if name == "taylor" and not find_spec("heyoka"):
-        raise ValueError("numerics.integrator = 'taylor' needs heyoka, which is not installed: use 'dop853'")
+    """Return name and flow of the integrator asked for, see `integrator_of`; nothing else is imported."""
+    name = integrator_of(name)
     return name, import_module(f".{name}", __package__).advance
 
 

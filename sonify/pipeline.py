@@ -60,9 +60,7 @@ def solve(scene: Scene | str | Path, accuracy: str | None = None, stages: Stages
     with stages.stage("modes"):
         plan, modes = planned(scene)
     with stages.stage("motion") as watch:
-        motion = solve_motion(
-            plan.scene(scene), lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}")
-        )
+        motion = solve_motion(scene, lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}"))
     with stages.stage("sound") as watch:
         sound = Renderer(scene, motion, modes, plan.voices, plan.calm).sound(watch)
     with stages.stage("findings"):

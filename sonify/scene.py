@@ -13,8 +13,9 @@ from typing import Annotated
 from annotated_types import Ge, Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from dynamics.disk import Disk, Friction, Numerics, Release, Surface
+from dynamics.disk import Disk, Friction, Release, Surface
 from dynamics.dissipation import Dissipation
+from dynamics.numerics import Numerics
 from modal.modes import Material, Support
 from sonify.scene_errors import SceneError, explain
 

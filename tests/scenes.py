@@ -5,20 +5,10 @@ from math import degrees, inf, sin
 
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
+from dynamics.numerics import Numerics
 from dynamics.steady import steady_precession
 
 RADIUS = 0.03755
-
-
-@dataclass(frozen=True, kw_only=True)
-class Numerics:
-    """What `simulate` reads of a scene's numerics."""
-
-    accuracy: str = "standard"
-    integrator: str = "auto"
-    tolerance: float | None = None
-    final_inclination: float | None = None
-    time_limit: float = 600.0
 
 
 @dataclass(frozen=True, kw_only=True)

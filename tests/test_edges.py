@@ -174,7 +174,7 @@ def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
 
 
 def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):
-    monkeypatch.setattr("dynamics.simulation.find_spec", lambda name: None)
+    monkeypatch.setattr("dynamics.numerics.find_spec", lambda name: None)
     assert chosen_integrator("auto")[0] == "dop853"
     assert simulate(scene({"time_limit": 0.1})).integrator == "dop853"
     with pytest.raises(ValueError, match="needs heyoka, which is not installed"):

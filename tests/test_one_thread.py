@@ -38,21 +38,18 @@ def two_threads():
 
 
 class Asked(Exception):
-    """The scene was asked for its disk, with so many threads."""
+    """The work begins, with so many threads."""
 
 
-class Asking:
-    numerics = None
-
-    @property
-    def disk(self):
-        raise Asked(blas_threads())
+def ask(*_):
+    raise Asked(blas_threads())
 
 
-@pytest.mark.parametrize("door", [eigenmodes, run])
-def test_one_thread_inside_and_as_many_as_before_outside(door):
+@pytest.mark.parametrize(("door", "work"), [(eigenmodes, "modal.solve.check"), (run, "sonify.pipeline.planned")])
+def test_one_thread_inside_and_as_many_as_before_outside(door, work, scene, monkeypatch):
+    monkeypatch.setattr(work, ask)
     with pytest.raises(Asked) as asked:
-        door(Asking())
+        door(scene)
     assert asked.value.args == ({1},)
     assert blas_threads() == {2}
 

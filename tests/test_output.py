@@ -58,6 +58,11 @@ def result(tmp_path_factory):
     return run(load_scene("published"), out=tmp_path_factory.mktemp("run") / "published")
 
 
+def test_a_scene_has_one_motion_through_run_and_through_simulate(result, motion):
+    one, other = (found.path for found in (result.motion, motion))
+    assert (one.x.tobytes(), one.c.tobytes()) == (other.x.tobytes(), other.c.tobytes())
+
+
 @pytest.fixture(scope="module")
 def record(result):
     def refuse(value):

@@ -22,7 +22,7 @@ taylor = pytest.param("taylor", marks=pytest.mark.skipif(not find_spec("heyoka")
 
 @pytest.fixture(scope="module", params=[taylor, "dop853"])
 def motion(request):
-    return simulate(scene({"integrator": request.param}))
+    return simulate(scene({"integrator": request.param, "final_inclination": 1e-10}))
 
 
 def samples(motion, last):

@@ -13,11 +13,12 @@ from pathlib import Path
 import numpy as np
 from matplotlib.figure import Figure
 
+from dynamics import simulate
+from dynamics.numerics import LEVELS
 from sonify.charts.chart import DPI, MARKERS
 from sonify.charts.records import Answer, Record, Work, measure
 from sonify.files import whole
-from sonify.pipeline import planned, solve_motion
-from sonify.plan.accuracy import LEVELS
+from sonify.pipeline import planned
 from sonify.plan.predictions import SOUND, audible_error, level_error
 from sonify.scene import load_scene
 from sonify.sound.render import Renderer
@@ -90,7 +91,8 @@ def render(scene, choice) -> Answer:
     plan, modes = planned(scene)
     if choice:
         plan, modes = CHOICES[choice](plan, modes, planned(scene.replace("numerics.accuracy=draft")))
-    motion = solve_motion(plan.scene(scene), lambda *_: None)
+    numerics = replace(scene.numerics, tolerance=plan.tolerance, final_inclination=plan.final_inclination)
+    motion = simulate(replace(scene, numerics=numerics))
     renderer = Renderer(scene, motion, modes, plan.voices, plan.calm)
     if choice == "jumps spread over a sample":
         renderer.sampler = JumpsOnGrid(renderer.sampler)

@@ -5,9 +5,10 @@ from math import inf
 
 import numpy as np
 
+from dynamics.numerics import HIGHEST_HEARD
 from dynamics.rates import nutation_frequency, precession_rate, slips
 
-HEARING = (20.0, 20e3)
+HEARING = (20.0, HIGHEST_HEARD)
 """What is called audible [Hz]."""
 FIGURE_4 = 2.5, 214.6
 """The frequency of the normal force that the paper names, over 1/chi, and when its disk reaches it, over chi."""

@@ -5,11 +5,9 @@ from math import pi
 
 import numpy as np
 
-from dynamics.simulation import chosen_integrator
+from dynamics.numerics import HIGHEST_HEARD, LEVELS, integrator_of
 from dynamics.steady import flat_square
-from sonify.claims.motion import HEARING
-from sonify.plan.accuracy import LEVELS
-from sonify.plan.predictions import LAST_INCLINATION, Prediction, predicted_end, predicted_frequencies, predicted_sound
+from sonify.plan.predictions import Prediction, predicted_end, predicted_frequencies, predicted_sound
 from sonify.sound.force import STRIDE
 
 ENERGY_SHARE = 0.01
@@ -49,20 +47,14 @@ class Plan:
         """Return the predicted error of that name; of the reference 0, since what it lacks is not known from within."""
         return next((p.error for p in self.predictions if p.name == name), 0.0)
 
-    def scene(self, scene):
-        """Return the scene with the numerics of the plan in it."""
-        numerics = replace(scene.numerics, tolerance=self.tolerance, final_inclination=self.final_inclination)
-        return replace(scene, numerics=numerics)
-
 
 def plan_of(scene) -> Plan:
     """Return the plan of a scene as far as it can be made before its modes are known. What the scene sets, stands."""
-    level, heard = LEVELS[scene.numerics.accuracy], min(HEARING[1], scene.audio.sample_rate / 2)
-    integrator, _ = chosen_integrator(scene.numerics.integrator)
-    tolerance = scene.numerics.tolerance or getattr(level, integrator)
-    final = scene.numerics.final_inclination or stopping_inclination(scene.disk, heard * level.beyond)
+    numerics, heard = scene.numerics, min(HIGHEST_HEARD, scene.audio.sample_rate / 2)
+    integrator, level = integrator_of(numerics.integrator), numerics.level
+    tolerance, final = numerics.chosen_tolerance, numerics.stopping_inclination(scene.disk)
     return Plan(
-        accuracy=scene.numerics.accuracy,
+        accuracy=numerics.accuracy,
         tolerance=tolerance,
         final_inclination=final,
         highest_mode=heard,
@@ -72,8 +64,8 @@ def plan_of(scene) -> Plan:
             Decision(
                 subject="where the motion may stop",
                 choice=f"at an inclination of {final:.2g} rad",
-                reason=f"the contact turns there {contact_rate(scene.disk, final):.3g} times a second; {heard:g} Hz is "
-                "the highest rate that is heard or fits the samples",
+                reason=f"the contact turns there {contact_rate(scene.disk, final):.3g} times a second; "
+                f"{HIGHEST_HEARD:g} Hz is the highest rate that is heard",
             ),
             Decision(subject="disk and table", choice="rigid in the motion", reason="surface.kind = 'rigid'"),
             Decision(
@@ -88,13 +80,13 @@ def plan_of(scene) -> Plan:
             ),
             damping(scene.material),
         ),
-        predictions=() if scene.numerics.accuracy == "reference" else (predicted_end(scene, final),),
+        predictions=() if numerics.accuracy == "reference" else (predicted_end(scene, final),),
         modelled=("A rigid disk rolls and slides on a rigid plane.", CONTACT[scene.support.kind], *HEARD),
         left_out=(
             *LEFT_OUT,
             *WALL[scene.disk.shape],
             f"The sound of modes above {heard:g} Hz.",
-            *(NOT_IN_A_DRAFT if scene.numerics.accuracy == "draft" else []),
+            *(NOT_IN_A_DRAFT if numerics.accuracy == "draft" else []),
         ),
     )
 
@@ -151,13 +143,6 @@ def damping(material) -> Decision:
         choice=f"the first {given} as measured, the others " * bool(given) + "by loss factor and radiation upwards",
         reason="material.decay_rates" if given else "some modes lose a third as much to the air as in the material",
     )
-
-
-def stopping_inclination(disk, rate: float) -> float:
-    """Return the inclination [rad] at which the contact of a steady disk turns `rate` times a second (dynamics.theory,
-    `flat_square`), but not below LAST_INCLINATION."""
-    square = flat_square(disk.aspect, disk.gyration) / disk.time_unit**2
-    return max(square / (2 * pi * rate) ** 2, LAST_INCLINATION)
 
 
 def contact_rate(disk, inclination: float) -> float:

@@ -5,14 +5,12 @@ from math import isfinite, pi
 
 import numpy as np
 
+from dynamics.numerics import LAST_INCLINATION
 from dynamics.time_left import time_left
 from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, a_weighting_db, band_levels
 from sonify.hearing.source import source_of, stretch
 from sonify.hearing.spectrogram import spectrogram
-from sonify.plan.accuracy import LEVELS
 
-LAST_INCLINATION = 1e-10
-"""Nothing is solved below this [rad]."""
 END = "the end of the motion, if the disk settles"
 FREQUENCIES = "frequencies of the modes, median"
 SOUND = "samples of the sound, A-weighted"
@@ -56,7 +54,7 @@ def predicted_sound(scene, modes, loudness) -> Prediction:
     apart = 2 * pi * modes.frequency * true_error(scene, modes)
     square = apart**2
     lost = 2 * np.divide(square, square + 4 * modes.decay_rate**2, out=np.zeros_like(square), where=square > 0)
-    unheard = 10 ** (-LEVELS[scene.numerics.accuracy].range_db / 10)
+    unheard = 10 ** (-scene.numerics.level.range_db / 10)
     return Prediction(
         name=SOUND,
         error=float(np.sqrt((loudness @ lost) / (loudness.sum() or 1.0) + unheard)),
@@ -67,7 +65,7 @@ def predicted_sound(scene, modes, loudness) -> Prediction:
 
 def true_error(scene, modes) -> np.ndarray:
     """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
-    level = LEVELS[scene.numerics.accuracy]
+    level = scene.numerics.level
     return modes.error * (level.free if scene.support.kind == "free" else level.patch)
 
 
