@@ -86,6 +86,11 @@ class Motion:
     outcome: Outcome
     integrator: str
 
+    def __repr__(self):
+        """In one line."""
+        end = self.path.x[-1] * self.disk.time_unit
+        return f"Motion({end:.6g} s, {self.outcome.name}, {len(self.transitions)} transitions, {self.integrator})"
+
     @cached_property
     def t(self) -> np.ndarray:
         """Ends of the pieces of the solution, (n,) [s], from 0 to the end of the motion."""
@@ -162,6 +167,8 @@ class Motion:
 
     def _tau(self, t):
         tau = np.atleast_1d(np.asarray(t, dtype=float)) / self.disk.time_unit
+        if tau.ndim > 1:
+            raise ValueError(f"t must be a time or a row of times [s], not an array of shape {tau.shape}")
         end = self.path.x[-1]
         if tau.size and not (tau.min() >= 0 and tau.max() <= end * (1 + 1e-14)):
             raise ValueError(f"t must lie within the motion, 0 to {end * self.disk.time_unit:.9g} s")

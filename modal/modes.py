@@ -131,6 +131,11 @@ class Modes:
     def __len__(self):
         return len(self.frequency)
 
+    def __repr__(self):
+        """In one line."""
+        span = f", {self.frequency[0]:.6g} to {self.frequency[-1]:.6g} Hz" if len(self) else ""
+        return f"Modes({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
+
     @property
     def decay_time(self) -> np.ndarray:
         """T60 (m,) [s]: time in which a mode falls by 60 dB; infinite without losses."""

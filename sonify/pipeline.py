@@ -49,6 +49,22 @@ class Result:
         """Whether every self-check passed."""
         return all(check.passed for check in self.checks)
 
+    def plot(self, name: str = "spectrogram"):
+        """Return the picture of that name (spectrogram, stems, motion, modes), which a notebook shows; a PIL image."""
+        from sonify.report.pictures import picture  # drawing loads slowly
+
+        return picture(self, name)
+
+    def __repr__(self):
+        from sonify.report.page import in_words
+
+        return in_words(self)
+
+    def _repr_html_(self):
+        from sonify.report.page import in_a_notebook
+
+        return in_a_notebook(self)
+
 
 @one_blas_thread
 def solve(scene: Scene | str | Path, accuracy: str | None = None, stages: Stages | None = None) -> Result:

@@ -120,6 +120,24 @@ def test_a_summary_is_a_row_of_plain_values_under_stable_keys(result, record):
     assert {"contact_kept", "energy_balance", "seconds_motion"} <= row.keys()
 
 
+def test_a_result_shows_itself_in_a_few_lines(result):
+    assert len(repr(result).splitlines()) <= 6
+    parts = (result, result.plan, result.motion, result.modes, result.sound, *result.findings, *result.checks)
+    assert max(len(line) for part in parts for line in repr(part).splitlines()) <= 160
+    page = result._repr_html_()
+    assert page.count("<audio") == 1
+    assert all(finding.claim[:20] in page for finding in result.findings)
+    assert np.ptp(np.asarray(result.plot("motion"))) > 0
+    with pytest.raises(ValueError, match="'song': it is one of spectrogram, stems, motion, modes"):
+        result.plot("song")
+
+
+@pytest.mark.parametrize("t", [[[0.0, 1.0]], [-1.0], [float("nan")], [1e9]])
+def test_a_motion_is_not_asked_for_what_is_no_time_of_it(result, t):
+    with pytest.raises(ValueError, match="t must"):
+        result.motion.at(t)
+
+
 def test_run_json_says_what_was_done(result, record):
     assert record["scene"]["disk"]["mass"] == 0.4387
     assert record["outcome"]["name"] == "SETTLED"

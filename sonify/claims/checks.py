@@ -21,6 +21,9 @@ class Check:
     source: str
     one_sided: bool = False
 
+    def __repr__(self):
+        return f"Check({self.key}: {'ok' if self.passed else 'FAILED'}, {self.value:.4g}, {self.expectation})"
+
     @property
     def passed(self) -> bool:
         """Whether the value is a number and near enough."""

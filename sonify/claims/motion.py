@@ -32,6 +32,9 @@ class Finding:
     margin: float = 0.0
     source: str
 
+    def __repr__(self):
+        return f"Finding({self.key}: {self.answer}, {self.value:.5g} {self.unit})"
+
     @property
     def holds(self) -> bool:
         """Whether the claim stands."""

@@ -37,6 +37,10 @@ class RisingTone:
     frequency: np.ndarray
     level: np.ndarray
 
+    def __repr__(self):
+        about = f"{self.scale:.4g} Hz ({self.end:.3f} s - t)^-{self.exponent:.3f}"
+        return f"RisingTone({about}, {self.strength:.0f} dB, {len(self.time)} frames)"
+
     def at(self, t) -> np.ndarray:
         """Return the fitted frequency [Hz] at times t < end [s]."""
         return self.scale * (self.end - np.asarray(t)) ** -self.exponent

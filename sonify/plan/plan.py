@@ -43,6 +43,12 @@ class Plan:
     modelled: tuple[str, ...]
     left_out: tuple[str, ...]
 
+    def __repr__(self):
+        """In one line; the sentences are in the fields."""
+        voices = "" if self.voices is None else f", {len(self.voices)} modes sound"
+        motion = f"motion to {self.final_inclination:.2g} rad at tolerance {self.tolerance:g}"
+        return f"Plan({self.accuracy}: {motion}, modes below {self.highest_mode:g} Hz{voices})"
+
     def error(self, name: str) -> float:
         """Return the predicted error of that name; of the reference 0, since what it lacks is not known from within."""
         return next((p.error for p in self.predictions if p.name == name), 0.0)

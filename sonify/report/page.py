@@ -22,21 +22,42 @@ MOST_EMBEDDED = 100_000_000
 
 def write(result, path: Path):
     """Write the page of a result, with everything it shows inside, but not a sound of hours."""
-    page = Environment(loader=PackageLoader("sonify.report"), autoescape=True).get_template("report.html")
-    text = page.render(
-        result=result,
-        zip=zip,
-        sound=playable(result.out / "sound.wav"),
-        audible=compressed(result.sound.audible),
-        below=energy_below(result.sound.pressure, 100.0, 300.0),
-        pictures=[
-            (embedded(result.out / name, "image/png"), caption)
-            for name, caption in PICTURES.items()
-            if (result.out / name).exists()
-        ],
+    text = (
+        _templates()
+        .get_template("report.html")
+        .render(
+            result=result,
+            zip=zip,
+            sound=playable(result.out / "sound.wav"),
+            audible=compressed(result.sound.audible),
+            below=energy_below(result.sound.pressure, 100.0, 300.0),
+            pictures=[
+                (embedded(result.out / name, "image/png"), caption)
+                for name, caption in PICTURES.items()
+                if (result.out / name).exists()
+            ],
+        )
     )
     with whole(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
+
+
+def _templates():
+    return Environment(loader=PackageLoader("sonify.report"), autoescape=True)
+
+
+def in_words(result) -> str:
+    """Return a result in a few lines."""
+    yes, passed = (sum(one) for one in ([f.holds for f in result.findings], [c.passed for c in result.checks]))
+    head = f"{result.scene.name}: {result.motion.outcome.sentence}"
+    count = f"{passed} of {len(result.checks)} self-checks passed; {yes} of {len(result.findings)} claims stand"
+    return "\n".join([head, *map(repr, (result.plan, result.modes, result.motion, result.sound)), count])
+
+
+def in_a_notebook(result) -> str:
+    """Return a result as a piece of HTML: the sound to play, and the verdict on every claim."""
+    template = _templates().get_template("notebook.html")
+    return template.render(result=result, audible=compressed(result.sound.audible), words=in_words(result))
 
 
 def playable(path: Path) -> str:

@@ -1,5 +1,10 @@
 """PICTURES: what was solved and what is heard, each readable without colour."""
 
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from PIL import Image
+
 from sonify.files import whole
 from sonify.report.mode_shapes import draw_modes
 from sonify.report.motion import draw_motion
@@ -7,13 +12,35 @@ from sonify.report.sound import draw_spectrogram, draw_stems
 
 
 def draw_all(result):
-    """Draw every picture of a run into its folder; in a draft not that of the stems, and the modes from above only."""
-    whole_story = result.plan.accuracy != "draft"
-    draw_spectrogram(result.motion, result.modes, result.sound, result.out / "spectrogram.png")
-    if whole_story:
-        draw_stems(result.sound, result.out / "stems.png")
-    else:
-        (result.out / "stems.png").unlink(missing_ok=True)  # that of another run
-    draw_motion(result.motion, result.out / "motion.png")
-    with whole(result.out / "modes.png") as temporary:
-        draw_modes(result.modes, temporary, slanted=whole_story, support=result.scene.support)
+    """Draw every picture of a run into its folder; in a draft not that of the stems."""
+    for name, draw in PICTURES.items():
+        path = result.out / f"{name}.png"
+        if name == "stems" and result.plan.accuracy == "draft":
+            path.unlink(missing_ok=True)  # that of another run
+        else:
+            draw(result, path)
+
+
+def picture(result, name: str) -> Image.Image:
+    """Return one of the PICTURES of a result, which a notebook shows. Raises ValueError for another name."""
+    if name not in PICTURES:
+        raise ValueError(f"there is no picture {name!r}: it is one of {', '.join(PICTURES)}")
+    with TemporaryDirectory() as folder:
+        PICTURES[name](result, Path(folder) / "picture.png")
+        with Image.open(Path(folder) / "picture.png") as image:
+            return image.convert("RGB")
+
+
+def _modes(result, path):
+    """The modes of a draft are seen from above only."""
+    with whole(path) as temporary:
+        draw_modes(result.modes, temporary, result.plan.accuracy != "draft", result.scene.support)
+
+
+PICTURES = {
+    "spectrogram": lambda result, path: draw_spectrogram(result.motion, result.modes, result.sound, path),
+    "stems": lambda result, path: draw_stems(result.sound, path),
+    "motion": lambda result, path: draw_motion(result.motion, path),
+    "modes": _modes,
+}
+"""By name, what draws the picture of a result into a PNG file."""

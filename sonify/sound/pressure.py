@@ -28,6 +28,9 @@ class Track:
     columns: object
     column: int
 
+    def __repr__(self):
+        return f"Track({COLUMNS[self.column]}, {self.frames} samples at {self.sample_rate} Hz)"
+
     @property
     def frames(self) -> int:
         """Number of samples."""
@@ -71,7 +74,9 @@ class Sound:
         return {name: self.track(name) for name in STEMS}
 
     def track(self, name: str) -> Track:
-        """Return one of the COLUMNS by its name."""
+        """Return one of the COLUMNS by its name. Raises ValueError for another one."""
+        if name not in COLUMNS:
+            raise ValueError(f"there is no track {name!r}: it is one of {', '.join(COLUMNS)}")
         return Track(sample_rate=self.sample_rate, columns=self.columns, column=COLUMNS.index(name))
 
     @property
