@@ -8,7 +8,6 @@ import soundfile
 from jinja2 import Environment, PackageLoader
 
 from sonify.files import whole
-from sonify.sound.listening import energy_below
 
 PICTURES = {
     "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
@@ -30,7 +29,6 @@ def write(result, path: Path):
             zip=zip,
             sound=playable(result.out / "sound.wav"),
             audible=compressed(result.sound.audible),
-            below=energy_below(result.sound.pressure, 100.0, 300.0),
             pictures=[
                 (embedded(result.out / name, "image/png"), caption)
                 for name, caption in PICTURES.items()

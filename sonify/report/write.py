@@ -13,7 +13,6 @@ from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
 from sonify.files import whole
 from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
-from sonify.sound.listening import energy_below
 
 NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
@@ -72,7 +71,7 @@ def run_record(result) -> dict:
             "loudness_lufs": loudness(sound.copy),
             "roughness": "not in a draft" if result.plan.accuracy == "draft" else roughness_before(sound),
             "stem_peak_pascal": sound.stem_peak,
-            "energy_below_100_hz_300_hz": energy_below(sound.pressure, 100.0, 300.0),
+            "energy_below_100_hz_300_hz": sound.low_share,
             "audible_full_scale_pascal": sound.audible.full_scale,
             "audible_loudness_lufs": loudness(sound.audible),
         },
@@ -88,6 +87,7 @@ def summary(result) -> dict:
     whether it holds or passed; the seconds of each stage."""
     row = {"outcome": result.motion.outcome.name, "t_end": float(result.motion.t[-1]), "passed": result.passed}
     row |= {"sound_seconds": result.sound.duration, "peak_pascal": result.sound.peak}
+    row |= dict(zip(("energy_below_100_hz", "energy_below_300_hz"), result.sound.low_share, strict=True))
     for finding in result.findings:
         row |= {finding.key: finding.value, f"{finding.key}_holds": finding.holds}
     for check in result.checks:

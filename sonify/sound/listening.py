@@ -70,11 +70,11 @@ def true_peak(source) -> float:
     return float(max(tops, default=0.0))
 
 
-def energy_below(track, *limits) -> list[float]:
+def energy_below(track, *limits) -> tuple[float, ...]:
     """Return the shares of the energy of a track below frequencies [Hz]."""
     seen = spectrogram(track, 0.2)
     total = seen.power.sum(axis=1, dtype=float)
-    return [float(total[seen.frequency < limit].sum() / (total.sum() or inf)) for limit in limits]
+    return tuple(float(total[seen.frequency < limit].sum() / (total.sum() or inf)) for limit in limits)
 
 
 def a_weighting(rate: float) -> np.ndarray:

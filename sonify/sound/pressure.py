@@ -7,7 +7,7 @@ from tempfile import TemporaryFile
 
 import numpy as np
 
-from sonify.sound.listening import Copy, audible
+from sonify.sound.listening import Copy, audible, energy_below
 
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 """The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring after its jumps."""
@@ -128,6 +128,11 @@ class Sound:
     def audible(self) -> Copy:
         """What audible.wav holds: the pressure A-weighted and made loud."""
         return audible(self.pressure)
+
+    @cached_property
+    def low_share(self) -> tuple[float, ...]:
+        """The shares of the energy of the pressure below 100 and below 300 Hz, which small loudspeakers hardly play."""
+        return energy_below(self.pressure, 100.0, 300.0)
 
     def __repr__(self):
         return (
