@@ -1,11 +1,15 @@
-"""Scenes for the tests of the motion: the published one, with the changes a test asks for."""
+"""Scenes for the tests of the motion: the published one, with the changes a test asks for; and how a motion ends."""
 
 from dataclasses import dataclass
-from math import degrees, inf, sin
+from math import degrees, inf, pi, sin, sqrt
 
+import pytest
+
+from dynamics import Outcome
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
 from dynamics.numerics import Numerics
+from dynamics.regime import FALLING
 from dynamics.steady import steady_precession
 
 RADIUS = 0.03755
@@ -50,3 +54,15 @@ def whirling(inclination, disk=None, **changes) -> Scene:
     in_plane = rate * sin(inclination)
     release = {"inclination_deg": degrees(inclination), "omega": (0.0, body.aspect * in_plane, in_plane)}
     return conservative(release=release, disk=disk, **changes)
+
+
+def proves_its_outcome(motion, limit) -> bool:
+    """Tell whether the last state is what the outcome says; KeyError where a motion ended for want of a solution."""
+    (_, beta, *_), nutation = motion.state[-1], motion.state[-1, 5] * motion.disk.time_unit
+    return {
+        Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),
+        Outcome.SETTLED: beta < 1e-8,
+        Outcome.FELL: nutation / sqrt(beta) == pytest.approx(FALLING, rel=1e-9),
+        Outcome.LIFTED_OFF: motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-9),
+        Outcome.UPRIGHT: beta == pytest.approx(pi / 2, rel=1e-9),
+    }[motion.outcome]

@@ -92,17 +92,17 @@ def test_a_step_and_its_dense_output_are_those_of_scipy():
 
 
 def test_the_error_falls_with_the_eighth_power_of_the_step():
-    flow, _, numbers = flow_of(sliding=False)
+    (flow, _, numbers), span = flow_of(sliding=False), 1.0
 
     def end(steps):
         y = STATE
         for _ in range(steps):
-            y = integrate(flow, y, numbers, 0, 0.64 / steps, 1.0)[2]
+            y = integrate(flow, y, numbers, 0, span / steps, 1.0)[2]
         return y
 
-    exact = end(128)
-    errors = [np.abs(end(n) - exact).max() for n in (6, 9, 12)]
-    assert np.polyfit(np.log([6, 9, 12]), np.log(errors), 1)[0] == pytest.approx(-8, abs=0.6)
+    exact, steps = end(256), [12, 14, 16, 18]
+    errors = [np.abs(end(n) - exact).max() for n in steps]
+    assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(-8, abs=0.1)
 
 
 def test_it_stops_where_a_guard_falls_through_zero():

@@ -300,7 +300,10 @@ def test_a_full_disk_leaves_no_half_wav(tmp_path):
 
 def test_the_readme_tells_the_numbers_of_the_published_run(result):
     """What the README says of the last second and of the end of one-way coupling is what the run finds."""
-    told, found = Path("README.md").read_text(encoding="utf-8"), {f.claim: f.value for f in result.findings}
+    told, found = (
+        (Path(__file__).parent.parent / "README.md").read_text(encoding="utf-8"),
+        {f.claim: f.value for f in result.findings},
+    )
     low, high = map(int, re.search(r"ringing is (\d+) to (\d+) dB\(A\) below", told).groups())
     assert low < -found["The vibration of the modes is what is heard in the last second"] < high
     milliseconds = int(re.search(r"some (\d+) ms before the\s+end the modes hold", told).group(1))

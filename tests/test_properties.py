@@ -13,9 +13,10 @@ import pytest
 from arithmetic import gamma
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
-from scenes import scene
+from scenes import proves_its_outcome, scene
 
-from dynamics import ImpossibleContactError, Outcome, simulate
+from dynamics import ImpossibleContactError, simulate
+from dynamics.switching import START
 
 needs_heyoka = pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 arms = st.one_of(st.just(0.0), st.floats(1e-5, 0.05))
@@ -49,9 +50,10 @@ def solved(wanted):
 @given(scenes())
 def test_energy_load_and_cone(wanted):
     motion = solved(wanted)
-    assert motion.outcome in Outcome
+    assert proves_its_outcome(motion, wanted.numerics.time_limit)
     energy = motion.energy(motion.t)
-    assert np.diff(energy).max(initial=0.0) <= gamma(50) * energy[0]
+    bar = gamma(50) + 50 * START**3  # round-off, and the first step of a slide from rest
+    assert np.diff(energy).max(initial=0.0) <= bar * energy[0]
     assert np.ptp(energy + motion.state[:, 10]) <= 1e-10 * energy[0]
     force = motion.force((motion.t[1:] + motion.t[:-1]) / 2)
     weight = motion.disk.weight
@@ -82,7 +84,7 @@ def test_both_integrators_agree(wanted):
 def test_each_order_of_the_series_gains_e_squared_through_transitions():
     """Steps of radius/e^2 make the error of order p fall as exp(-2 p); events must not spoil it."""
     chi = scene().disk.time_unit
-    t = np.array([12.0, 28.0, 39.9]) * chi
+    t = np.linspace(1, 39.9, 60) * chi
 
     def run(tolerance):
         return simulate(scene({"integrator": "taylor", "tolerance": tolerance, "time_limit": 40 * chi}))
@@ -90,9 +92,10 @@ def test_each_order_of_the_series_gains_e_squared_through_transitions():
     exact = run(1e-16)
     assert len({s.guard for s in exact.transitions}) >= 3
     orders, errors = [], []
-    for tolerance in (1e-9, 1e-10, 1e-11, 1e-12):
+    for tolerance in (1e-6, 3e-7, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11):
         motion = run(tolerance)
         orders.append(motion.path.c.shape[0] - 1)
         errors.append(sqrt(np.mean((motion.at(t)[:, 1] - exact.at(t)[:, 1]) ** 2)))
     slope = np.polyfit(orders, np.log(errors), 1)[0]
-    assert -3.4 < slope < -1.8
+    assert orders == list(range(8, 15))
+    assert slope == pytest.approx(-2.2, abs=0.2)

@@ -56,8 +56,9 @@ def test_times_and_loads_of_the_transitions(motion):
     chi = motion.disk.time_unit
     ours = [s for s in motion.transitions if s.before != s.after]
     unit = motion.disk.mass * motion.disk.radius / chi**2
-    jumps = motion.jumps
-    for got, want in zip(ours, REFERENCE["transitions"], strict=False):
+    jumps, known = motion.jumps, REFERENCE["transitions"]
+    assert len(known) == 8
+    for got, want in zip(ours[: len(known)], known, strict=True):
         assert f"{got.before}->{got.after}" == want["kind"]
         assert got.t / chi == pytest.approx(want["tau"], abs=1e-9)
         i = np.argmin(np.abs(jumps.t - got.t))
