@@ -3,6 +3,8 @@ from .disk import Friction as Friction
 from .disk import Release as Release
 from .disk import Surface as Surface
 from .dissipation import Dissipation as Dissipation
+from .dissipation import OwnLaw as OwnLaw
+from .equations import Loads as Loads
 from .motion import Motion as Motion
 from .motion import Outcome as Outcome
 from .motion import Transition as Transition

@@ -100,6 +100,25 @@ class Resistance(NamedTuple):
         return *chain(*self.powers), self.viscous_moment, self.viscous_force
 
 
+class OwnLaw:
+    """A law of dissipation of your own: a frozen dataclass that derives from this and is called as `Resistance` is.
+
+    Its numbers are compiled in. sonify/examples/own_dissipation.py shows one.
+    """
+
+    is_singular = False
+    numbers: tuple[float, ...] = ()
+
+    @property
+    def shape(self) -> "OwnLaw":
+        """What a compiled flow depends on: all of it."""
+        return self
+
+    def filled(self, _: object) -> "OwnLaw":
+        """Return the law, from whose shape no number is missing."""
+        return self
+
+
 def resistance(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:
     """Return the dimensionless loads of a scene, None where there are none."""
     if dissipation is None:

@@ -6,6 +6,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.interpolate import PPoly
 
 from .disk import Disk
@@ -101,14 +102,14 @@ class Motion:
         """The state at `t`, (n, 11), with the columns COLUMNS."""
         return read_only(self.at(self.t))
 
-    def at(self, t) -> np.ndarray:
+    def at(self, t: ArrayLike) -> np.ndarray:
         """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses.
 
         Raises ValueError for times outside the motion.
         """
         return self._columns(self.path(self._tau(t)))
 
-    def force(self, t) -> np.ndarray:
+    def force(self, t: ArrayLike) -> np.ndarray:
         """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
 
         It comes from the balance laws that the integrator solved (4.6), (5.2), never from differences. At a jump it is
@@ -116,7 +117,7 @@ class Motion:
         """
         return self.at_and_force(t)[1]
 
-    def at_and_force(self, t) -> tuple[np.ndarray, np.ndarray]:
+    def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation; ValueError for times outside the motion."""
         tau = self._tau(t)
         state, force = np.empty((len(tau), len(COLUMNS))), np.empty((len(tau), 3))
@@ -126,15 +127,15 @@ class Motion:
             state[some], force[some] = self._columns(y), self._force(y, self._piece(tau[some]))
         return state, force
 
-    def bandwidth(self, state) -> np.ndarray:
+    def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11); (2.3)."""
         return HARMONICS / (2 * np.pi) * np.abs(state[:, 7] / np.sin(state[:, 1]))
 
-    def normal_load(self, t) -> np.ndarray:
+    def normal_load(self, t: ArrayLike) -> np.ndarray:
         """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""
         return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
 
-    def energy(self, t) -> np.ndarray:
+    def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
         tau = self._tau(t)
         return energy(self.path(tau).T, self.law) * self._unit_of_energy
@@ -143,7 +144,7 @@ class Motion:
         """Return by how much [J] the dissipated energy ever falls, from any instant to any later one."""
         return largest_fall(self.path.c[..., DISSIPATED], self.path.x) * self._unit_of_energy
 
-    def regime(self, t) -> np.ndarray:
+    def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""
         names = np.array([str(regime) for regime in self.regimes])
         return names[self.regime_of_piece[self._piece(self._tau(t))]]

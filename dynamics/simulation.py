@@ -1,18 +1,20 @@
 """From a scene to its motion: `simulate`."""
 
 import math
+from collections.abc import Callable
 from functools import cache
 from importlib import import_module
+from typing import Protocol
 
 import numpy as np
 from scipy.interpolate import PPoly
 
-from .disk import Disk
-from .dissipation import resistance
+from .disk import Disk, Friction, Release
+from .dissipation import OwnLaw, resistance
 from .equations import Law
 from .hybrid import CASCADE, STALLED, StalledError, drive
 from .motion import Motion, Outcome, Transition, read_only
-from .numerics import integrator_of
+from .numerics import Numerics, integrator_of
 from .regime import R
 from .rolling import RollingDisk
 from .switching import ImpossibleContactError
@@ -29,17 +31,34 @@ OUTCOMES = {
 }
 
 
-def simulate(scene, watch=lambda t, inclination: None) -> Motion:
-    """Solve the rigid motion of `scene`, which offers disk, friction, release and numerics.
+class MotionScene(Protocol):
+    """What `simulate` reads of a scene, besides its dissipation where it has one."""
 
-    `watch(t, inclination)` is called on the way. Threads may call this at the same time and share scenes and motions,
-    which nobody changes; every call has integrators of its own. Raises ImpossibleContactError, with time and state,
-    where no contact force satisfies the balance laws.
+    @property
+    def disk(self) -> Disk: ...
+    @property
+    def friction(self) -> Friction: ...
+    @property
+    def release(self) -> Release: ...
+    @property
+    def numerics(self) -> Numerics: ...
+
+
+def simulate(
+    scene: MotionScene,
+    watch: Callable[[float, float], None] = lambda t, inclination: None,
+    loads: OwnLaw | None = None,
+) -> Motion:
+    """Solve the rigid motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
+
+    `watch(t, inclination)` [s, rad] is called on the way. Threads may call this at the same time and share scenes and
+    motions, which nobody changes; every call has integrators of its own. Raises ImpossibleContactError, with time and
+    state, where no contact force satisfies the balance laws.
     """
     disk, numerics = scene.disk, scene.numerics
     name, integrate = chosen_integrator(numerics.integrator)
     r_end = math.sqrt(numerics.stopping_inclination(disk))
-    loads = resistance(getattr(scene, "dissipation", None), disk)
+    loads = loads or resistance(getattr(scene, "dissipation", None), disk)
     system = RollingDisk(law_of(disk, scene.friction), loads, r_end, integrate, numerics.chosen_tolerance)
     now = 0.0
 

@@ -40,7 +40,7 @@ def one(modes, i):
     }
 
 
-def write_vtu(modes: Modes, path) -> None:
+def write_vtu(modes: Modes, path: str | Path) -> None:
     """Write the whole disk [m] with one array of displacement vectors [kg^-1/2] per mode, quadratic cells kept."""
     import meshio
 
@@ -51,7 +51,7 @@ def write_vtu(modes: Modes, path) -> None:
     meshio.write(Path(path), mesh, file_format="vtu")
 
 
-def write_uff(modes: Modes, path) -> None:
+def write_uff(modes: Modes, path: str | Path) -> None:
     """Write the nodes (dataset 15) and one dataset 55, normal modes, per mode; needs the optional package pyuff."""
     try:
         import pyuff
@@ -77,7 +77,7 @@ def dataset_55(modes, i, number, u):
     return kind | place | size | text | {"r1": u[:, 0], "r2": u[:, 1], "r3": u[:, 2]}
 
 
-def as_faust(modes: Modes, angle=0.0, name="disk") -> str:
+def as_faust(modes: Modes, angle: float = 0.0, name: str = "disk") -> str:
     """A Faust program: a force [N], axial at the bottom edge at `angle` [rad], in; velocity [m/s] there out.
 
     The model is that of `as_faust_library`, with sliders for what it is scaled by. ValueError if there is no mode,
@@ -86,7 +86,7 @@ def as_faust(modes: Modes, angle=0.0, name="disk") -> str:
     return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
 
 
-def as_faust_library(modes: Modes, angle=0.0, name="disk") -> str:
+def as_faust_library(modes: Modes, angle: float = 0.0, name: str = "disk") -> str:
     """A Faust library with one function, name(gain, t60_scale, frequency_scale), from force to velocity as `as_faust`.
 
     q'' + 2 d q' + w^2 q = phi F is stepped exactly for a force that is constant between samples: with the pole

@@ -12,6 +12,7 @@ from typing import Annotated, Literal
 import numpy as np
 from annotated_types import Ge, Gt, Le, Lt
 from numpy.polynomial.legendre import legvander
+from numpy.typing import ArrayLike
 
 
 class UnsolvableError(ArithmeticError, ValueError):
@@ -153,7 +154,7 @@ class Modes:
         """participation^2 (m, 6) [kg, kg m^2]; the columns of a held disk add up to its mass and inertia."""
         return self.participation**2
 
-    def select(self, indices) -> "Modes":
+    def select(self, indices: ArrayLike) -> "Modes":
         """The modes of these indices (k,), or a mask (m,), in that order; `partner` is renumbered, -1 if left out."""
         kept = np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
         place = np.full(len(self) + 1, -1)
@@ -164,12 +165,12 @@ class Modes:
         body = replace(self.body, displacement=self.body.displacement[kept])
         return replace(self, **of_a_mode, **names, body=body)
 
-    def at_rim(self, angle) -> np.ndarray:
+    def at_rim(self, angle: ArrayLike) -> np.ndarray:
         """Radial, tangential, axial displacement (m, k, 3) [kg^-1/2] of the bottom edge at angles (k,) [rad]."""
         shape = around(self.rim_shape.transpose(0, 2, 1), np.atleast_1d(angle))
         return np.ascontiguousarray(shape.transpose(0, 2, 1))
 
-    def at_face(self, radius, angle) -> np.ndarray:
+    def at_face(self, radius: ArrayLike, angle: ArrayLike) -> np.ndarray:
         """Axial displacement (m, 2, k) [kg^-1/2] of the bottom (0) and top (1) face at radii [m], angles [rad], (k,).
 
         Fourier's sum of `face_shape` around, the polynomial through its Gauss points in the radius, up to the rim.
@@ -179,7 +180,7 @@ class Modes:
         at, between = (legvander(2 * (r - nodes[0]) / np.ptp(nodes) - 1, degree) for r in (radius, nodes))
         return np.einsum("mfrk,kr->mfk", around(self.face_shape, angle), at @ np.linalg.inv(between))
 
-    def with_decay(self, decay_rate) -> "Modes":
+    def with_decay(self, decay_rate: ArrayLike) -> "Modes":
         """The same modes with other decay rates (m,) or scalar [1/s], as measured on a real disk."""
         decay_rate = np.broadcast_to(np.asarray(decay_rate, float), self.frequency.shape).copy()
         if (decay_rate < 0).any():

@@ -1,5 +1,6 @@
 """What sound takes from the modes: radiation from both faces, each into its own half space."""
 
+from collections.abc import Sequence
 from math import pi
 
 import numpy as np
@@ -41,7 +42,7 @@ def directivity(modes: Modes, sine) -> np.ndarray:
     return 2 * pi * np.einsum("pmfrn,nmcr,r->pnmfc", parts, bessel, modes.face_weight, optimize=True)
 
 
-def radiation_decay(modes: Modes, faces=(BOTTOM, TOP)) -> np.ndarray:
+def radiation_decay(modes: Modes, faces: Sequence[int] = (BOTTOM, TOP)) -> np.ndarray:
     """Decay rate (m,) [1/s] by radiation of `faces`: radiated power over twice the energy of a mode of modal mass 1.
 
     Rayleigh (1896), sections 278 and 302: |p| = rho w |v D|/(2 pi R) with velocity amplitude v = w q, so that
@@ -59,6 +60,6 @@ def radiation_decay(modes: Modes, faces=(BOTTOM, TOP)) -> np.ndarray:
     return AIR_DENSITY * (2 * pi * modes.frequency) ** 2 / (8 * pi**2 * SOUND_SPEED) * power
 
 
-def with_radiation(modes: Modes, faces=(BOTTOM, TOP)) -> Modes:
+def with_radiation(modes: Modes, faces: Sequence[int] = (BOTTOM, TOP)) -> Modes:
     """The modes with the decay by radiation of `faces` added to their material one."""
     return modes.with_decay(modes.decay_rate + radiation_decay(modes, faces))

@@ -1,12 +1,13 @@
 """DISK -> MODES: `eigenmodes(scene)`, which chooses the method that suits the support."""
 
 from math import pi
+from typing import Any, Protocol
 
 from modal.elements import patch as held
 from modal.elements.elastic import mode_count
 from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_held
-from modal.modes import Modes, UnsolvableError
+from modal.modes import Material, Modes, Support, UnsolvableError
 from modal.one_thread import one_blas_thread
 from modal.spectral import axisymmetric
 from modal.spectral.basis import Plate
@@ -52,12 +53,23 @@ def check(disk, support):
         check_held(patch_edge(disk.radius, disk.thickness, support), support.held)
 
 
+class ElasticScene(Protocol):
+    """What `eigenmodes` reads of a scene, besides its numerics.accuracy ("draft", "standard" or "reference") where it
+    has one. The disk has radius, thickness [m], mass [kg], shape and, of a shell, the wall [m]."""
+
+    @property
+    def disk(self) -> Any: ...
+    @property
+    def material(self) -> Material: ...
+    @property
+    def support(self) -> Support: ...
+
+
 @one_blas_thread
-def eigenmodes(scene, below=BELOW) -> Modes:
+def eigenmodes(scene: ElasticScene, below: float = BELOW) -> Modes:
     """The elastic `Modes` below the frequency `below` [Hz] of the disk of a scene.
 
-    Reads scene.disk (radius, thickness [m], mass [kg], shape, of a shell the wall [m]), scene.material, scene.support
-    and, if there is one, scene.numerics.accuracy ("draft", "standard" or "reference"). Raises ValueError if the patch
+    Raises ValueError if the patch
     is taller than the disk or leaves a rigid body free to move, if a shell has no wall or is held, or if `below` is not
     positive; UnsolvableError if there are more than about MOST modes, or if the patch is lost in round-off.
     """

@@ -1,5 +1,8 @@
 __version__: str
 
+from .hearing.recording import Heard as Heard
+from .hearing.recording import RecordingError as RecordingError
+from .hearing.recording import listen as listen
 from .pipeline import Result as Result
 from .pipeline import run as run
 from .pipeline import solve as solve

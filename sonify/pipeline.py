@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dynamics import ImpossibleContactError, Motion, simulate
 from dynamics.simulation import chosen_integrator
@@ -24,6 +25,9 @@ from sonify.sound.audible_modes import after_a_jump
 from sonify.sound.pressure import Sound
 from sonify.sound.render import Renderer
 from sonify.sound.wav import write_sound
+
+if TYPE_CHECKING:
+    from PIL.Image import Image
 
 RECORDS = ("run.json", "report.html")
 """What speaks of the other files; that of an earlier run goes before the first of them is replaced."""
@@ -49,7 +53,7 @@ class Result:
         """Whether every self-check passed."""
         return all(check.passed for check in self.checks)
 
-    def plot(self, name: str = "spectrogram"):
+    def plot(self, name: str = "spectrogram") -> "Image":
         """Return the picture of that name (spectrogram, stems, motion, modes), which a notebook shows; a PIL image."""
         from sonify.report.pictures import picture  # drawing loads slowly
 

@@ -23,7 +23,10 @@ class Key(NamedTuple):
 
 def schema() -> dict:
     """Return the JSON schema of a scene, with which editors complete and check a scene file while it is written."""
-    return {"$schema": DIALECT} | adapter().json_schema()
+    whole = {"$schema": DIALECT} | adapter().json_schema()
+    for section in (whole, *whole["$defs"].values()):
+        section["additionalProperties"] = False
+    return whole
 
 
 def keys() -> list[Key]:

@@ -5,6 +5,7 @@ Oracle: the import statements of every file, and the modules that a fresh interp
 """
 
 import ast
+import inspect
 import pydoc
 import subprocess
 import sys
@@ -81,6 +82,25 @@ def test_what_a_package_offers_is_listed_typed_and_explained(package):
     assert (ROOT / package.__name__ / "py.typed").exists()
     told = pydoc.plain(pydoc.render_doc(package))
     assert all(name in told for name in listed)
+
+
+@pytest.mark.parametrize("package", [dynamics, modal, sonify], ids=lambda package: package.__name__)
+def test_everything_that_a_package_offers_says_what_it_takes_and_gives(package):
+    offered = {name: getattr(package, name) for name in package.__all__}
+    for name, thing in list(offered.items()):
+        offered |= {f"{name}.{own}": plain(value) for own, value in vars(thing).items() if own[0] != "_"}
+    bare = []
+    for name, thing in offered.items():
+        if inspect.isfunction(thing):
+            told = inspect.signature(thing)
+            kinds = [told.return_annotation, *(p.annotation for p in told.parameters.values() if p.name != "self")]
+            bare += [name] * (inspect.Parameter.empty in kinds)
+    assert bare == []
+
+
+def plain(attribute):
+    """The function behind a property, as it stands in the body of a class."""
+    return getattr(attribute, "fget", None) or getattr(attribute, "func", attribute)
 
 
 def test_an_unknown_name_is_an_attribute_error():

@@ -108,7 +108,7 @@ def test_a_file_may_be_read_by_whom_any_new_file_may(tmp_path):
     assert (tmp_path / "ours").stat().st_mode == (tmp_path / "plain").stat().st_mode
 
 
-@pytest.mark.parametrize("name", ["x" * 300, "x/" * 3000])
+@pytest.mark.parametrize("name", ["x" * 300, "x/" * 3000], ids=["name", "depth"])
 def test_a_path_that_is_too_long_is_one_line(tmp_path, name):
     with pytest.raises(OutputError, match="cannot be written"):
         claim(tmp_path / name)

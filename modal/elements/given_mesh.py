@@ -6,6 +6,7 @@ with every cell cut in eight: the finer frequencies are given, their distance fr
 
 from dataclasses import dataclass
 from math import pi
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -17,7 +18,7 @@ from modal.elements.patch import shift_for
 from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import joined
 from modal.mesh.symmetry import check_held, free_unknowns
-from modal.modes import Modes
+from modal.modes import Material, Modes, Support
 
 SAFETY = 1.5
 """Errors are estimated as so many times that distance: where a patch ends, cutting cells no more than halves them."""
@@ -97,7 +98,16 @@ def pairs(level, components, below, shift, exactly=None):
     return values[rigid:], shapes[rigid:], residual[rigid:]
 
 
-def mesh_modes(path, material, density, support, below=24000.0, patch=None, promote=True, refine=True) -> Modes:
+def mesh_modes(
+    path: str | Path,
+    material: Material,
+    density: float,
+    support: Support,
+    below: float = 24000.0,
+    patch: str | None = None,
+    promote: bool = True,
+    refine: bool = True,
+) -> Modes:
     """The `Modes` below `below` [Hz] of the volume mesh in a file; empty if it has none there.
 
     material -- `Material`; density [kg/m^3]; support -- `Support`, whose patch is found by its angle unless `patch`

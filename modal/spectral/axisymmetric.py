@@ -127,7 +127,7 @@ def partners(pair):
     return np.where(same.any(axis=1), same @ np.arange(len(pair)), -1)
 
 
-def plate_modes(plate: Plate, below, accuracy="standard") -> Modes:
+def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes:
     """The `Modes` below `below` [Hz] of an axisymmetric plate; there may be none."""
     limit, found = below, []
     while not found:

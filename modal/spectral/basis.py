@@ -38,12 +38,12 @@ class Plate:
             raise ValueError("a plate has 0 <= inner_radius < radius, a thickness and a density above 0")
 
     @property
-    def mass(self):
+    def mass(self) -> float:
         """Mass [kg]."""
         return self.density * pi * (self.radius**2 - self.inner_radius**2) * self.thickness
 
     @property
-    def hole(self):
+    def hole(self) -> float:
         """Inner over outer radius."""
         return self.inner_radius / self.radius
 

@@ -15,6 +15,7 @@ from scipy.linalg import block_diag, cho_factor, cho_solve, eigh
 from modal.elements.elastic import lame
 from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_held
+from modal.modes import Support
 from modal.spectral.basis import Plate, problem, rigid_count
 from modal.spectral.ritz import matrices
 from modal.synthesis.tractions import STANDARD, Patch, Richness
@@ -69,7 +70,7 @@ class FreeDisk:
             raise ValueError("synthesis is for a solid plate with a free edge and no ring")
 
     @property
-    def cutoff(self):
+    def cutoff(self) -> float:
         """Frequency [Hz] up to which free modes are kept."""
         return self.richness.cutoff * (lame(self.plate.material)[1] / self.plate.density) ** 0.5 / self.plate.radius
 
@@ -100,11 +101,11 @@ class FreeDisk:
         return result
 
     @property
-    def nz(self):
+    def nz(self) -> int:
         """Count of Legendre polynomials of one parity."""
         return self.richness.size[1]
 
-    def frequencies(self, support, below) -> np.ndarray:
+    def frequencies(self, support: Support, below: float) -> np.ndarray:
         """Frequencies (m,) [Hz] below `below` [Hz] of the disk held on a patch (`Support`), all classes, ascending.
 
         ValueError where the patch is not over the whole thickness, or leaves a rigid body free to move.

@@ -6,6 +6,7 @@ from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from platform import platform, python_version
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -13,6 +14,9 @@ from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
 from sonify.files import whole
 from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
+
+if TYPE_CHECKING:
+    from sonify.pipeline import Result
 
 NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
@@ -82,7 +86,7 @@ def run_record(result) -> dict:
     }
 
 
-def summary(result) -> dict:
+def summary(result: "Result") -> dict[str, Any]:
     """Return the plain scalars of a result, one row of a table: of each finding and check, by its key, the value and
     whether it holds or passed; the seconds of each stage."""
     row = {"outcome": result.motion.outcome.name, "t_end": float(result.motion.t[-1]), "passed": result.passed}

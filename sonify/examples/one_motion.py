@@ -1,0 +1,19 @@
+"""One motion: when the published disk stops, how often it slips, and what it does one second before."""
+
+from dynamics import Motion, simulate
+from sonify import load_scene
+
+
+def main() -> Motion:
+    """Solve the motion, print what it tells, return it."""
+    motion = simulate(load_scene("published"))
+    end = motion.t[-1]
+    print(f"{motion.outcome.sentence}: at {end:.3f} s")
+    print(f"slides: {sum(change.after.startswith('slide') for change in motion.transitions)}")
+    state, force = motion.at([end - 1.0])[0], motion.force([end - 1.0])[0]
+    print(f"a second before: inclination {state[1]:.4f} rad, normal force {force[2]:.3f} N")
+    return motion
+
+
+if __name__ == "__main__":
+    main()

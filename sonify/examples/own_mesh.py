@@ -1,0 +1,40 @@
+"""A mesh of your own: the modes of a body from a file that meshio reads, as Gmsh writes it.
+
+Without a file, that of a disk is made: a square grid bent round, three layers thick.
+"""
+
+import sys
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import meshio
+import numpy as np
+from skfem import MeshHex
+
+from modal import Material, Modes, Support, mesh_modes
+
+STEEL, DENSITY = Material(young=195e9, poisson=0.28), 7800.0
+
+
+def disk(path: Path, radius: float = 0.03755, thickness: float = 0.0128) -> Path:
+    """Write the mesh of a disk: points (p, 3) [m], hexahedra."""
+    side = np.linspace(-1, 1, 7)
+    mesh = MeshHex.init_tensor(side, side, np.linspace(-thickness / 2, thickness / 2, 3))
+    x, y, z = mesh.p
+    points = np.column_stack([radius * x * np.sqrt(1 - y**2 / 2), radius * y * np.sqrt(1 - x**2 / 2), z])
+    meshio.Mesh(points, [("hexahedron", mesh.t.T[:, [0, 1, 4, 2, 3, 5, 7, 6]])]).write(path)
+    return path
+
+
+def main(path: Path | None = None) -> Modes:
+    """Solve the free body in the file at `path`, print its frequencies, return its modes."""
+    with TemporaryDirectory() as folder:
+        path = path or disk(Path(folder) / "disk.vtu")
+        modes = mesh_modes(path, STEEL, DENSITY, Support(kind="free"), refine=False)
+    for frequency, family in zip(modes.frequency, modes.family, strict=True):
+        print(f"{frequency:8.1f} Hz  {family}")
+    return modes
+
+
+if __name__ == "__main__":
+    main(*map(Path, sys.argv[1:]))
