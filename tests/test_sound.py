@@ -16,12 +16,11 @@ from dynamics import Outcome, simulate
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.sound.drive import in_patch_frame, modal_drive, rigid_acceleration
-from sonify.sound.force import FADE_OUT
 from sonify.sound.oscillators import free_response
 from sonify.sound.pressure import STEMS
 from sonify.sound.radiation import piston_strength
 from sonify.sound.radiators import ElasticFace
-from sonify.sound.render import FADE_IN, Renderer
+from sonify.sound.render import FADE_IN, FADE_OUT, Renderer
 from sonify.sound.wav import write_sound
 
 HEAVE, TILT, SMOOTH, JUMPS = range(4)
@@ -166,6 +165,8 @@ def test_the_modes_ring_out_however_the_motion_ends(name):
     assert np.abs(stems[end + 20 :, [HEAVE, TILT]]).max() == 0
     ringing = stems[end + 20 : -int(FADE_OUT * rate) - 1, [SMOOTH, JUMPS]].sum(axis=1)
     assert len(ringing) > rate / 2
+    before = stems[end - rate // 2 : end, [SMOOTH, JUMPS]].sum(axis=1).reshape(10, -1)
+    assert rms(ringing[: rate // 20]) < 1.5 * rms(before.T).max()  # the end itself is no blow
     t = np.arange(len(ringing)) / rate
     poles = -modes.decay_rate + 1j * np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2)
     waves = np.exp(np.outer(t, poles))

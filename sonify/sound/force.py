@@ -17,8 +17,6 @@ CALM = 6
 """The nodes of the polynomial through them: three before a sample, three after it."""
 FADE_TURNS = 4
 """Turns of the contact, before the end of a settled motion, over which everything goes to its mean over these turns."""
-FADE_OUT = 0.05
-"""Where a motion breaks off, a channel that has a value at rest goes there over the last of this time [s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -70,9 +68,10 @@ class ForceSampler:
     The attitude is precession, inclination, spin. A channel may turn with the attitude, but at a jump of the force it
     must be linear in it. Before the motion the channels have their first values. After it they keep the mean over the
     last turns of the contact, so that the end is no blow: what is left of the self-similar end after the solution stops
-    is far above hearing. `rest` (c,) overrides the mean where it is not NaN. After a motion that did not settle the
-    channels keep their last values, but those with a `rest` have gone there in the last FADE_OUT. Where the force holds
-    more than the sample rate can (`Motion.bandwidth`), the samples are those of the low-passed channels.
+    is far above hearing. `rest` (c,) overrides the mean where it is not NaN. A motion that breaks off has no such
+    turns: there each channel goes to its mean, or its rest, over the last `fade` (c,) [s], and keeps its last value
+    where that is 0. Where the force holds more than the sample rate can (`Motion.bandwidth`), the samples are those of
+    the low-passed channels.
 
     Where no jump is near and the force holds no more than HARMONICS turns of the contact by `calm` [rad] in STRIDE
     samples, the channels are read that often only, and interpolated; never with calm = 0. `read` counts the instants at
@@ -80,16 +79,19 @@ class ForceSampler:
     tests/test_sound_force.py.
     """
 
-    def __init__(self, motion, sample_rate: float, start: float = 0.0, channels=in_newton, rest=None, calm=0.0):
+    def __init__(
+        self, motion, sample_rate: float, start: float = 0.0, channels=in_newton, rest=np.nan, calm=0.0, fade=0.0
+    ):
         self.motion, self.channels, self.sample_rate, self.start = motion, channels, sample_rate, start
         self.calm, self.read = calm, 0
         self.end = float(motion.t[-1])
-        settled = motion.outcome.name == "SETTLED"
-        turns = FADE_TURNS * 2 * np.pi / abs(precession_rate(motion.at([self.end]))[0]) if settled else 0.0
-        mean = self._read(self.end - turns * np.linspace(0, 1, 32 * FADE_TURNS))[1].mean(axis=0)
-        rest = np.full_like(mean, np.nan) if rest is None else np.asarray(rest, float)
+        if motion.outcome.name == "SETTLED":
+            fade = FADE_TURNS * 2 * np.pi / abs(precession_rate(motion.at([self.end]))[0])
+        span = np.min(fade, where=np.greater(fade, 0), initial=self.end)
+        last = self._read(self.end - span * np.linspace(0, 1, 32 * FADE_TURNS))[1]
+        mean = np.where(np.greater(fade, 0), last.mean(axis=0), last[0])
         self.rest = np.where(np.isnan(rest), mean, rest)
-        self.fade = np.full_like(mean, turns) if settled else np.where(np.isnan(rest), 0.0, FADE_OUT)
+        self.fade = np.broadcast_to(fade, mean.shape)
         self._prepare_jumps(motion.jumps)
 
     def block(self, first: int, count: int) -> ContactForce:

@@ -6,7 +6,7 @@ import numpy as np
 
 from sonify.sound.audible_modes import ring_down, sounding
 from sonify.sound.drive import listener_azimuth, modal_drive, rigid_sources
-from sonify.sound.force import FADE_OUT, ForceSampler
+from sonify.sound.force import ForceSampler
 from sonify.sound.pressure import Sound, kept, with_sum
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import ElasticFace, RigidFace
@@ -14,9 +14,12 @@ from sonify.sound.response import Carried, Driven
 
 BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
-FADE_IN = 0.02
-"""Raised cosines [s], this and FADE_OUT, at the ends: what held the disk before the release is not modelled, nor what
-follows the last sample."""
+FADE_IN, FADE_OUT = 0.02, 0.05
+"""Raised cosines [s] at the ends: what held the disk before the release is not modelled, nor what follows the last
+sample, nor how a rigid disk comes to rest from a motion that breaks off."""
+FADE_FALL = 0.005
+"""What drives the modes goes to its mean over the last of this time [s] of a motion that breaks off: a fall ends with
+many times the weight within microseconds, with which the impact begins that is left out."""
 ENERGY_WINDOW = 0.002
 """The energy of the modes is noted so often [s]: a swing of the lowest of them."""
 RIGID, DIRECTION, MODAL = slice(0, 2), slice(2, 4), slice(4, None)
@@ -41,8 +44,8 @@ class Renderer:
         self._elastic = ElasticFace(self.modes, self.listener, self.sample_rate, self._rigid.reach)
         self._drive = modal_drive(self.modes, scene)
         start = self._rigid.reach / self.sample_rate - self.listener.delay
-        rest = [0.0, 0.0] + [np.nan] * (2 + len(self.modes))
-        self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest, calm)
+        ends = np.array([[0.0, FADE_OUT]] * 2 + [[np.nan, 0.0]] * 2 + [[np.nan, FADE_FALL]] * len(self.modes))
+        self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, ends[:, 0], calm, ends[:, 1])
         self.source_end = self.sampler.end + self.listener.delay
         ringing = max(ring_down(self.modes, scene), 2 * FADE_OUT)
         self.samples = ceil((self.source_end + ringing) * self.sample_rate)
