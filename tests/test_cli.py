@@ -68,6 +68,7 @@ def test_the_command_has_a_version_and_a_name_of_its_own():
     told = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert pkgutil.resolve_name(told["scripts"]["sonify"]) is main
     assert ask("--version").stdout.strip() == sonify.__version__
+    assert f"version: {sonify.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(("assignment", "message"), FAULTS, ids=[fault[0] for fault in FAULTS])
