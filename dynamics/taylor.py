@@ -7,8 +7,8 @@ import heyoka
 import numpy as np
 
 from .equations import Law
-from .hybrid import Arc
-from .regime import Branch, Flow, Regime
+from .hybrid import Arc, StalledError
+from .regime import Branch, Flow, Regime, describe
 from .symbolic import constants, formulas, shape
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
@@ -66,7 +66,7 @@ def prepared(regime: Regime, law: Law, loads, r_end: float, tolerance: float):
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
     """Integrate from y within `regime` until a guard falls through zero, for `span`, or for MOST_STEPS steps.
 
-    Safe to call from several threads at once.
+    Safe to call from several threads at once. Raises StalledError where the state overflows.
     """
     flow, parameters = prepared(regime, law, loads, r_end, tolerance)
     integrator, pars, state, series = borrowed = flow.borrow()
@@ -81,6 +81,8 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         times.append(integrator.time)
         if outcome == success:
             continue
+        if outcome == heyoka.taylor_outcome.err_nf_state:
+            raise StalledError(f"{describe(y)}: no step is short enough in {regime}")
         if outcome != heyoka.taylor_outcome.time_limit:
             guard = flow.guards[-int(outcome) - 1]
         break

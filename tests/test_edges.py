@@ -179,3 +179,12 @@ def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):
     assert simulate(scene({"time_limit": 0.1})).integrator == "dop853"
     with pytest.raises(ValueError, match="needs heyoka, which is not installed"):
         chosen_integrator("taylor")
+
+
+@pytest.mark.parametrize("integrator", ["auto", "dop853"])
+def test_a_resistance_beyond_all_measure_is_a_named_end(integrator):
+    """So great a drag makes the state overflow within the first step, in either integrator."""
+    drag = {"power_coefficient": 1e6, "power_exponent": 2.5}
+    motion = simulate(scene({"integrator": integrator}, dissipation=drag))
+    assert motion.outcome is Outcome.STALLED
+    assert np.isfinite(motion.state).all()
