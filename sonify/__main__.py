@@ -116,7 +116,8 @@ def scenes(keys, schema):
 @click.argument("name", type=click.Choice([*(c.replace("_", "-") for c in CHARTS), "all"]), default="all")
 @click.option("--quick", is_flag=True, help="Fewer settings of every method, in under two minutes.")
 @click.option("--out", type=click.Path(), default="outputs/charts", show_default=True, help="Folder for the files.")
-def chart(name, quick, out):
+@click.option("--redraw", is_flag=True, help="Measure nothing: make pictures and pages from the tables in the folder.")
+def chart(name, quick, out, redraw):
     """Measure speed against accuracy, and where methods fail; write a table, a picture and a page."""
     from sonify.console import Console
 
@@ -124,7 +125,7 @@ def chart(name, quick, out):
         from sonify.charts.command import make
 
         for one in CHARTS if name == "all" else [name.replace("-", "_")]:
-            make(one, quick, out, stages)
+            make(one, quick, out, stages, redraw)
             click.echo(f"{out}/{one}.md")
 
 

@@ -54,11 +54,11 @@ def test_a_tolerance_that_is_too_coarse_is_heard(records):
 
 
 def test_the_conclusion_names_the_worst_choice():
-    about = {"setting": "", "case": "held: samples", "seconds": 1.0, "repeats": 1}
+    about = {"setting": "", "case": "held: samples, A-weighted", "seconds": 1.0, "repeats": 1}
     records = [
         Record(family=CHOICE, method=name, error=error, **about) for name, error in [("a", 0.01), ("b", 0.1), ("c", 0)]
     ]
-    assert conclusion(records) == ["held: samples: the worst single choice is b, -20 dB."]
+    assert conclusion(records) == ["held: the worst single choice is b, -20 dB(A)."]
 
 
 def test_decibels():

@@ -77,10 +77,10 @@ def test_the_comparison_says_what_was_measured_and_what_was_not():
 
     default = run("ours", modes.DEFAULT, 1.0, 0.01)
     line = [run(modes.PLAIN, "", 1.0, 1.0), run(modes.PLAIN, "", 10.0, 0.1)]
-    assert "that is no measurement" in modes.conclusion([default, *line])[0]
+    assert "which is no measurement" in modes.conclusion([default, *line])[0]
     assert "1e+02 times as long" in modes.conclusion([default, *line])[0]
     reached = modes.conclusion([default, *line, run(modes.PLAIN, "", 20.0, 0.01)])[0]
-    assert "in 20 times as long." in reached
+    assert "reaches that in 20 times as long." in reached
 
 
 def test_a_missing_program_is_left_out_and_says_so(monkeypatch):
@@ -88,4 +88,4 @@ def test_a_missing_program_is_left_out_and_says_so(monkeypatch):
     records = [measure(w) for w in modes.works(modes_case("free"), quick=True) if w.family in modes.NEEDS]
     assert records
     assert all(r.left_out for r in records)
-    assert "left out: CalculiX is not installed." in modes.conclusion(records)
+    assert "left out: CalculiX is not installed" in {r.failure for r in records}

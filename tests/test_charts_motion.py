@@ -6,10 +6,12 @@ Oracle: quadruple precision (published case), 80-bit arithmetic (sticking case).
 
 import csv
 import json
+import shutil
 from dataclasses import replace
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,15 +19,18 @@ from click.testing import CliRunner
 
 from sonify.__main__ import main
 from sonify.charts import CHARTS, motion
+from sonify.charts.chart import tones_of
+from sonify.charts.command import make
 from sonify.charts.event_driven import ours, with_solve_ivp
 from sonify.charts.moreau import moreau
 from sonify.charts.motion_case import conservative, published, references, sticking
 from sonify.charts.naive import naive_sign
-from sonify.charts.page import write_page
+from sonify.charts.page import environment, known_environment, write_page
 from sonify.charts.records import WRONG, Failure, Record
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
 
+SHOWN = Path(__file__).parent.parent / "outputs" / "shown" / "charts"
 OURS = [
     pytest.param("taylor", 1e-16, marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")),
     ("dop853", 1e-12),
@@ -111,11 +116,43 @@ def test_every_chart_has_its_module(name):
     assert callable(module.conclusion)
 
 
+PAGE = SimpleNamespace(PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["One sentence."])
+
+
 def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
-    record = Record(family="f", method="m", setting="s", case="c", error=0.1, seconds=1.0, repeats=1)
+    record = Record(family="f", method="m", setting="s", case="c", error=0.0, seconds=1.0, repeats=1)
     for records, said in (([record], "None."), ([replace(record, failure="falls")], "| c | f: m | s | falls | 1 |")):
-        write_page("end_to_end", "Title", ["One sentence."], records, tmp_path / "page.md")
+        write_page("end_to_end", "Title", PAGE, records, ["a machine", "commit abc"], tmp_path / "page.md")
         page = (tmp_path / "page.md").read_text("utf-8")
         assert said in page
         assert "- One sentence." in page
         assert "`python -m sonify chart end-to-end`" in page
+        assert page.index("Solve $x = 1$.") < page.index("One sentence.")
+        assert known_environment(tmp_path / "page.md") == ["a machine", "commit abc"]
+    write_page("end_to_end", "Title", PAGE, [record], environment(), tmp_path / "page.md")
+    assert "| f: m | 0 of 1 | < 1e-15 | s | 1 |" in (tmp_path / "page.md").read_text("utf-8")
+    assert environment()[-1].startswith("commit ")
+
+
+@pytest.mark.parametrize("name", CHARTS)
+def test_the_shown_chart_is_what_its_records_make_and_says_the_problem_and_five_sentences_at_most(name, tmp_path):
+    """Drawn again from its table; nothing is measured."""
+    for suffix in ("csv", "md"):
+        shutil.copy(SHOWN / f"{name}.{suffix}", tmp_path)
+    make(name, False, tmp_path, None, redraw=True)
+    page = (tmp_path / f"{name}.md").read_text("utf-8")
+    assert page == (SHOWN / f"{name}.md").read_text("utf-8")
+    assert "$" in page[: page.index("## Conclusion")]
+    assert 1 <= page[page.index("## Conclusion") :].partition("\n## ")[0].count("\n- ") <= 5
+    assert (tmp_path / f"{name}.png").stat().st_size > 20_000
+
+
+def test_families_are_told_apart_in_a_grey_print():
+    lightness = np.array(list(tones_of("abcdef").values()))[:, :3] @ [0.2126, 0.7152, 0.0722]
+    assert np.diff(lightness).min() > 0.05
+
+
+def test_without_records_there_is_nothing_to_draw_again(tmp_path):
+    asked = CliRunner().invoke(main, ["chart", "sound", "--redraw", "--out", str(tmp_path)])
+    assert asked.exit_code == 2
+    assert "sound.csv" in asked.stderr

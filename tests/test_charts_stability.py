@@ -158,8 +158,10 @@ def test_frequencies_fall_without_limit_on_a_support_that_shrinks_to_a_point():
 
 def test_what_a_path_says_in_words():
     runs = [Record(family="a", method="b", setting=str(x), case=SLIP, error=e) for x, e in ((1, 0), (2, 1), (3, 1))]
-    assert stability._where(runs) == "degraded from 2 on"
-    assert stability.conclusion(runs)[1].endswith("nothing: fine throughout. Not so: a (b) degraded from 2 on.")
+    assert [stability._where(runs, which) for which in (DEGRADED, FAILED)] == ["from 2 on", "-"]
+    ((_, row),) = stability.tables(runs).values()
+    assert row == ["a: b", "from 2 on", "-"]
+    assert stability.conclusion(runs)[2] == "Of 1 paths of other methods 0 are fine throughout."
 
 
 def test_every_path_is_a_hazard_of_the_map():

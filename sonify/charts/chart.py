@@ -1,5 +1,7 @@
-"""Draws error against seconds, readable without colour: a marker and a grey for every family, a cross for failures."""
+"""Draws error against seconds: a colour and a line for every family, a marker for every method, hollow if it failed."""
 
+import numpy as np
+from matplotlib import colormaps
 from matplotlib.figure import Figure
 
 from sonify.charts.records import Record
@@ -17,26 +19,29 @@ DPI = 110
 def draw(records: list[Record], title: str, error_label: str, path):
     """Draw one panel per case; failed runs stand in a strip at the top, at the time after which they failed."""
     records = [r for r in records if not r.left_out]
-    cases = list(dict.fromkeys(r.case for r in records))
+    cases, tones = list(dict.fromkeys(r.case for r in records)), tones_of(dict.fromkeys(r.family for r in records))
     figure = Figure(figsize=(8 * len(cases), 7.5), dpi=DPI, layout="constrained")
     for panel, case in zip(figure.subplots(1, len(cases), squeeze=False)[0], cases, strict=True):
-        _panel(panel, [r for r in records if r.case == case], case, error_label)
+        _panel(panel, [r for r in records if r.case == case], case, error_label, tones)
     figure.suptitle(title)
     with whole(path) as temporary:
         figure.savefig(temporary, metadata={"Software": None})
 
 
-def _panel(axes, records, case, error_label):
+def tones_of(families) -> dict:
+    """Return a colour for each family: told apart by the colour-blind, and by their lightness in a grey print."""
+    return dict(zip(families, colormaps["plasma"](np.linspace(0, 0.88, len(families))), strict=True))
+
+
+def _panel(axes, records, case, error_label, tones):
     methods = list(dict.fromkeys((r.family, r.method) for r in records))
-    families = list(dict.fromkeys(family for family, _ in methods))
     errors = [max(r.error, FLOOR) for r in records if not r.failure]
     bottom = 5 * max(errors)
     for i, method in enumerate(methods):
-        rank = families.index(method[0])
+        rank = list(tones).index(method[0])
         runs = [r for r in records if (r.family, r.method) == method]
         good, bad = [r for r in runs if not r.failure], [r for r in runs if r.failure]
-        tone = str(round(0.6 * rank / max(1, len(families) - 1), 2))
-        style = {"color": tone, "marker": MARKERS[i % len(MARKERS)], "ms": 7}
+        style = {"color": tones[method[0]], "marker": MARKERS[i % len(MARKERS)], "ms": 7}
         label = f"{method[0]}: {method[1]}"
         axes.plot(
             [r.seconds for r in good], [max(r.error, FLOOR) for r in good], LINES[rank % 4], lw=1, label=label, **style

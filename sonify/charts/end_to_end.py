@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from dynamics import simulate
 from dynamics.numerics import LEVELS
-from sonify.charts.chart import DPI, MARKERS
+from sonify.charts.chart import DPI, MARKERS, tones_of
 from sonify.charts.records import Answer, Record, Work, measure
 from sonify.files import whole
 from sonify.pipeline import planned
@@ -23,6 +23,15 @@ from sonify.plan.predictions import SOUND, audible_error, level_error
 from sonify.scene import load_scene
 from sonify.sound.render import Renderer
 
+PROBLEM = r"""
+The published scene from its release to the pressure $p(t)$ half a metre away, with the modes of the disk *held* at its
+contact and of the *free* disk, compared with $p_\mathrm{ref}(t)$ of the same scene at accuracy `reference`:
+
+$$L = 20 \log_{10} \frac{\lVert p - p_\mathrm{ref} \rVert}{\lVert p_\mathrm{ref} \rVert}$$
+
+for the samples, for the samples after A-weighting, and for the levels of third octaves. The seconds are those of modes,
+motion and sound.
+"""
 SUPPORTS = {"held": "patch", "free": "free"}
 MEASURES = {
     "samples, A-weighted": audible_error,
@@ -148,20 +157,27 @@ def decibel(error: float) -> float:
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return what each accuracy costs and gives, and which coarse choice harms most."""
+    """Return in a sentence for each support what the accuracies give, and which coarse choice harms most."""
     lines = []
-    for case in dict.fromkeys(r.case for r in records):
-        here = [r for r in records if r.case == case and r.error > 0]
-        foreseen = {r.method: f" (predicted {decibel(r.error):.0f} dB)" for r in here if r.family == PREDICTED}
-        lines += [
-            f"{case}, {r.method}: {decibel(r.error):.0f} dB{foreseen.get(r.method, '')} in {r.seconds:.2g} s."
-            for r in here
-            if r.family == ACCURACY
-        ]
+    for support in dict.fromkeys(r.case.partition(":")[0] for r in records):
+        here = [r for r in records if r.case == f"{support}: {next(iter(MEASURES))}" and r.error > 0]
+        told = [f"{r.method} {decibel(r.error):.0f} dB(A) in {r.seconds:.2g} s" for r in here if r.family == ACCURACY]
         worst = max((r for r in here if r.family == CHOICE), key=lambda r: r.error, default=None)
-        if worst:
-            lines.append(f"{case}: the worst single choice is {worst.method}, {decibel(worst.error):.0f} dB.")
+        told += [f"the worst single choice is {worst.method}, {decibel(worst.error):.0f} dB(A)"] if worst else []
+        lines.append(f"{support}: {'; '.join(told)}.")
     return lines
+
+
+def tables(records: list[Record]) -> dict[str, list[list]]:
+    """Return the level of every run by every measure, and what the plan predicted."""
+    cases = list(dict.fromkeys(r.case for r in records))
+    known = {(r.family, r.method, r.case): r for r in records}
+    rows = [["method", *cases, f"seconds, {cases[0].partition(':')[0]}"]]
+    for family, method in dict.fromkeys((r.family, r.method) for r in records):
+        runs = [known.get((family, method, case)) for case in cases]
+        levels = [f"{decibel(r.error):.0f} dB" if r and r.error > 0 else "-" for r in runs]
+        rows.append([f"{family}: {method}", *levels, f"{next(filter(None, runs)).seconds:.2g}"])
+    return {"Levels of the difference": rows}
 
 
 def draw(records: list[Record], title: str, path: Path):
@@ -169,6 +185,7 @@ def draw(records: list[Record], title: str, path: Path):
     figure = Figure(figsize=(16, 10), dpi=DPI, layout="constrained")
     panels = figure.subplots(len(SUPPORTS), len(MEASURES), sharex="row", sharey="row")
     names = [(r.family, r.method) for r in records]
+    tones = tones_of(list(dict.fromkeys(family for family, _ in names)))
     styles = {name: MARKERS[i % len(MARKERS)] for i, name in enumerate(dict.fromkeys(names))}
     for axes, (support, measure_name) in zip(panels.flat, product(SUPPORTS, MEASURES), strict=True):
         here = [r for r in records if r.case == f"{support}: {measure_name}"]
@@ -179,7 +196,7 @@ def draw(records: list[Record], title: str, path: Path):
                 decibel(r.error),
                 styles[r.family, r.method],
                 ms=11 if ours else 7,
-                color="black" if ours else "0.45",
+                color=tones[r.family],
                 mfc="white" if r.family == PREDICTED else None,
                 ls="",
                 label=f"{r.family}: {r.method}",

@@ -1,7 +1,8 @@
-"""The page beside a chart: conclusion, failures and environment, all of them from the records."""
+"""The page beside a chart: problem, conclusion, tables of methods and failures, and environment, from the records."""
 
 import os
 import platform
+import subprocess
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
@@ -9,42 +10,80 @@ from sonify.charts.records import Record
 from sonify.files import whole
 
 PACKAGES = ("heyoka", "numba", "numpy", "scikit-fem", "scipy", "mujoco", "drake", "pybullet", "ngsolve")
+LEAST = 1e-15
+"""Errors below this are round-off, which is not told apart."""
+ENVIRONMENT = "## Environment"
 
 
-def write_page(name: str, title: str, conclusion: list[str], records: list[Record], path: Path):
-    """Write the Markdown page of a chart."""
-    lines = [f"# {title}", "", f"![{title}]({name}.png)", "", "## Conclusion", ""]
-    lines += [f"- {line}" for line in conclusion]
-    lines += [
-        "",
-        "## Failures",
-        "",
-        *_failures([r for r in records if r.failure]),
-        "",
-        "## Environment",
-        "",
-        *(f"- {line}" for line in environment()),
-    ]
+def write_page(name: str, title: str, module, records: list[Record], environment: list[str], path: Path):
+    """Write the Markdown page of a chart, whose `module` has PROBLEM, conclusion() and perhaps tables()."""
+    tables = getattr(module, "tables", methods)
+    failed = [[r.case, f"{r.family}: {r.method}", r.setting, r.failure, _seconds(r)] for r in records if r.failure]
     command = f"python -m sonify chart {name.replace('_', '-')}"
-    lines += ["", f"Made by `{command}`; every run is a line of `{name}.csv`.", ""]
-    with whole(path) as temporary:
-        temporary.write_text("\n".join(lines), encoding="utf-8")
-
-
-def _failures(records):
-    if not records:
-        return ["None."]
-    head = ["| case | method | setting | how | seconds |", "|---|---|---|---|---|"]
-    return head + [
-        f"| {r.case} | {r.family}: {r.method} | {r.setting} | {r.failure} | {_seconds(r)} |" for r in records
+    sections = [
+        f"# {title}",
+        module.PROBLEM.strip(),
+        f"![{title}]({name}.png)",
+        "## Conclusion",
+        "\n".join(f"- {line}" for line in module.conclusion(records)),
+        *(part for heading, rows in tables(records).items() for part in (f"## {heading}", table(rows))),
+        "## Failures",
+        table([["case", "method", "setting", "how", "seconds"], *failed]) if failed else "None.",
+        ENVIRONMENT,
+        "\n".join(f"- {line}" for line in environment),
+        f"Made by `{command}`, which makes it from the runs in `{name}.csv` again where `--redraw` is added.",
     ]
+    with whole(path) as temporary:
+        temporary.write_text("\n\n".join(sections) + "\n", encoding="utf-8")
+
+
+def table(rows: list[list]) -> str:
+    """Return a Markdown table; the first row is its head."""
+    head, *rest = (f"| {' | '.join(map(str, row))} |" for row in rows)
+    return "\n".join([head, "|---" * len(rows[0]) + "|", *rest])
+
+
+def methods(records: list[Record]) -> dict[str, list[list]]:
+    """Return a table for each case: how often each method failed, and its run of the least error."""
+    tables = {}
+    for case in dict.fromkeys(r.case for r in records):
+        here = [r for r in records if r.case == case and not r.left_out]
+        tables[f"Methods, {case}"] = [["method", "failed", "least error", "setting", "seconds"]]
+        for key in dict.fromkeys((r.family, r.method) for r in here):
+            runs = [r for r in here if (r.family, r.method) == key]
+            good = [r for r in runs if not r.failure]
+            best = min(good, key=lambda r: r.error, default=None)
+            told = [number(best.error), best.setting, _seconds(best)] if best else ["-"] * 3
+            tables[f"Methods, {case}"].append([": ".join(key), f"{len(runs) - len(good)} of {len(runs)}", *told])
+    return tables
+
+
+def number(error: float) -> str:
+    """Return an error in two digits, or as below `LEAST`."""
+    return f"< {LEAST:g}" if error < LEAST else f"{error:.1e}"
 
 
 def environment() -> list[str]:
-    """Return processor, system and versions, one a line."""
+    """Return processor and system, versions, and the commit that was run, one a line."""
     packages = ", ".join(f"{package} {_version(package)}" for package in PACKAGES)
     cores = f"{os.cpu_count()} cores, one process"
-    return [f"{_processor()}, {cores}, {platform.system()}, Python {platform.python_version()}", packages]
+    machine = f"{_processor()}, {cores}, {platform.system()}, Python {platform.python_version()}"
+    return [machine, packages, f"commit {_commit()}"]
+
+
+def known_environment(path: Path) -> list[str]:
+    """Return the environment that an earlier page names: the one in which its records were measured."""
+    lines = path.read_text("utf-8").partition(ENVIRONMENT)[2].splitlines()
+    return [line.removeprefix("- ") for line in lines if line.startswith("- ")]
+
+
+def _commit():
+    """Return the short name of the commit that is checked out, with a mark where files differ from it."""
+    asked = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
+    try:
+        return subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
+    except (OSError, subprocess.CalledProcessError):
+        return "unknown: not run from a checkout"
 
 
 def _processor():

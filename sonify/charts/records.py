@@ -109,3 +109,10 @@ def write_csv(records: list[Record], path: Path):
         writer = csv.DictWriter(file, [f.name for f in fields(Record)])
         writer.writeheader()
         writer.writerows(asdict(record) for record in records)
+
+
+def read_csv(path: Path) -> list[Record]:
+    """Return the records of a file of `write_csv`."""
+    with path.open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    return [Record(**{f.name: f.type(row[f.name]) for f in fields(Record)}) for row in rows]

@@ -9,11 +9,20 @@ from functools import cache, partial
 import numpy as np
 from numba import njit
 
+from sonify.charts.page import number
 from sonify.charts.records import Answer, Failure, Record, Work, measure
 from sonify.charts.sound_case import RATE, SoundCase, sound_case
 from sonify.charts.steps import STEPS, explicit_euler, matrices
 from sonify.sound.oscillators import OscillatorBank
 
+PROBLEM = r"""
+Modes of frequency $\omega_m$ and decay rate $d_m$ ring under a force and are heard through their accelerations,
+
+$$\ddot q_m + 2 d_m \dot q_m + \omega_m^2 q_m = g(t), \qquad p(t) = \sum_m a_m \ddot q_m(t),$$
+
+from rest, for a second: a *smooth force*, and a *force with jumps* between the samples, as the changes between rolling
+and sliding make them. The reference is the closed form. Oversampled methods read the force more often.
+"""
 OURS = "exact, first-order hold, jumps between samples"
 PLAIN = "exact, first-order hold"
 PROOF, PROOF_FACTOR = 2e-3, 64
@@ -124,30 +133,20 @@ def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return what the records say, in sentences."""
+    """Return for every case what to take, and what the nearest of the textbook methods needs, in a sentence each."""
     lines = []
     for case in dict.fromkeys(r.case for r in records):
-        plain = [r for r in records if r.case == case and r.setting.startswith("1 x")]
-        good = sorted((r for r in plain if not r.failure), key=lambda r: r.error)
-        best, *others = good
-        lines.append(f"{case}: take {best.method}: at {RATE} Hz its error is {best.error:.1e} in {_ms(best)}.")
-        lines.append(f"{case}, others: {'; '.join(f'{r.method} {r.error:.1e} in {_ms(r)}' for r in others)}.")
-        lines.append(f"{case}, failed: {'; '.join(f'{r.method} ({r.failure})' for r in plain if r.failure)}.")
-        lines += _oversampled(case, best, records)
+        good = [r for r in records if r.case == case and not r.failure]
+        best = min((r for r in good if r.setting.startswith("1 x")), key=lambda r: r.error)
+        lines.append(f"{case}: take {best.method}: at {RATE} Hz its error is {number(best.error)} in {_ms(best)}.")
+        if higher := [r for r in good if r.family == "approximate"]:
+            near = min(higher, key=lambda r: r.error)
+            lines.append(
+                f"{case}: of the textbook methods {near.method}, oversampled to {near.setting}, comes nearest: "
+                f"{number(near.error)} in {_ms(near)}, {near.seconds / best.seconds:.0f} times as long."
+            )
     return lines
 
 
 def _ms(record):
     return f"{1e3 * record.seconds:.2g} ms"
-
-
-def _oversampled(case, best, records):
-    """Say what the nearest of the textbook methods comes to at a higher rate of samples, and what it takes."""
-    higher = [r for r in records if r.case == case and r.family == "approximate" and not r.failure]
-    if not higher:
-        return []
-    near = min(higher, key=lambda r: r.error)
-    return [
-        f"{case}: of the textbook methods, oversampled, {near.method} at {near.setting} comes nearest: "
-        f"{near.error:.1e} in {_ms(near)}, {near.seconds / best.seconds:.0f} times as long."
-    ]

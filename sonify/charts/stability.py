@@ -8,6 +8,13 @@ from sonify.charts import stability_modes, stability_motion, stability_sound
 from sonify.charts.hazards import DEGRADED, FAILED, FINE, HAZARDS, rows, state
 from sonify.charts.records import WRONG, Record, measure
 
+PROBLEM = r"""
+Every hazard is a path: a parameter goes to its edge, and each method solves the same small problem at every place of
+it. Motions obey $\dot y = f(y)$ with the set-valued laws (3.2), (3.3); oscillators
+$\ddot q + 2 d \dot q + \omega^2 q = g$; elastic disks $K u = \omega^2 M u$, sought from a shift $\sigma$ on. References
+are closed forms, quadruple precision, and converged solutions by another method.
+"""
+
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the map; `quick` keeps both ends of every path."""
@@ -28,38 +35,39 @@ def draw(records: list[Record], title: str, path):
 
 
 def conclusion(records: list[Record]) -> list[str]:
-    """Return one sentence per hazard: what stays fine on the whole path, and from where on the others do not."""
-    here = {case: [r for r in records if r.case == case and not r.left_out] for case in HAZARDS}
-    return [_how_to_read(), *(_told(HAZARDS[case], runs) for case, runs in here.items() if runs)]
+    """Return how to read the map, and on how many paths our methods and the others stay fine."""
+    shown = [r for r in records if not r.left_out]
+    paths = {"our": [], "other": []}
+    for case in dict.fromkeys(r.case for r in shown):
+        for (family, _), runs in rows([r for r in shown if r.case == case]).items():
+            paths["our" if family == "ours" else "other"].append(all(state(r) == FINE for r in runs))
+    return [
+        "Choose a method that is fine as far towards the edge as you have to go: it fails where it gives up or gives "
+        f"nonsense (a motion wrong by {100 * WRONG:g} %, a note by {stability_sound.ANOTHER_NOTE:g} cents, a frequency "
+        f"by {100 * stability_modes.LOCKED:g} %), and is degraded where it errs by more than the table says.",
+        *(f"Of {len(fine)} paths of {whose} methods {sum(fine)} are fine throughout." for whose, fine in paths.items()),
+    ]
 
 
-def _how_to_read():
-    return (
-        "Choose a method that is fine as far towards the edge as you have to go. It fails where it gives up, where a "
-        f"motion is wrong by {100 * WRONG:g} %, a note by {stability_sound.ANOTHER_NOTE:g} cents, a frequency by "
-        f"{100 * stability_modes.LOCKED:g} %; it is degraded where it errs by more than "
-        + ", ".join(f"{hazard.fine:g} ({hazard.title})" for hazard in HAZARDS.values())
-        + "."
-    )
+def tables(records: list[Record]) -> dict[str, list[list]]:
+    """Return a table for every hazard: where on its path each method is degraded, and where it fails."""
+    found = {}
+    for case, hazard in HAZARDS.items():
+        known = rows([r for r in records if r.case == case and not r.left_out])
+        head = ["method", f"degraded (error above {hazard.fine:g})", "failed"]
+        body = [
+            [f"{family}: {method}", *(_where(runs, which) for which in (DEGRADED, FAILED))]
+            for (family, method), runs in known.items()
+        ]
+        found |= {f"{hazard.title}: {hazard.label}": [head, *body]} if body else {}
+    return found
 
 
-def _told(hazard, records):
-    known = {f"{family} ({method})": runs for (family, method), runs in rows(records).items()}
-    others = {name: _where(runs) for name, runs in known.items() if any(state(r) != FINE for r in runs)}
-    fine = ", ".join(name for name in known if name not in others) or "nothing"
-    rest = "; ".join(f"{name} {where}" for name, where in others.items())
-    return f"{hazard.title} ({hazard.label}): {fine}: fine throughout." + (f" Not so: {rest}." if rest else "")
-
-
-def _where(runs):
-    """Say at which places of a path, in its order, a method is degraded and where it fails."""
-    said = []
-    for which in (DEGRADED, FAILED):
-        places = [r.setting for r in runs if state(r) == which]
-        if len(places) == len(runs):
-            said.append(f"{which} everywhere")
-        elif len(places) > 1 and places == [r.setting for r in runs][-len(places) :]:
-            said.append(f"{which} from {places[0]} on")
-        elif places:
-            said.append(f"{which} at {', '.join(places)}")
-    return " and ".join(said)
+def _where(runs, which):
+    """Say at which places of a path, in its order, a method is degraded or fails."""
+    places = [r.setting for r in runs if state(r) == which]
+    if places and len(places) == len(runs):
+        return "everywhere"
+    if len(places) > 1 and places == [r.setting for r in runs][-len(places) :]:
+        return f"from {places[0]} on"
+    return ", ".join(places) or "-"
