@@ -99,15 +99,16 @@ def load_scene(source: str | Path = "published") -> Scene:
     Raises SceneError if there is no such scene, if the file cannot be read or is not TOML, and if a key is unknown or
     missing or has a value that is not allowed.
     """
+    form = "JSON" if Path(source).suffix == ".json" else "TOML"
     try:
-        text = _find(source).read_text(encoding="utf-8-sig")  # some editors of Windows begin a text with a mark
-        document = _recorded(json.loads(text)) if Path(source).suffix == ".json" else tomllib.loads(text)
+        content = _find(source).read_bytes()
     except OSError as error:
         raise SceneError(f"{source}: cannot be read: {error.strerror}") from None
-    except json.JSONDecodeError as error:
-        raise SceneError(f"{source}: not JSON: {error}") from None
-    except (UnicodeDecodeError, tomllib.TOMLDecodeError, RecursionError) as error:
-        raise SceneError(f"{source}: not TOML: {error}") from None
+    try:
+        text = content.decode("utf-8-sig")  # some editors of Windows begin a text with a mark
+        document = _recorded(json.loads(text)) if form == "JSON" else tomllib.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise SceneError(f"{source}: not {form}: {error}") from None
     except (LookupError, TypeError, AttributeError):
         raise SceneError(f"{source}: not the run.json of a run: it holds no scene") from None
     return from_document(document)
@@ -175,7 +176,7 @@ def _value(path, text):
     """The value that a TOML text gives; text that is neither TOML nor means to be is a bare word."""
     try:
         value, *more = tomllib.loads(f"value = {text}").values()
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:
         if (number := _number(text)) is not None:
             raise SceneError(f"{path} = {text}: TOML writes this number {number!r}") from None
         if "\n" in text or text[:1] in {"'", '"', "[", "{"}:

@@ -122,9 +122,9 @@ def test_a_path_that_is_too_long_is_one_line(tmp_path, name):
 
 
 @POSIX
-@pytest.mark.parametrize("stream", ["stdout", "stderr"])
-def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status(tmp_path, stream):
-    """The pipe is closed before the first line; what is written afterwards is whole, and no self-check has failed."""
+@pytest.mark.parametrize(("stream", "opened"), [("stdout", "pipe"), ("stderr", "pipe"), ("stdout", "openpty")])
+def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status(tmp_path, stream, opened):
+    """Pipe or terminal is closed before the first line; the file is whole, and no self-check has failed."""
     code = f"""
 import sys, click
 from sonify.__main__ import main
@@ -139,7 +139,7 @@ def tell():
 
 main(["tell"])
 """
-    reading, writing = os.pipe()
+    reading, writing = getattr(os, opened)()
     os.close(reading)
     other = "stderr" if stream == "stdout" else "stdout"
     call = [sys.executable, "-c", code]

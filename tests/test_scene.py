@@ -154,6 +154,15 @@ def test_a_fault_is_one_line_that_names_it(published, assignment, message):
     assert len(str(caught.value).splitlines()) == 1
 
 
+@pytest.mark.parametrize("text", [5000 * "[", 5000 * "1"], ids=["too deep", "too long"])
+def test_what_the_reader_of_toml_cannot_bear_is_a_fault_too(published, tmp_path, text):
+    with pytest.raises(SceneError, match=r"disk\.radius ="):
+        published.replace(f"disk.radius={text}")
+    (tmp_path / "mine.toml").write_text(f"radius = {text}")
+    with pytest.raises(SceneError, match="not TOML"):
+        load_scene(tmp_path / "mine.toml")
+
+
 @pytest.mark.parametrize("key", ["radius", "thickness", "mass"])
 def test_a_missing_key_is_named(published, key):
     document = published.document
