@@ -6,13 +6,15 @@ import numpy as np
 from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
+from .motion import Motion
+
 PROMINENCE, SHARE, NEIGHBOURS = 0.005, 0.5, 11
 """A peak of the normal force counts if its prominence is this part of the weight, and this share of the median of so
 many neighbours: more than the corners that the resisting moment makes (1e-4), more than most of the steps at slips."""
 
 
 @lru_cache(maxsize=1)
-def load_peaks(motion) -> np.ndarray:
+def load_peaks(motion: Motion) -> np.ndarray:
     """Return the times (p,) [s] of the peaks of the normal force, found by prominence on two points a piece."""
     t = np.sort(np.concatenate([motion.t[:-1], (motion.t[:-1] + motion.t[1:]) / 2]))
     peaks, found = find_peaks(motion.force(t)[:, 2] / motion.disk.weight, prominence=PROMINENCE)
@@ -20,13 +22,13 @@ def load_peaks(motion) -> np.ndarray:
     return t[peaks[prominence >= SHARE * median_filter(prominence, NEIGHBOURS)]]
 
 
-def nutation_frequency(motion) -> tuple[np.ndarray, np.ndarray]:
+def nutation_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     """Return times (q,) [s] and f (q,) [Hz] of footnote 3: 2/T, T the time between three successive peaks of Phi."""
     peaks = load_peaks(motion)
     return peaks[1:-1], 2 / (peaks[2:] - peaks[:-2])
 
 
-def precession_frequency(motion) -> tuple[np.ndarray, np.ndarray]:
+def precession_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     """Return times (q,) [s] and turns a second (q,) [Hz] about the vertical, means over two nutations."""
     peaks = load_peaks(motion)
     turned = np.abs(np.diff(motion.at(peaks)[:, 0])) / (2 * np.pi)
@@ -38,12 +40,12 @@ def precession_rate(state) -> np.ndarray:
     return state[:, 7] / np.sin(state[:, 1])
 
 
-def slips(motion) -> np.ndarray:
+def slips(motion: Motion) -> np.ndarray:
     """Return the times (j,) [s] at which rolling turns into sliding."""
     return np.array([e.t for e in motion.transitions if e.before.startswith("roll") and e.after.startswith("slide")])
 
 
-def transition_rate(motion) -> tuple[np.ndarray, np.ndarray]:
+def transition_rate(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     """Return times (j - 1,) [s] and the slips a second (j - 1,) [Hz] between successive slips."""
     t = slips(motion)
     return (t[1:] + t[:-1]) / 2, 1 / np.diff(t)

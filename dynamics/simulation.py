@@ -111,7 +111,7 @@ def _motion(disk, system, path, outcome, name) -> Motion:
     )
 
 
-def law_of(disk: Disk, friction) -> Law:
+def law_of(disk: Disk, friction: Friction) -> Law:
     """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
     arms = (friction.arm_nutation, friction.arm_rolling, friction.arm_pivoting)
     return Law(disk.aspect, disk.gyration, friction.mu_static, friction.mu_dynamic, *(a / disk.radius for a in arms))

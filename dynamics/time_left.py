@@ -2,13 +2,14 @@
 
 from math import copysign, log, sin, sqrt
 
-from .dissipation import resistance
+from .disk import Disk, Friction
+from .dissipation import Dissipation, resistance
 from .regime import DISSIPATED, FLOAT, Branch, Regime, turnings
 from .simulation import law_of
 from .steady import steady_precession
 
 
-def time_left(beta: float, disk, friction, dissipation) -> float:
+def time_left(beta: float, disk: Disk, friction: Friction, dissipation: Dissipation | None) -> float:
     """Return the time [s] in which a disk in steady motion with a fixed centre declines from `beta` [rad], small, to 0.
 
     Its energy, 3/2 m g R beta, goes with the power that resisting moments and dissipation take in the steady motion; as

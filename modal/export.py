@@ -21,7 +21,7 @@ def as_json(modes: Modes) -> dict:
     }
 
 
-def one(modes, i):
+def one(modes: Modes, i):
     """What modes.json says of mode i; a time or quality that is infinite is null."""
     finite = modes.decay_rate[i] > 0
     return {
@@ -67,7 +67,7 @@ def write_uff(modes: Modes, path: str | Path) -> None:
         file.write_sets(dataset_55(modes, i, number, u), mode="add")
 
 
-def dataset_55(modes, i, number, u):
+def dataset_55(modes: Modes, i, number, u):
     """Dataset 55 of mode i: structural, normal mode, three translations per node, displacement, real."""
     damping = modes.decay_rate[i] / (2 * np.pi * modes.frequency[i])
     kind = {"type": 55, "model_type": 1, "analysis_type": 2, "data_ch": 2, "spec_data_type": 8, "data_type": 2}

@@ -22,12 +22,12 @@ MOST = 600
 """Modes beyond which none are sought: they would take minutes to solve and hours to hear out."""
 
 
-def density(disk) -> float:
+def density(disk: Any) -> float:
     """Mass over volume of a disk [kg/m^3]; ValueError for a shell whose wall is not given."""
     return disk.mass / (pi * (disk.radius**2 - inner_radius(disk) ** 2) * disk.thickness)
 
 
-def inner_radius(disk) -> float:
+def inner_radius(disk: Any) -> float:
     """Radius of the hole [m], 0 for a solid disk; ValueError for a shell whose wall is not given."""
     if disk.shape == "solid":
         return 0.0
@@ -39,7 +39,7 @@ def inner_radius(disk) -> float:
     return disk.radius - disk.wall
 
 
-def check(disk, support):
+def check(disk: Any, support: Support):
     """ValueError if the disk has no volume or is a rod, if the patch does not fit on it or leaves a rigid body free to
     move, or if it is to hold a shell."""
     inner_radius(disk)

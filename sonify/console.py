@@ -1,6 +1,7 @@
 """Progress on standard error, results on standard output."""
 
 from contextlib import contextmanager
+from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console as RichConsole
@@ -8,6 +9,9 @@ from rich.progress import BarColumn, Progress, TextColumn
 
 from sonify.plan.plan import unsettled
 from sonify.progress import Stages
+
+if TYPE_CHECKING:
+    from sonify.pipeline import Result
 
 
 class Console(Stages):
@@ -44,7 +48,7 @@ class Console(Stages):
             self._bars.remove_task(self._task)
         self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
-    def answer(self, result):
+    def answer(self, result: "Result"):
         """Print what was found; the files follow."""
         self._bars.stop()
         say(result)
@@ -54,7 +58,7 @@ class Console(Stages):
         self._bars.update(self._task, completed=share, note=note)
 
 
-def say(result):
+def say(result: "Result"):
     """Print checks and findings."""
     for c in result.checks:
         verdict = "ok    " if c.passed else "FAILED"

@@ -2,6 +2,10 @@
 
 from contextlib import contextmanager
 from time import perf_counter
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from sonify.pipeline import Result
 
 
 class Stages:
@@ -17,7 +21,7 @@ class Stages:
         yield self.watch
         self.seconds[name] = perf_counter() - began
 
-    def answer(self, result):
+    def answer(self, result: "Result"):
         """Take note of what was found, before it is drawn and written."""
 
     def watch(self, share: float, note: str = ""):

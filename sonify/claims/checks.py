@@ -5,6 +5,11 @@ from math import inf
 
 import numpy as np
 
+from dynamics import Disk, Friction, Motion
+from modal import Modes
+from sonify.scene import Scene
+from sonify.sound.pressure import Sound
+
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
@@ -38,7 +43,7 @@ class Check:
         return f"{self.expected:g} ± {self.tolerance:g}"
 
 
-def energy_balance(motion) -> Check:
+def energy_balance(motion: Motion) -> Check:
     """Energy plus dissipated energy stays what it was, relative to what there was."""
     total = motion.energy(motion.t) + motion.state[:, 10]
     return Check(
@@ -51,7 +56,7 @@ def energy_balance(motion) -> Check:
     )
 
 
-def dissipation_never_falls(motion) -> Check:
+def dissipation_never_falls(motion: Motion) -> Check:
     """By how much the dissipated energy falls at most, between any two instants, relative to the energy at first."""
     return Check(
         key="dissipation_never_falls",
@@ -63,7 +68,7 @@ def dissipation_never_falls(motion) -> Check:
     )
 
 
-def friction_cone(motion, friction) -> Check:
+def friction_cone(motion: Motion, friction: Friction) -> Check:
     """By how much |F|/N exceeds the static coefficient while rolling, or misses the dynamic one while sliding."""
     t = (motion.t[1:] + motion.t[:-1]) / 2
     force = motion.force(t)
@@ -81,7 +86,7 @@ def friction_cone(motion, friction) -> Check:
     )
 
 
-def pushing_contact(motion) -> Check:
+def pushing_contact(motion: Motion) -> Check:
     """The share of the motion in which the normal force pulls."""
     force = motion.force(motion.t)[:-1, 2]
     return Check(
@@ -94,7 +99,7 @@ def pushing_contact(motion) -> Check:
     )
 
 
-def mode_residuals(modes) -> Check:
+def mode_residuals(modes: Modes) -> Check:
     """The largest |phi - w^2 K^-1 M phi| / |phi| of the modes."""
     return Check(
         key="mode_residuals",
@@ -106,7 +111,7 @@ def mode_residuals(modes) -> Check:
     )
 
 
-def mode_errors(modes) -> Check:
+def mode_errors(modes: Modes) -> Check:
     """The largest estimated relative error of a frequency."""
     return Check(
         key="mode_errors",
@@ -119,7 +124,7 @@ def mode_errors(modes) -> Check:
     )
 
 
-def discrete_mass(modes, disk) -> Check:
+def discrete_mass(modes: Modes, disk: Disk) -> Check:
     """The mass of the elastic model over that of the disk."""
     return Check(
         key="discrete_mass",
@@ -131,7 +136,7 @@ def discrete_mass(modes, disk) -> Check:
     )
 
 
-def no_sample_clipped(sound) -> Check:
+def no_sample_clipped(sound: Sound) -> Check:
     """The peak of sound.wav over full scale, which is finite only if every sample of the pressure is."""
     return Check(
         key="no_sample_clipped",
@@ -144,7 +149,7 @@ def no_sample_clipped(sound) -> Check:
     )
 
 
-def all_checks(scene, motion, modes, sound) -> list[Check]:
+def all_checks(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Check]:
     """Every check of a run."""
     return [
         energy_balance(motion),

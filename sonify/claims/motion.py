@@ -5,8 +5,10 @@ from math import inf
 
 import numpy as np
 
+from dynamics import Motion
 from dynamics.numerics import HIGHEST_HEARD
 from dynamics.rates import nutation_frequency, precession_rate, slips
+from modal import Modes
 
 HEARING = (20.0, HIGHEST_HEARD)
 """What is called audible [Hz]."""
@@ -58,7 +60,7 @@ class Finding:
         return " and ".join(f"{word} {bound:g}" for word, bound in bounds.items() if np.isfinite(bound))
 
 
-def repeated_slips(motion) -> Finding:
+def repeated_slips(motion: Motion) -> Finding:
     """The number of changes from rolling to sliding."""
     return Finding(
         key="repeated_slips",
@@ -70,7 +72,7 @@ def repeated_slips(motion) -> Finding:
     )
 
 
-def contact_kept(motion) -> Finding:
+def contact_kept(motion: Motion) -> Finding:
     """The least normal force over the weight, on two points a piece, the last instant included."""
     t = np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2]))
     load = motion.force(t)[:, 2] / motion.disk.weight
@@ -85,7 +87,7 @@ def contact_kept(motion) -> Finding:
     )
 
 
-def load_frequency_rises(motion) -> Finding:
+def load_frequency_rises(motion: Motion) -> Finding:
     """The frequency of the normal force late in the motion over that early in it."""
     frequency = nutation_frequency(motion)[1]
     tenth = max(len(frequency) // 10, 1)
@@ -101,7 +103,7 @@ def load_frequency_rises(motion) -> Finding:
     )
 
 
-def load_frequency_reached(motion) -> Finding:
+def load_frequency_reached(motion: Motion) -> Finding:
     """The time, in units of chi of (4.5), at which the frequency of the normal force first is FIGURE_4 / chi."""
     chi, (level, when) = motion.disk.time_unit, FIGURE_4
     time, frequency = nutation_frequency(motion)
@@ -118,7 +120,7 @@ def load_frequency_reached(motion) -> Finding:
     )
 
 
-def energy_falls(motion) -> Finding:
+def energy_falls(motion: Motion) -> Finding:
     """The greatest gain of energy from one solved instant to the next over the energy at the start."""
     return Finding(
         key="energy_falls",
@@ -131,7 +133,7 @@ def energy_falls(motion) -> Finding:
     )
 
 
-def sliding_costs_more(motion) -> Finding:
+def sliding_costs_more(motion: Motion) -> Finding:
     """The power lost in a slide over the greater of those in the rolling around it, median."""
     power, slides = _powers(motion)
     around = np.maximum(power[slides - 1], power[slides + 1])
@@ -155,7 +157,7 @@ def _powers(motion):
     return power, np.arange(2 if sliding[0] else 1, len(power) - 1, 2)
 
 
-def audible_modes(modes) -> Finding:
+def audible_modes(modes: Modes) -> Finding:
     """The number of modes between the limits of hearing."""
     low, high = HEARING
     off = np.abs(np.subtract.outer(modes.frequency, HEARING)).min(axis=1) < modes.error * modes.frequency
@@ -170,7 +172,7 @@ def audible_modes(modes) -> Finding:
     )
 
 
-def centre_comes_to_rest(motion) -> Finding:
+def centre_comes_to_rest(motion: Motion) -> Finding:
     """The extent of the path of the centre in the last fifth of the time over that in the first."""
     t = np.linspace(0, motion.t[-1], 20001)
     path = motion.at(t)[:, 3:5]
@@ -185,7 +187,7 @@ def centre_comes_to_rest(motion) -> Finding:
     )
 
 
-def no_singularity(motion) -> Finding:
+def no_singularity(motion: Motion) -> Finding:
     """The exponent of the precession rate as a power of the time left."""
     least = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)
     left = np.geomspace(least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400)
@@ -210,7 +212,7 @@ def median(values, independent: float = 1.0) -> tuple[float, float]:
     return float(middle), float(2 * 1.25 * (high - low) / 1.349 / np.sqrt(max(independent * len(values), 1.0)))
 
 
-def motion_findings(motion) -> list[Finding]:
+def motion_findings(motion: Motion) -> list[Finding]:
     """The claims about the rigid motion that it can judge: on the frequency of the normal force where it has peaks, on
     sliding where there is rolling before and after, on the end where it has settled."""
     loads = [load_frequency_rises, load_frequency_reached] if len(nutation_frequency(motion)[0]) else []
@@ -220,6 +222,6 @@ def motion_findings(motion) -> list[Finding]:
     return [claim(motion) for claim in claims]
 
 
-def all_findings(motion, modes) -> list[Finding]:
+def all_findings(motion: Motion, modes: Modes) -> list[Finding]:
     """Every claim of the paper that this run can judge."""
     return [*motion_findings(motion), audible_modes(modes)]

@@ -2,11 +2,14 @@
 
 import numpy as np
 
+from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_frequency
+from modal import Modes
 from sonify.claims.motion import Finding, median
 from sonify.hearing.loudness import HANN_BANDWIDTH, ISO_226, THRESHOLD_DB, WINDOW, a_weighting_db, band_levels, level_db
 from sonify.hearing.recording import Heard
 from sonify.hearing.spectrogram import spectrogram
+from sonify.sound.pressure import Sound
 
 LAST = 1.0
 """The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
@@ -14,7 +17,7 @@ INDEPENDENT = 0.05
 """The share of the frames of a tone that do not overlap."""
 
 
-def all_verdicts(heard: Heard | None, motion, modes, sound, error: float = 0.0) -> list[Finding]:
+def all_verdicts(heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0) -> list[Finding]:
     """Every claim on the sound that this run can judge: those on the end only where the motion settled.
 
     `error` is the predicted distance of the sound from that of the reference, relative, in quadratic mean.
@@ -38,7 +41,7 @@ def all_verdicts(heard: Heard | None, motion, modes, sound, error: float = 0.0) 
     ]
 
 
-def rates_heard(tone, motion, sound) -> list[Finding]:
+def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
     """The claims that hold the tone against a solved rate: none where the normal force has no peaks to tell it by, or
     where the tone is not heard in the stretch concerned."""
     if not len(nutation_frequency(motion)[0]):
@@ -61,7 +64,7 @@ def pitch_rises(tone) -> Finding:
     )
 
 
-def tone_is_precession(tone, last, motion, sound) -> Finding:
+def tone_is_precession(tone, last, motion: Motion, sound: Sound) -> Finding:
     """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
     ratio, error = _ratio(tone, last, motion, sound, precession_frequency(motion)[1])
     return Finding(
@@ -76,7 +79,7 @@ def tone_is_precession(tone, last, motion, sound) -> Finding:
     )
 
 
-def tone_was_nutation(tone, early, motion, sound) -> Finding:
+def tone_was_nutation(tone, early, motion: Motion, sound: Sound) -> Finding:
     """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
     ratio, error = _ratio(tone, early, motion, sound, nutation_frequency(motion)[1])
     return Finding(
@@ -91,7 +94,7 @@ def tone_was_nutation(tone, early, motion, sound) -> Finding:
     )
 
 
-def tone_ends_with_the_motion(tone, sound) -> Finding:
+def tone_ends_with_the_motion(tone, sound: Sound) -> Finding:
     """The time from the end of the motion, at the listener, to the end fitted to the tone [s]."""
     return Finding(
         key="tone_ends_with_the_motion",
@@ -105,7 +108,7 @@ def tone_ends_with_the_motion(tone, sound) -> Finding:
     )
 
 
-def tone_is_heard(tone, sound) -> Finding:
+def tone_is_heard(tone, sound: Sound) -> Finding:
     """The time before the end from which the third octave that holds the tone stays above the threshold of hearing."""
     seen = spectrogram(sound.pressure, WINDOW / 4)
     inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (seen.time > 0.1)
@@ -127,7 +130,7 @@ def tone_is_heard(tone, sound) -> Finding:
     )
 
 
-def modes_carry_the_end(sound, error: float = 0.0) -> Finding:
+def modes_carry_the_end(sound: Sound, error: float = 0.0) -> Finding:
     """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)].
 
     What differs by the relative `error`, and no longer in step, may have 1 + error^2 times the energy.
@@ -144,7 +147,7 @@ def modes_carry_the_end(sound, error: float = 0.0) -> Finding:
     )
 
 
-def modes_take_little(motion, sound, error: float = 0.0) -> Finding:
+def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
     """The one-way coupling holds while the modes own less than the disk: when do they first own as much?
 
     Their energy is known within a factor of 1 + error^2, as in `modes_carry_the_end`.
@@ -168,7 +171,7 @@ def modes_take_little(motion, sound, error: float = 0.0) -> Finding:
     )
 
 
-def carriers_are_steady(heard) -> Finding:
+def carriers_are_steady(heard: Heard) -> Finding:
     """The spread of the frequency of the strongest carrier over the sound [cents]."""
     return Finding(
         key="carriers_are_steady",
@@ -180,7 +183,7 @@ def carriers_are_steady(heard) -> Finding:
     )
 
 
-def carriers_are_modes(heard, modes) -> Finding:
+def carriers_are_modes(heard: Heard, modes: Modes) -> Finding:
     """The distance of the strongest carrier from the nearest mode [cents]."""
     strongest = heard.carriers[0].frequency
     return Finding(

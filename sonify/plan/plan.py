@@ -5,9 +5,12 @@ from math import pi
 
 import numpy as np
 
+from dynamics import Disk, Motion
 from dynamics.numerics import HIGHEST_HEARD, LEVELS, integrator_of
 from dynamics.steady import flat_square
+from modal import Material, Modes
 from sonify.plan.predictions import Prediction, predicted_end, predicted_frequencies, predicted_sound
+from sonify.scene import Scene
 from sonify.sound.force import STRIDE
 
 ENERGY_SHARE = 0.01
@@ -54,7 +57,7 @@ class Plan:
         return next((p.error for p in self.predictions if p.name == name), 0.0)
 
 
-def plan_of(scene) -> Plan:
+def plan_of(scene: Scene) -> Plan:
     """Return the plan of a scene as far as it can be made before its modes are known. What the scene sets, stands."""
     numerics, heard = scene.numerics, min(HIGHEST_HEARD, scene.audio.sample_rate / 2)
     integrator, level = integrator_of(numerics.integrator), numerics.level
@@ -97,7 +100,7 @@ def plan_of(scene) -> Plan:
     )
 
 
-def with_voices(plan: Plan, scene, modes, loudness, energy) -> Plan:
+def with_voices(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Plan:
     """Return the plan completed by the modes that sound, of those found.
 
     `loudness` (m,) is what each radiates after a unit jump of the force, A-weighted [Pa^2 s]; `energy` (m,) what the
@@ -127,13 +130,13 @@ def with_voices(plan: Plan, scene, modes, loudness, energy) -> Plan:
     return replace(plan, predictions=plan.predictions + further)
 
 
-def with_end(plan: Plan, motion, silence=()) -> Plan:
+def with_end(plan: Plan, motion: Motion, silence=()) -> Plan:
     """Return the plan with how the motion ended, and why a sound tells nothing."""
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
     return replace(plan, modelled=(*plan.modelled, ending), left_out=(*plan.left_out, *unsettled(motion), *silence))
 
 
-def unsettled(motion) -> list[str]:
+def unsettled(motion: Motion) -> list[str]:
     """Return what is missing after a motion that did not reach its end, whose modes ring out freely."""
     if motion.outcome.name == "SETTLED":
         return []
@@ -141,7 +144,7 @@ def unsettled(motion) -> list[str]:
     return [missing, *([IMPACT] if motion.outcome.name == "FELL" else [])]
 
 
-def damping(material) -> Decision:
+def damping(material: Material) -> Decision:
     """Return how the modes decay."""
     given = len(material.decay_rates)
     return Decision(
@@ -151,7 +154,7 @@ def damping(material) -> Decision:
     )
 
 
-def contact_rate(disk, inclination: float) -> float:
+def contact_rate(disk: Disk, inclination: float) -> float:
     """Return how often a second the contact of a steady disk goes round at a small inclination [rad]."""
     return (flat_square(disk.aspect, disk.gyration) / inclination) ** 0.5 / disk.time_unit / (2 * pi)
 

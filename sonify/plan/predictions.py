@@ -7,9 +7,11 @@ import numpy as np
 
 from dynamics.numerics import LAST_INCLINATION
 from dynamics.time_left import time_left
+from modal import Modes
 from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, a_weighting_db, band_levels
 from sonify.hearing.source import source_of, stretch
 from sonify.hearing.spectrogram import spectrogram
+from sonify.scene import Scene
 
 END = "the end of the motion, if the disk settles"
 FREQUENCIES = "frequencies of the modes, median"
@@ -26,14 +28,14 @@ class Prediction:
     source: str
 
 
-def predicted_end(scene, final_inclination: float) -> Prediction:
+def predicted_end(scene: Scene, final_inclination: float) -> Prediction:
     """By how much a motion that settles stops too early."""
     left = [time_left(b, scene.disk, scene.friction, scene.dissipation) for b in (final_inclination, LAST_INCLINATION)]
     early = left[0] - left[1] if isfinite(left[0]) else 0.0
     return Prediction(name=END, error=early, unit="s", source="quasi-steady decline of a steady disk")
 
 
-def predicted_frequencies(scene, modes) -> Prediction:
+def predicted_frequencies(scene: Scene, modes: Modes) -> Prediction:
     """The median of the expected relative errors of the frequencies."""
     error = true_error(scene, modes)
     return Prediction(
@@ -44,7 +46,7 @@ def predicted_frequencies(scene, modes) -> Prediction:
     )
 
 
-def predicted_sound(scene, modes, loudness) -> Prediction:
+def predicted_sound(scene: Scene, modes: Modes, loudness) -> Prediction:
     """The distance of two sounds of modes that are a little out of tune, as loud as `loudness` (m,), plus what is left
     out.
 
@@ -63,7 +65,7 @@ def predicted_sound(scene, modes, loudness) -> Prediction:
     )
 
 
-def true_error(scene, modes) -> np.ndarray:
+def true_error(scene: Scene, modes: Modes) -> np.ndarray:
     """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
     level = scene.numerics.level
     return modes.error * (level.free if scene.support.kind == "free" else level.patch)

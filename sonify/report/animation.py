@@ -4,6 +4,7 @@ import errno
 from dataclasses import dataclass, replace
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 import numpy as np
 import soundfile
@@ -18,6 +19,9 @@ from sonify.hearing.spectrogram import spectrogram
 from sonify.report.sound import level_image, log_frequency
 from sonify.report.view import TABLE, Camera, contact, exposed, rims, table, traced
 from sonify.scene_errors import InputError
+
+if TYPE_CHECKING:
+    from sonify.pipeline import Result
 
 FPS, EXPOSURES = 25, 12
 """Frames a second, and instants that are averaged into each."""
@@ -79,7 +83,7 @@ def require_encoder():
         raise InputError(f'an animation needs an encoder: python -m pip install -e ".[animation]" ({error})') from None
 
 
-def animate(result, watch=lambda done: None) -> Path:
+def animate(result: "Result", watch=lambda done: None) -> Path:
     """Film the last seconds of a result into animation.mp4 (H.264, AAC) in its folder; return the path.
 
     `watch(share)` is called with the share done. Raises InputError without the encoder, and OSError when the disk is
@@ -93,7 +97,7 @@ def animate(result, watch=lambda done: None) -> Path:
     return path
 
 
-def clip_of(result) -> Clip:
+def clip_of(result: "Result") -> Clip:
     """Return the end of a result: LENGTH seconds up to AFTER the end of the motion, or as much as there is."""
     sound = result.sound
     end = min(sound.source_end + AFTER, sound.duration)

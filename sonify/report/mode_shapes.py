@@ -53,7 +53,7 @@ LEGEND = (
 )
 
 
-def draw_solid(axis, modes, polygons, i, at):
+def draw_solid(axis, modes: Modes, polygons, i, at):
     """One mode at a slant, its centre `at` (x, y) in radii."""
     radius, _ = edges(modes)
     stretch = STRETCH * radius / np.abs(modes.body.displacement[i]).max()
@@ -63,14 +63,14 @@ def draw_solid(axis, modes, polygons, i, at):
     axis.add_collection(PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4))
 
 
-def edges(modes):
+def edges(modes: Modes):
     """Radius of the rim and of the hole, 0 if there is none, of the faces [m]: the weights add up to (R^2 - r^2)/2."""
     radius = np.hypot(*modes.body.points[:, :2].T).max()
     hole = radius**2 - 2 * modes.face_weight.sum()
     return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
 
 
-def draw_above(axis, modes, i, at, support):
+def draw_above(axis, modes: Modes, i, at, support: Support | None):
     """One mode from above, its centre `at` (x, y) in radii: colours, nodal lines, rim at rest and displaced, patch."""
     radius, hole = edges(modes)
     x, y, w = top_face(modes, i, radius, hole)
@@ -89,14 +89,14 @@ def draw_above(axis, modes, i, at, support):
         axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
 
 
-def caption(modes, i):
+def caption(modes: Modes, i):
     """Number, frequency, family, order and T60 of mode i."""
     time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
     pair = f"{modes.parity[i]}, " if modes.partner[i] >= 0 else ""
     return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{modes.family[i]}, {pair}order {modes.order[i]}"
 
 
-def top_face(modes, i, radius, hole):
+def top_face(modes: Modes, i, radius, hole):
     """Cartesian grids x, y and axial motion w of the top face, closed around, up to the rim and the centre or hole."""
     w, at = modes.face_shape[i, 1], modes.face_radius
     rim = w[-1] + (w[-1] - w[-2]) * (radius - at[-1]) / (at[-1] - at[-2])
@@ -108,7 +108,7 @@ def top_face(modes, i, radius, hole):
     return np.outer(r, np.cos(angle)), np.outer(r, np.sin(angle)), w
 
 
-def moved_rim(modes, i, radius, factor):
+def moved_rim(modes: Modes, i, radius, factor):
     """x, y (k + 1,) of the bottom edge displaced in the plane."""
     radial, tangential = factor * modes.rim_shape[i, :, 0], factor * modes.rim_shape[i, :, 1]
     c, s = np.cos(modes.rim_angle), np.sin(modes.rim_angle)

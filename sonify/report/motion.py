@@ -2,11 +2,12 @@
 
 import numpy as np
 
+from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_rate
 from sonify.report.figure import figure_at
 
 
-def draw_motion(motion, path):
+def draw_motion(motion: Motion, path):
     """Draw the paper's figures 3 to 6."""
     chi, weight = motion.disk.time_unit, motion.disk.weight
     t = np.linspace(0, motion.t[-1], 12000)

@@ -3,11 +3,15 @@
 from base64 import b64encode
 from io import BytesIO
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import soundfile
 from jinja2 import Environment, PackageLoader
 
 from sonify.files import whole
+
+if TYPE_CHECKING:
+    from sonify.pipeline import Result
 
 PICTURES = {
     "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
@@ -19,7 +23,7 @@ MOST_EMBEDDED = 100_000_000
 """A longer sound [bytes] is not put into the page, which refers to the file beside it."""
 
 
-def write(result, path: Path):
+def write(result: "Result", path: Path):
     """Write the page of a result, with everything it shows inside, but not a sound of hours."""
     text = (
         _templates()
@@ -44,7 +48,7 @@ def _templates():
     return Environment(loader=PackageLoader("sonify.report"), autoescape=True)
 
 
-def in_words(result) -> str:
+def in_words(result: "Result") -> str:
     """Return a result in a few lines."""
     yes, passed = (sum(one) for one in ([f.holds for f in result.findings], [c.passed for c in result.checks]))
     head = f"{result.scene.name}: {result.motion.outcome.sentence}"
@@ -52,7 +56,7 @@ def in_words(result) -> str:
     return "\n".join([head, *map(repr, (result.plan, result.modes, result.motion, result.sound)), count])
 
 
-def in_a_notebook(result) -> str:
+def in_a_notebook(result: "Result") -> str:
     """Return a result as a piece of HTML: the sound to play, and the verdict on every claim."""
     template = _templates().get_template("notebook.html")
     return template.render(result=result, audible=compressed(result.sound.audible), words=in_words(result))

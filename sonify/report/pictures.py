@@ -2,6 +2,7 @@
 
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import TYPE_CHECKING
 
 from PIL import Image
 
@@ -10,8 +11,11 @@ from sonify.report.mode_shapes import draw_modes
 from sonify.report.motion import draw_motion
 from sonify.report.sound import draw_spectrogram, draw_stems
 
+if TYPE_CHECKING:
+    from sonify.pipeline import Result
 
-def draw_all(result):
+
+def draw_all(result: "Result"):
     """Draw every picture of a run into its folder; in a draft not that of the stems."""
     for name, draw in PICTURES.items():
         path = result.out / f"{name}.png"
@@ -21,7 +25,7 @@ def draw_all(result):
             draw(result, path)
 
 
-def picture(result, name: str) -> Image.Image:
+def picture(result: "Result", name: str) -> Image.Image:
     """Return one of the PICTURES of a result, which a notebook shows. Raises ValueError for another name."""
     if name not in PICTURES:
         raise ValueError(f"there is no picture {name!r}: it is one of {', '.join(PICTURES)}")

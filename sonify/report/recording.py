@@ -6,7 +6,7 @@ from itertools import chain, count
 from pathlib import Path
 
 from sonify.files import claim
-from sonify.hearing.recording import listen
+from sonify.hearing.recording import Heard, listen
 
 
 def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
@@ -41,12 +41,12 @@ def _name(recording):
     return str(Path(recording).resolve())
 
 
-def numbers(heard) -> dict:
+def numbers(heard: Heard) -> dict:
     """Return what was heard as plain values: the fits, the carriers, and the ridge of the tone."""
     return asdict(heard) | {name: _tone(getattr(heard, name)) for name in ("tone", "repetition")}
 
 
-def sentences(heard) -> list[str]:
+def sentences(heard: Heard) -> list[str]:
     """Return what was heard in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
     if heard.missing:

@@ -5,12 +5,15 @@ from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullLocator
 from scipy.ndimage import median_filter
 
+from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_frequency
+from modal import Modes
 from sonify.claims.sound import LAST
 from sonify.hearing.loudness import audibility
+from sonify.hearing.recording import Heard
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
 from sonify.report.figure import figure_at
-from sonify.sound.pressure import STEMS
+from sonify.sound.pressure import STEMS, Sound
 
 RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
 """The band of the contact rates [Hz], and the window it is seen through [s]."""
@@ -22,7 +25,7 @@ EDGE = [withStroke(linewidth=2.5, foreground="k")]
 """Makes a white line visible on white."""
 
 
-def draw_spectrogram(motion, modes, sound, path):
+def draw_spectrogram(motion: Motion, modes: Modes, sound: Sound, path):
     """Draw the pressure in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
     delay = sound.source_end - motion.t[-1]
     low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
@@ -44,7 +47,7 @@ def draw_spectrogram(motion, modes, sound, path):
         figure.colorbar(image, ax=axes, pad=0.05, fraction=0.04, label="level of a sine in the window [dB re 20 µPa]")
 
 
-def draw_recording(recording, heard, path):
+def draw_recording(recording, heard: Heard, path):
     """Draw a sound file in two bands, relative to full scale, with the rising tone that was heard over it."""
     low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
     top = 5 * np.ceil(max(low.level_db(1.0).max(), high.level_db(1.0).max()) / 5)
@@ -108,7 +111,7 @@ def _mode_lines(axes, frequencies, span):
         axes.text(span[1], place, f" {1e3 * height:.0f} Hz", fontsize=7, va="center")
 
 
-def draw_stems(sound, path):
+def draw_stems(sound: Sound, path):
     """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing."""
     styles = dict(zip(STEMS, [("k", "-"), ("k", "--"), ("0.55", "-"), ("0.55", "--")], strict=True))
     with figure_at(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):

@@ -6,6 +6,8 @@ from functools import cached_property
 import numpy as np
 from PIL import Image, ImageDraw
 
+from dynamics import Disk
+
 SEGMENTS = 96
 """Sides of the polygon that is drawn for the rim."""
 FINER = 2
@@ -53,14 +55,14 @@ def patch_frame(state, inclination) -> np.ndarray:
     return np.stack([c[:, None] * a2 - s[:, None] * a3, -a1, s[:, None] * a2 + c[:, None] * a3], axis=1)
 
 
-def contact(state, inclination, disk) -> np.ndarray:
+def contact(state, inclination, disk: Disk) -> np.ndarray:
     """Return the contact points (k, 3) [m] on the table."""
     x, _, z = patch_frame(state, inclination).swapaxes(0, 1)
     point = disk.radius * x - disk.thickness / 2 * z
     return np.column_stack([state[:, 3:5] + point[:, :2], 0 * point[:, 2]])
 
 
-def rims(state, inclination, disk) -> np.ndarray:
+def rims(state, inclination, disk: Disk) -> np.ndarray:
     """Return the points (k, 2, SEGMENTS, 3) [m] of the lower and the upper rim, fixed in the body."""
     x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
     angle = state[:, 2, None] + np.arange(SEGMENTS) * 2 * np.pi / SEGMENTS

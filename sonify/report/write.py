@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from dynamics import Motion
 from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
 from sonify.files import whole
 from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
+from sonify.progress import Stages
+from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
     from sonify.pipeline import Result
@@ -22,7 +25,7 @@ NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
 
 
-def write_record(result, stages):
+def write_record(result: "Result", stages: Stages):
     """Write everything but the sound into the folder of the result; the stages are timed."""
     from sonify.report import page, pictures  # drawing loads slowly
 
@@ -37,7 +40,7 @@ def write_record(result, stages):
     page.write(result, result.out / "report.html")
 
 
-def write_motion(motion, path: Path):
+def write_motion(motion: Motion, path: Path):
     """Write instants [s], states, forces [N] and regimes at the ends of the pieces, the jumps and the transitions."""
     jumps, events = motion.jumps, motion.transitions
     with whole(path) as temporary:
@@ -58,7 +61,7 @@ def write_motion(motion, path: Path):
         )
 
 
-def run_record(result) -> dict:
+def run_record(result: "Result") -> dict:
     """Return what run.json holds: plain values, none of them infinite or not a number."""
     sound = result.sound
     return {
@@ -107,7 +110,7 @@ def loudness(sound) -> float | str:
         return str(error)
 
 
-def roughness_before(sound) -> dict | str:
+def roughness_before(sound: Sound) -> dict | str:
     """Return the roughness of the last seconds of the motion, or why there is none."""
     try:
         time, asper = roughness(sound.pressure, sound.source_end)

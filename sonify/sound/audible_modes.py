@@ -2,7 +2,9 @@
 
 import numpy as np
 
+from modal import Modes
 from sonify.hearing.loudness import a_weighting_db
+from sonify.scene import Scene
 from sonify.sound.drive import drive_per_newton
 from sonify.sound.radiation import Listener, directions
 
@@ -12,14 +14,14 @@ RING_DOWN_DB, LONGEST = 60.0, 10.0
 """A ring is heard until it is so far [dB] below the loudest at its start, but not longer than this [s]."""
 
 
-def sounding(modes, sample_rate: float, wanted=None) -> np.ndarray:
+def sounding(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
     """Return which (k,) of the indices `wanted`, of all modes if None, lie below half the sample rate: a higher one is
     left out, not folded back."""
     keep = np.arange(len(modes)) if wanted is None else np.array(wanted, dtype=int)
     return keep[modes.frequency[keep] < sample_rate / 2]
 
 
-def after_a_jump(modes, scene) -> tuple[np.ndarray, np.ndarray]:
+def after_a_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.ndarray]:
     """Return what a jump of 1 N of the contact force leaves in the modes: loudness (m,) [Pa^2 s] and energy (m,) [J].
 
     A mode of modal mass 1 driven by g rings as q'' = g exp(-d t) cos(w t), of energy g^2/(2 w^2); the square of its
@@ -35,7 +37,7 @@ def after_a_jump(modes, scene) -> tuple[np.ndarray, np.ndarray]:
     return weight * g2 * heard2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)
 
 
-def ring_down(modes, scene) -> float:
+def ring_down(modes: Modes, scene: Scene) -> float:
     """Return for how long [s] the modes are still heard after the motion."""
     loudness, _ = after_a_jump(modes, scene)
     at_start = loudness * np.maximum(modes.decay_rate, 1 / LONGEST)

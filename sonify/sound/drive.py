@@ -6,6 +6,10 @@ The frame of the patch, x towards the contact and z along the axis, is (-e3, -e1
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from dynamics import Disk
+from modal import Modes
+from sonify.scene import Scene
+
 
 def in_patch_frame(force, inclination) -> np.ndarray:
     """Return forces (k, 3) along a_1, a_2, a_3 at inclinations (k,) [rad] as (k, 3) along x, y, z of the patch;
@@ -15,7 +19,7 @@ def in_patch_frame(force, inclination) -> np.ndarray:
     return np.stack([c * across - s * normal, -along, s * across + c * normal], axis=1)
 
 
-def rigid_acceleration(push, disk) -> np.ndarray:
+def rigid_acceleration(push, disk: Disk) -> np.ndarray:
     """Return the acceleration (k, 6) that contact forces (k, 3) [N] cause: of the centre [m/s^2], angular [rad/s^2].
 
     Both in the frame of the patch; inertia by (2.4), force at (R, 0, -L/2). The resisting moments (3.3) are left out:
@@ -28,7 +32,7 @@ def rigid_acceleration(push, disk) -> np.ndarray:
     return np.hstack([push / disk.mass, turn / [about_diameter, about_diameter, about_axis]])
 
 
-def rigid_sources(force, attitude, disk) -> np.ndarray:
+def rigid_sources(force, attitude, disk: Disk) -> np.ndarray:
     """Return (k, 2) [m/s^2]: the heave of the disk, and the acceleration by tilting of its rim towards azimuth 0.
 
     At rest the force is the weight and the heave is 0. `force` (k, 3) [N], `attitude` (k, 3) [rad].
@@ -48,7 +52,7 @@ def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
     return -(precession + np.pi / 2 + (spin if turning_with_body else 0.0))
 
 
-def modal_drive(modes, scene):
+def modal_drive(modes: Modes, scene: Scene):
     """Return drive(force (k, 3) [N], attitude (k, 3) [rad]) -> the right-hand sides (k, m) of q'' + 2 d q' + w^2 q = g.
 
     A disk held by its `patch` moves with the contact, g = -participation . rigid acceleration, and the force does no
@@ -64,7 +68,7 @@ def modal_drive(modes, scene):
     )
 
 
-def drive_per_newton(modes, scene) -> np.ndarray:
+def drive_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
     """Return (3, m): what 1 N along x, y, z of the patch drives; on a free disk its root mean square round the rim."""
     if scene.support.kind == "patch":
         return _by_the_base(modes, scene.disk)

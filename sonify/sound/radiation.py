@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import resample
 
+from modal import Modes
 from modal.radiation import AIR_DENSITY, SOUND_SPEED
 
 AZIMUTHS = 512
@@ -50,7 +51,7 @@ def rayleigh(face, points, weights, wavenumber, listener_at) -> np.ndarray:
     return AIR_DENSITY / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
 
 
-def directions(modes, listener: Listener, still: bool = False, count: int = AZIMUTHS) -> np.ndarray:
+def directions(modes: Modes, listener: Listener, still: bool = False, count: int = AZIMUTHS) -> np.ndarray:
     """Return `rayleigh` of the top face of every mode at `count` even azimuths of the listener, (count, m), complex.
 
     At the frequency of each mode; at frequency 0 if `still`. Azimuths are in the frame of the modes. It is computed at
@@ -67,7 +68,7 @@ def directions(modes, listener: Listener, still: bool = False, count: int = AZIM
     return resample(found, count, axis=0) if len(found) < count else found
 
 
-def taps(modes, listener: Listener, sample_rate: float) -> np.ndarray:
+def taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarray:
     """Return three-tap filters (AZIMUTHS, m, 3) on samples n + 1, n, n - 1 that radiate the modes.
 
     Their response is exactly Rayleigh's integral at the frequency of the mode and at 0. In the last 2 % below half the
