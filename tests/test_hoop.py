@@ -259,7 +259,7 @@ def test_the_shipped_hoop_runs_to_its_end_with_every_check_passed(hoop, tmp_path
 
 FAULTS = [
     ("disk.wall=0.04", "disk: wall = 0.04: must be less than radius = 0.03755"),
-    ("disk.wall=0", "disk.wall = 0: must be greater than 0"),
+    ("disk.wall=0", "disk.wall = 0: must be greater than or equal to 1e-09"),
     ("disk.shape=solid", "disk: wall = 0.003: only a disk of shape = 'shell' has a wall"),
 ]
 
