@@ -3,7 +3,7 @@
 from math import pi
 from typing import Any, Protocol
 
-from modal.elements import patch as held
+from modal import held
 from modal.elements.elastic import mode_count
 from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_held

@@ -96,6 +96,33 @@ def test_a_thin_plate_is_resolved_up_to_20_khz():
     assert (error <= elements.error[: len(frequency)]).all()
 
 
+def test_a_narrow_patch_does_not_ask_for_more_tractions_than_a_wide_one(free_disk):
+    """Its tractions vary with orders up to thousands, whose flexibility is an integral."""
+    narrow = Support(half_angle_deg=0.5)
+    more = FreeDisk(plate=DISK, richness=Richness(around=8)).frequencies(narrow, below=20e3)
+    assert free_disk.frequencies(narrow, below=20e3) == pytest.approx(more, rel=5e-4)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["published", "narrow", "45 degrees", "130 degrees", *OTHERS])
+def test_errors_are_estimated_within_a_factor_of_five(name):
+    """Oracle: synthesis with twice as much of everything, where it differs by more than its own estimate.
+
+    On patches far wider than the disk is thick the estimate may be twice as large as that.
+    """
+    wide = {"narrow": 0.5, "45 degrees": 45, "130 degrees": 130}
+    poisson, aspect, support = OTHERS.get(name, (0.28, 0.34, Support(half_angle_deg=wide.get(name, 5))))
+    material, below = Material(young=195e9, poisson=poisson), min(20e3, 60e3 * aspect)
+    disk = Plate(radius=RADIUS, thickness=aspect * RADIUS, material=material, density=DENSITY)
+    rich = Richness(size=(16, 10), around=14, through=8, cutoff=2.0)
+    found, exact = (FreeDisk(plate=disk, richness=r).held(support, below) for r in (Richness(), rich))
+    (f, estimate), (g, unsure) = (np.concatenate([[c.frequency, c.error] for c in k], axis=1) for k in (found, exact))
+    error = np.abs(f / g - 1)
+    assert error.max() < 1e-3
+    assert (estimate > 1.2 * (error - unsure)).all()
+    assert (estimate < (10 if name in wide else 5) * (error + unsure)).all()
+
+
 def test_holding_two_components_lowers_every_frequency(free_disk):
     two, three = (free_disk.frequencies(Support(held=held), below=20e3)[:9] for held in (TWO, Support().held))
     assert (two < three).all()

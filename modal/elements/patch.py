@@ -28,8 +28,8 @@ PART = LEVELS | {
     "standard": (MIDDLE, replace(COARSE, lead=0.15)),
 }
 """The same for a patch over part of the thickness, which needs many more cells."""
-SAFETY = 2.5
-"""Errors are estimated as so many times that distance: the coarser mesh may be as little as 1.4 times as wrong."""
+SAFETY = 1.8
+"""Errors are estimated as so many times that distance: the coarser mesh may be as little as 1.6 times as wrong."""
 LEAST = 0.5
 """Least estimate over the median of all modes: by chance a mode may have the same error on both meshes."""
 WAVES, NARROWEST = 3.5, 0.2

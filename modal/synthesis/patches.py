@@ -1,16 +1,17 @@
 """A disk on a patch by synthesis: modes of the free disk, the flexibility of those left out, tractions on the patch.
 
-With q the free modes, p the tractions and B their work, (Omega^2 - w^2) q = B^T p and B q + F p = 0, where F is the
-static flexibility of the modes left out; so (Omega^2 + B^T F^-1 B) q = w^2 q. For the tractions see `tractions`.
+With q the free modes, -p the tractions and B their work, (Omega^2 - w^2) q + B^T p = 0 and B q = (F + w^2 G) p, F and
+w^2 G being the flexibility of the modes left out to the first order in w^2. With P = F^-1 B to the same order
+(Omega^2 + P^T F P) q = w^2 (1 + P^T G P) q (MacNeal 1971, Rubin 1975). For the tractions see `tractions`.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import pi
 
 import numpy as np
 from scipy.interpolate import CubicSpline
-from scipy.linalg import block_diag, cho_factor, cho_solve, eigh
+from scipy.linalg import cholesky, eigh, solve_triangular
 
 from modal.elements.elastic import lame
 from modal.mesh.sector import patch_edge
@@ -18,6 +19,7 @@ from modal.mesh.symmetry import check_held
 from modal.modes import Support
 from modal.spectral.basis import Plate, problem, rigid_count
 from modal.spectral.ritz import matrices
+from modal.synthesis.held import HeldClass, held_class
 from modal.synthesis.tractions import STANDARD, Patch, Richness
 
 
@@ -25,8 +27,9 @@ from modal.synthesis.tractions import STANDARD, Patch, Richness
 class Order:
     """One order n and symmetry in z of the free disk, seen at the rim as Legendre coefficients of (u_r, u_theta, u_z).
 
-    values (k,) [1/s^2] and shapes (3 nz, k) of the kept modes, rigid ones first with value 0; rest (3 nz, 3 nz) [m/N]
-    is the static flexibility of all others.
+    values (k,) [1/s^2] and shapes (3 nz, k) of the kept modes, rigid ones first with value 0. Of all others rest
+    (3, 3 nz, 3 nz) is the static flexibility [m/N], its slope over w^2 [m s^2/N], and what the highest polynomials of
+    the basis contribute to it [m/N].
     """
 
     values: np.ndarray
@@ -39,20 +42,37 @@ def at_rim(p, size):
     return np.hstack([np.kron(np.array(t.share, float)[:, None], np.tile(np.eye(size[1]), size[0])) for t in p.terms])
 
 
+BEYOND = 2.2
+"""Flexibility of all polynomials that the basis lacks over what its highest ones contribute: it falls slowly, because
+rim and faces meet at a corner."""
+
+
 def free_order(plate, p, size, cutoff) -> Order:
-    """The `Order` of a problem; nothing is kept if cutoff [Hz] is 0."""
-    k, m = matrices(plate, p, size)
-    rim, limit, rigid = at_rim(p, size), (2 * pi * cutoff) ** 2, rigid_count(plate, p)
-    if not cutoff:
-        return Order(values=np.zeros(0), shapes=np.zeros((len(rim), 0)), rest=rim @ cho_solve(cho_factor(k), rim.T))
-    values, vectors = eigh(k, m, subset_by_value=(-np.inf, limit))
+    """The `Order` of a problem; nothing is kept if cutoff [Hz] is 0.
+
+    The factor of the stiffness has the highest polynomials last, so that its rows say what they contribute.
+    """
+    last = np.zeros((len(p.terms), *size), bool)
+    last[:, -1], last[:, :, -1] = True, True
+    turn = np.argsort(last.ravel(), kind="stable")
+    k, m = (a[np.ix_(turn, turn)] for a in matrices(plate, p, size))
+    rim, limit, rigid = at_rim(p, size)[:, turn], (2 * pi * cutoff) ** 2, rigid_count(plate, p) if cutoff else 0
+    values, vectors = eigh(k, m, subset_by_value=(-np.inf, limit)) if cutoff else (np.zeros(0), np.zeros((len(k), 0)))
     values[:rigid] = 0.0
-    still = m @ vectors[:, :rigid] * limit
-    lifted = k + still @ still.T / limit
-    shapes = rim @ vectors
-    weight = np.concatenate([np.full(rigid, 1 / limit), 1 / values[rigid:]])
-    rest = rim @ cho_solve(cho_factor(lifted), rim.T) - shapes * weight @ shapes.T
-    return Order(values=values, shapes=shapes, rest=rest)
+    still = m @ vectors[:, :rigid]
+    factor = cholesky(k + limit * still @ still.T, lower=True)
+    half = solve_triangular(factor, rim.T, lower=True)
+    shapes, highest = rim @ vectors, half[-np.count_nonzero(last) :]
+    weighted = shapes / np.where(values > 0, values, limit)
+    beyond = highest.T @ highest
+    static = half.T @ half - weighted @ shapes.T + BEYOND * beyond
+    left = solve_triangular(factor, half, lower=True, trans=1) - vectors @ weighted.T
+    slope = left.T @ m @ left
+    return Order(values=values, shapes=shapes, rest=np.stack([static, slope, beyond]))
+
+
+LONGEST = 15
+"""Most tractions around that are added where a patch is longer than high: they vary within a thickness of its ends."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -89,15 +109,18 @@ class FreeDisk:
 
     @cached_property
     def high(self) -> dict:
-        """even -> (orders (k,), n times flexibility (k, 3 nz, 3 nz)) of orders beyond the kept ones, interpolated."""
+        """even -> (orders (k,), rest (k, 3, 3 nz, 3 nz)) of orders beyond the kept ones, interpolated.
+
+        Flexibilities fall as 1/n and rates rise as n.
+        """
         last = max(n for n, _, _ in self.kept)
         top = self.richness.top
         some = np.unique(np.rint(np.geomspace(last, max(top, 2 * last), 14)).astype(int))
         every, result = np.arange(last + 1, some[-1] + 1), {}
         for even in (1, -1):
             rest = [free_order(self.plate, problem(self.plate, n, even), self.richness.size, 0.0).rest for n in some]
-            scaled = np.array(rest) * some[:, None, None]
-            result[even] = every, CubicSpline(np.log(some), scaled)(np.log(every))
+            falls = [n[:, None, None, None] ** -np.array([1.0, 3.0, 1.0])[:, None, None] for n in (some, every)]
+            result[even] = every, CubicSpline(np.log(some), rest / falls[0])(np.log(every)) * falls[1]
         return result
 
     @property
@@ -110,46 +133,13 @@ class FreeDisk:
 
         ValueError where the patch is not over the whole thickness, or leaves a rigid body free to move.
         """
-        patch = Patch(plate=self.plate, support=support, richness=self.richness)
+        return np.sort(np.concatenate([c.frequency[c.frequency < below] for c in self.held(support, below)]))
+
+    def held(self, support, below, angle=()) -> list[HeldClass]:
+        """The `HeldClass` of every symmetry class, in the order of `modal.mesh.symmetry.classes`; see `frequencies`."""
+        longer = min(LONGEST, int(0.7 * np.deg2rad(support.half_angle_deg) * self.plate.radius / self.plate.thickness))
+        richness = replace(self.richness, around=self.richness.around + longer)
+        patch = Patch(plate=self.plate, support=support, richness=richness)
         check_held(patch_edge(self.plate.radius, self.plate.thickness, support), support.held)
-        values = np.concatenate([held_class(self, patch, y, even) for y in (1, -1) for even in (1, -1)])
-        return np.sort(np.sqrt(values[values < (2 * pi * below) ** 2])) / (2 * pi)
-
-
-def held_class(disk, patch, y, even):
-    """Eigenvalues [1/s^2] of the class of symmetry y in y and even in z."""
-    values, work, flexibility = [], [], 0.0
-    held, through = patch.held, patch.through(even)[patch.held]
-    seen = np.ravel(np.array(held)[:, None] * disk.nz + np.arange(disk.nz))
-    for (n, parity, torsional), order in disk.kept.items():
-        if parity == even and (n > 0 or torsional == (y < 0)):
-            around = patch.around(np.array([n]), y)[held, 0]
-            nodal = block_diag(*[np.kron(a[:, None], t) for a, t in zip(around, through, strict=True)])
-            values.append(order.values)
-            work.append(nodal @ order.shapes[seen])
-            flexibility = flexibility + nodal @ order.rest[np.ix_(seen, seen)] @ nodal.T
-    flexibility = flexibility + high_orders(disk, patch, y, even, block_diag(*through), seen)
-    b = np.hstack(work)
-    stiffness = b.T @ cho_solve(cho_factor(flexibility), b)
-    return eigh(np.diag(np.concatenate(values)) + stiffness, eigvals_only=True)
-
-
-def high_orders(disk, patch, y, even, through, seen):
-    """Flexibility (P, P) of the orders beyond the kept ones: interpolated, then falling as 1/n, then their integral.
-
-    For large n two tractions of one trigonometric kind work together as (pi a R)^2/(pi n a) on average, two of
-    different kinds as 0.
-    """
-    n, scaled = disk.high[even]
-    held, angle = patch.held, np.deg2rad(patch.support.half_angle_deg)
-    local = through @ scaled[:, seen[:, None], seen] @ through.T
-    local = local.reshape(len(n), len(held), -1, len(held), len(through) // len(held))
-    around = patch.around(n, y)[held]
-    result = np.einsum("cnj,dni,n,ncldm->cjldim", around, around, 1 / n, local, optimize=True)
-    far = np.arange(n[-1] + 1, n[-1] + 2 + int(30 / angle))
-    around = patch.around(far, y)[held]
-    tail = np.einsum("cnj,dni,n->cjdi", around, around, 1 / far, optimize=True)
-    alike = np.array([c == 1 for c in held])
-    tail += (alike[:, None] == alike)[:, None, :, None] * pi * angle * patch.plate.radius**2 / far[-1]
-    size = around.shape[2] * len(through)
-    return (result + np.einsum("cjdi,cldm->cjldim", tail, local[-1])).reshape(size, size)
+        angle = np.asarray(angle, float)
+        return [held_class(self, patch, y, even, below, angle) for y in (1, -1) for even in (1, -1)]

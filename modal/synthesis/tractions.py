@@ -8,13 +8,22 @@ from dataclasses import dataclass
 from math import pi
 
 import numpy as np
+from scipy.optimize import brentq
 from scipy.special import eval_jacobi, eval_legendre, jv, roots_jacobi
 
 from modal.modes import Support
 from modal.spectral.basis import Plate
 
-CORNER = -0.25
-"""Exponent of the tractions where the patch meets a face, about that of a right corner of held and free sides."""
+
+def corner_exponent(poisson):
+    """Exponent of the tractions at a right corner of held and free sides: with u ~ r^q, k = 3 - 4 poisson
+    4 k sin(q pi/2)^2 = (k + 1)^2 - 4 q^2 (Williams 1952)."""
+    k = 3 - 4 * max(poisson, 0.0)
+    return brentq(lambda q: 4 * k * np.sin(q * pi / 2) ** 2 - (k + 1) ** 2 + 4 * q**2, 0.4, 1.0) - 1
+
+
+WIDEST = 170
+"""Half angle [degrees] beyond which the strip left free is too narrow for tractions."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -26,12 +35,12 @@ class Richness:
     ValueError if `through` is more than the axial count: the basis could not tell so many tractions apart.
     """
 
-    size: tuple[int, int] = (10, 6)
-    direct: int = 20
+    size: tuple[int, int] = (10, 7)
+    direct: int = 12
     top: int = 600
     around: int = 5
     through: int = 4
-    cutoff: float = 2.6
+    cutoff: float = 1.4
 
     def __post_init__(self):
         if self.through > self.size[1]:
@@ -51,8 +60,10 @@ class Patch:
 
     def __post_init__(self):
         support, thickness = self.support, self.plate.thickness
-        if support.kind != "patch" or support.height not in (None, thickness) or support.half_angle_deg > 170:
-            raise ValueError("synthesis is for a patch over the whole thickness and at most 170 degrees to either side")
+        if support.kind != "patch" or support.height not in (None, thickness) or support.half_angle_deg > WIDEST:
+            raise ValueError(
+                f"synthesis is for a patch over the whole thickness and at most {WIDEST} degrees to either side"
+            )
 
     def around(self, n, y):
         """Work (3, k, J) of cos n theta or sin n theta with radial, tangential, axial tractions of the class y [m].
@@ -70,13 +81,13 @@ class Patch:
     def through(self, even):
         """Work (3, L, nz) of Legendre's polynomials of the free disk with the tractions through the thickness [m].
 
-        The tractions go as distance^CORNER at the faces.
+        At the faces the radial and axial ones go as distance^p, p = `corner_exponent`, the tangential one is finite.
         """
-        zeta, weight = roots_jacobi(2 * self.richness.size[1] + 2 * self.richness.through, CORNER, CORNER)
         m, l = np.arange(self.richness.size[1])[:, None], np.arange(self.richness.through)[:, None]
-        work = []
-        for odd in (even < 0, even < 0, even > 0):
-            traction = eval_jacobi(2 * l + odd, CORNER, CORNER, zeta) * weight
+        work, corner = [], corner_exponent(self.plate.material.poisson)
+        for odd, power in ((even < 0, corner), (even < 0, 0.0), (even > 0, corner)):
+            zeta, weight = roots_jacobi(2 * self.richness.size[1] + 2 * self.richness.through, power, power)
+            traction = eval_jacobi(2 * l + odd, power, power, zeta) * weight
             work.append(traction @ eval_legendre(2 * m + odd, zeta).T)
         return np.stack(work) * self.plate.thickness / 2
 
