@@ -10,6 +10,7 @@ from functools import cached_property
 from math import pi
 
 import numpy as np
+from numpy.typing import ArrayLike
 from scipy.interpolate import CubicSpline
 from scipy.linalg import cholesky, eigh, solve_triangular
 
@@ -135,7 +136,7 @@ class FreeDisk:
         """
         return np.sort(np.concatenate([c.frequency[c.frequency < below] for c in self.held(support, below)]))
 
-    def held(self, support, below, angle=()) -> list[HeldClass]:
+    def held(self, support: Support, below: float, angle: ArrayLike = ()) -> list[HeldClass]:
         """The `HeldClass` of every symmetry class, in the order of `modal.mesh.symmetry.classes`; see `frequencies`."""
         longer = min(LONGEST, int(0.7 * np.deg2rad(support.half_angle_deg) * self.plate.radius / self.plate.thickness))
         richness = replace(self.richness, around=self.richness.around + longer)
