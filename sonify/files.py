@@ -70,11 +70,13 @@ def _alive(folder):
 def _remove_orphans(folder):
     """Remove the files in `folder` whose writer is dead, which is when its lock can be had."""
     for lock in folder.glob(f"{HIDDEN}*.lock"):
-        with suppress(Timeout), FileLock(lock, timeout=0):
-            for orphan in folder.glob(f"{lock.stem}.*"):
-                _unlink(orphan)
+        with suppress(Timeout):
+            with FileLock(lock, timeout=0):
+                for orphan in folder.glob(f"{lock.stem}.*"):
+                    _unlink(orphan)
+            _unlink(lock)  # Windows removes none that is held
 
 
 def _unlink(path):
-    with suppress(PermissionError):  # Windows: someone else has just opened the lock, and will remove it
+    with suppress(PermissionError):  # Windows: it is held, by us or by someone who will remove it
         path.unlink(missing_ok=True)
