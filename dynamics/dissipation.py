@@ -4,8 +4,9 @@ A power law P = -c |Omega|^b acts as the moment -c |Omega|^(b-1) sign(Omega) sec
 motion. In the quasi-steady range it makes the energy fall as (t0 - t)^(2/(b + 2)).
 """
 
+from copy import copy
 from dataclasses import dataclass
-from itertools import chain
+from itertools import chain, repeat
 from math import pi
 from typing import Annotated, NamedTuple
 
@@ -103,20 +104,28 @@ class Resistance(NamedTuple):
 class OwnLaw:
     """A law of dissipation of your own: a frozen dataclass that derives from this and is called as `Resistance` is.
 
-    Its numbers are compiled in. sonify/examples/own_dissipation.py shows one.
+    Its floats are symbols where it is compiled, so that it may not choose by them. sonify/examples/own_dissipation.py
+    shows one.
     """
 
     is_singular = False
-    numbers: tuple[float, ...] = ()
 
     @property
     def shape(self) -> "OwnLaw":
-        """What a compiled flow depends on: all of it."""
-        return self
+        """What a compiled flow depends on: None in place of every float."""
+        return self.filled(repeat(None))
 
-    def filled(self, _: object) -> "OwnLaw":
-        """Return the law, from whose shape no number is missing."""
-        return self
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """The numbers (n,) that `shape` leaves out."""
+        return tuple(value for value in vars(self).values() if isinstance(value, float))
+
+    def filled(self, numbers) -> "OwnLaw":
+        """Return the law with `numbers`, of any kind, in place of its floats or of None."""
+        law, left = copy(self), iter(numbers)
+        for name, value in vars(self).items():
+            object.__setattr__(law, name, next(left) if value is None or isinstance(value, float) else value)
+        return law
 
 
 def resistance(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:

@@ -3,8 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-
-import numpy as np
+from operator import add
 
 from . import collocation
 from .equations import Law
@@ -37,19 +36,18 @@ class RollingDisk:
 
     def advance(self, y, regime: Regime, span: float) -> Arc:
         """Integrate within `regime`; precession and quadratures restart near zero so that they keep their digits."""
-        local = list(y)
-        local[PRECESSION] = math.remainder(y[PRECESSION], 2 * math.pi)
-        local[SPIN:] = [0.0] * 4
-        offset = np.array(y) - np.array(local)
+        turned = math.remainder(y[PRECESSION], 2 * math.pi)
+        local, offset = [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
         flow = collocation.advance if self._is_stiff(y, regime) else self.integrate
         arc = flow(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
-        arc.coefficients[:, 0] += offset
-        return arc._replace(end=(np.array(arc.end) + offset).tolist())
+        arc.coefficients[:, 0, PRECESSION:] += offset
+        end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], offset)]
+        return Arc(arc.times, arc.coefficients, end, arc.guard)
 
     def _is_stiff(self, y, regime) -> bool:
-        branch = Branch.of(regime, self.law, self.loads)
-        if not (regime.sliding and branch.can_grip):
+        if not (regime.sliding and self.law.mu_dynamic > 0):
             return False
+        branch = Branch.of(regime, self.law, self.loads)
         return collocation.is_stiff(y, FLOAT.contact(y, branch, regime.senses, self.law), self.law)
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:

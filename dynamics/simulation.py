@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 from functools import cache
 from importlib import import_module
 from typing import Protocol
@@ -15,7 +16,7 @@ from .equations import Law
 from .hybrid import CASCADE, STALLED, StalledError, drive
 from .motion import Motion, Outcome, Transition, read_only
 from .numerics import Numerics, integrator_of
-from .regime import R
+from .regime import R, Regime
 from .rolling import RollingDisk
 from .switching import ImpossibleContactError
 
@@ -44,34 +45,62 @@ class MotionScene(Protocol):
     def numerics(self) -> Numerics: ...
 
 
+Watch = Callable[[float, float, str], None]
+
+
 def simulate(
-    scene: MotionScene,
-    watch: Callable[[float, float], None] = lambda t, inclination: None,
-    loads: OwnLaw | None = None,
+    scene: MotionScene, watch: Watch = lambda t, inclination, doing: None, loads: OwnLaw | None = None
 ) -> Motion:
     """Solve the rigid motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
 
-    `watch(t, inclination)` [s, rad] is called on the way. Threads may call this at the same time and share scenes and
-    motions, which nobody changes; every call has integrators of its own. Raises ImpossibleContactError, with time and
-    state, where no contact force satisfies the balance laws.
+    `watch(t, inclination, doing)` [s, rad] is called on the way, and before a wait for the compiler, which `doing` then
+    names. Threads may call this at the same time and share scenes and motions, which nobody changes; every call has
+    integrators of its own. Raises ImpossibleContactError, with time and state, where no contact force satisfies the
+    balance laws.
     """
-    disk, numerics = scene.disk, scene.numerics
-    name, integrate = chosen_integrator(numerics.integrator)
-    r_end = math.sqrt(numerics.stopping_inclination(disk))
-    loads = loads or resistance(getattr(scene, "dissipation", None), disk)
-    system = RollingDisk(law_of(disk, scene.friction), loads, r_end, integrate, numerics.chosen_tolerance)
-    now = 0.0
+    prepare(scene, loads)
+    disk, system = scene.disk, system_of(scene, loads)
+    known, now = set(), 0.0
+
+    def integrate(y, regime, *rest):
+        if (kind := regime[:2]) not in known:
+            known.add(kind)
+            watch(now, y[R] ** 2, f"compiling the flow of '{regime}'")
+        return system.integrate(y, regime, *rest)
 
     def watched(tau, y):
         nonlocal now
         now = tau * disk.time_unit
-        watch(now, y[R] ** 2)
+        watch(now, y[R] ** 2, "")
 
+    span = scene.numerics.time_limit / disk.time_unit
     try:
-        path, guard = drive(system, released(disk, scene.release), numerics.time_limit / disk.time_unit, watched)
+        path, guard = drive(replace(system, integrate=integrate), released(disk, scene.release), span, watched)
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
-    return _motion(disk, system, path, OUTCOMES[guard], name)
+    return _motion(disk, system, path, OUTCOMES[guard], integrator_of(scene.numerics.integrator))
+
+
+def prepare(scene: MotionScene, loads: OwnLaw | None = None) -> None:
+    """Begin to compile the flows that most motions need, beside whatever is done before `scene` is simulated."""
+    if integrator_of(scene.numerics.integrator) == "taylor":
+        from . import taylor
+
+        system = system_of(scene, loads)
+        for sliding in (False, True)[: 1 if system.law.mu_static == math.inf else 2]:
+            taylor.prepare(Regime(sliding, (False,) * 3, (1.0,) * 3), system.law, system.loads, system.tolerance)
+
+
+def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
+    """Return the hybrid system of a scene."""
+    disk, numerics = scene.disk, scene.numerics
+    return RollingDisk(
+        law=law_of(disk, scene.friction),
+        loads=loads or resistance(getattr(scene, "dissipation", None), disk),
+        r_end=math.sqrt(numerics.stopping_inclination(disk)),
+        integrate=chosen_integrator(numerics.integrator)[1],
+        tolerance=numerics.chosen_tolerance,
+    )
 
 
 def chosen_integrator(name: str):

@@ -1,5 +1,6 @@
 """The flow by heyoka's adaptive Taylor integrator: steps of high order, and every root of every guard within a step."""
 
+from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from functools import lru_cache
 
@@ -13,6 +14,8 @@ from .symbolic import constants, formulas, shape
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
 STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
+NOT_FINITE, FIRST_OF_OTHERS = int(heyoka.taylor_outcome.err_nf_state), int(heyoka.taylor_outcome.success)
+"""How heyoka ends a run: by guard i as -i - 1, otherwise by a number not above that of a success."""
 MOST_STEPS = 1000
 MOST_COMPILED = 64
 """Branches that are kept compiled; a scene has a tenth of that."""
@@ -54,13 +57,24 @@ class Compiled:
         self._idle.append(borrowed)
 
 
-compiled = lru_cache(MOST_COMPILED)(Compiled)
+_compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")
+
+
+@lru_cache(MOST_COMPILED)
+def compiled(branch: Branch, tolerance: float):
+    """Return the future of a `Compiled`: heyoka compiles beside other work, for it lets go of Python's lock."""
+    return _compilers.submit(Compiled, branch, tolerance)
+
+
+def prepare(regime: Regime, law: Law, loads, tolerance: float) -> None:
+    """Begin to compile the flow of a regime."""
+    compiled(shape(regime, law, loads), tolerance)
 
 
 @lru_cache(MOST_COMPILED)
 def prepared(regime: Regime, law: Law, loads, r_end: float, tolerance: float):
     """Return the compiled flow of a regime, and its constants (n,)."""
-    return compiled(shape(regime, law, loads), tolerance), np.array(constants(regime, law, loads, r_end))
+    return compiled(shape(regime, law, loads), tolerance).result(), np.array(constants(regime, law, loads, r_end))
 
 
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
@@ -73,19 +87,17 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     pars[:], state[:] = parameters, y
     integrator.time = 0.0
     integrator.reset_cooldowns()
-    times, coefficients, guard = [], [], None
-    step, success = integrator.step, heyoka.taylor_outcome.success
-    for _ in range(MOST_STEPS):
-        outcome, _h = step(max_delta_t=span - integrator.time, write_tc=True)
+    times, coefficients = [], []
+
+    def keep(_integrator):
         coefficients.append(series.copy())
         times.append(integrator.time)
-        if outcome == success:
-            continue
-        if outcome == heyoka.taylor_outcome.err_nf_state:
-            raise StalledError(f"{describe(y)}: no step is short enough in {regime}")
-        if outcome != heyoka.taylor_outcome.time_limit:
-            guard = flow.guards[-int(outcome) - 1]
-        break
+        return True
+
+    outcome = int(integrator.propagate_until(span, max_steps=MOST_STEPS, callback=keep, write_tc=True)[0])
     end = state.tolist()
     flow.give_back(borrowed)
+    if outcome == NOT_FINITE:
+        raise StalledError(f"{describe(y)}: no step is short enough in {regime}")
+    guard = flow.guards[-outcome - 1] if outcome > FIRST_OF_OTHERS else None
     return Arc(np.array(times), np.array(coefficients).swapaxes(1, 2), end, guard)

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dynamics import ImpossibleContactError, Motion, simulate
-from dynamics.simulation import chosen_integrator
+from dynamics.simulation import chosen_integrator, prepare
 from modal import Modes, UnsolvableError, eigenmodes, with_radiation
 from modal.one_thread import one_blas_thread
 from modal.radiation import TOP
@@ -77,10 +77,13 @@ def solve(scene: Scene | str | Path, accuracy: str | None = None, stages: Stages
     `accuracy` (draft, standard, reference) replaces the scene's. Raises SceneError where the scene cannot be solved.
     """
     scene, stages = solvable(scene, accuracy), stages or Stages()
+    prepare(scene)
     with stages.stage("modes"):
         plan, modes = planned(scene)
     with stages.stage("motion") as watch:
-        motion = solve_motion(scene, lambda t, inclination: watch(0.0, f"t = {t:.2f} s, inclination {inclination:.2g}"))
+        motion = solve_motion(
+            scene, lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")
+        )
     with stages.stage("sound") as watch:
         sound = Renderer(scene, motion, modes, plan.voices, plan.calm).sound(watch)
     with stages.stage("findings"):
@@ -169,7 +172,7 @@ def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
     return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
 
 
-def solve_motion(scene: Scene, watch=lambda t, inclination: None) -> Motion:
+def solve_motion(scene: Scene, watch=lambda t, inclination, doing: None) -> Motion:
     """Return the motion of a scene. Raises SceneError where no contact force satisfies the balance laws."""
     try:
         return simulate(scene, watch)

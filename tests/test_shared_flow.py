@@ -6,15 +6,20 @@ Oracle: the number of compilations; the same scenes solved one after the other, 
 
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 
 import pytest
 from psutil import Process
 from scenes import scene, whirling
 
-from dynamics import simulate
-from dynamics.simulation import chosen_integrator
+from dynamics import Loads, OwnLaw, simulate
+from dynamics.equations import Law
+from dynamics.hybrid import StalledError
+from dynamics.regime import Regime
+from dynamics.simulation import chosen_integrator, prepare
 
 INTEGRATORS = ["taylor", "dop853"]
+LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 MEBIBYTE = 2**20
 
 
@@ -40,11 +45,11 @@ def written(motion) -> bytes:
 
 @pytest.mark.parametrize("threads", [2, 4])
 def test_threads_write_the_same_bytes(integrator, impatient, threads):
-    numerics = {"integrator": integrator, "time_limit": 2.5}
-    scenes = [scene(numerics, k2=k2, mu_static=mu) for k2, mu in ((8e-4, 0.4), (2e-3, 0.35), (4e-4, 0.31))] * 3
+    numerics = {"integrator": integrator, "time_limit": 2.0}
+    scenes = [scene(numerics, k2=k2, mu_static=mu) for k2, mu in ((8e-4, 0.4), (2e-3, 0.35), (4e-4, 0.31))] * 2
     with ThreadPoolExecutor(threads) as pool:
         together = list(pool.map(simulate, scenes))
-    alone = [simulate(one) for one in scenes[:3]] * 3
+    alone = [simulate(one) for one in scenes[:3]] * 2
     assert len(alone[0].transitions) > 10
     assert [written(motion) for motion in together] == [written(motion) for motion in alone]
 
@@ -69,3 +74,46 @@ def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(integr
     assert len(ends) == 51
     assert misses[0] == misses[-1]
     assert used[-1] - used[10] < 5 * MEBIBYTE
+
+
+@dataclass(frozen=True)
+class Drag(OwnLaw):
+    factor: float
+    axis: str = "M2"
+
+    def __call__(self, beta, omega, slip, law, flow):
+        return Loads(**{self.axis: -self.factor * omega[1]})
+
+
+def test_numbers_of_a_law_of_ones_own_are_not_compiled_in(integrator):
+    compiled, ends = chosen_integrator(integrator)[1].__globals__["compiled"], []
+    for factor in (1e-3, 2e-3):
+        ends.append(simulate(numbers(1, integrator), loads=Drag(factor)).state[-1, 10])
+        misses = compiled.cache_info().misses
+    simulate(numbers(1, integrator), loads=Drag(3e-3))
+    assert compiled.cache_info().misses == misses
+    assert ends[1] == pytest.approx(2 * ends[0], rel=0.01)
+
+
+def test_what_most_motions_need_is_compiled_before_they_ask():
+    taylor = pytest.importorskip("dynamics.taylor", reason="heyoka is not installed")
+    wanted = scene({"tolerance": 1e-10, "time_limit": 1.5, "integrator": "taylor"}, dissipation={"viscous_force": 1e-9})
+    before = taylor.compiled.cache_info().misses
+    prepare(wanted)
+    assert taylor.compiled.cache_info().misses == before + 2
+    assert {t.after for t in simulate(wanted).transitions} == {"roll", "slide"}
+    assert taylor.compiled.cache_info().misses == before + 2
+
+
+def test_a_wait_for_the_compiler_is_announced(integrator):
+    told = []
+    simulate(scene({"time_limit": 1.5, "integrator": integrator}), lambda t, _, doing: told.append((t, doing)))
+    assert told[0] == (0.0, "compiling the flow of 'roll'")
+    assert [doing for _, doing in told if doing] == [f"compiling the flow of '{kind}'" for kind in ("roll", "slide")]
+    assert told[-1] == (pytest.approx(1.5), "")
+
+
+def test_a_series_that_is_not_finite_stops_the_run(integrator):
+    lost = [0.7, 0.0, 0.2, float("nan"), *[0.0] * 7]
+    with pytest.raises(StalledError, match="nan"):
+        chosen_integrator(integrator)[1](lost, Regime(False, (False,) * 3, (1.0,) * 3), LAW, None, 1e-5, 1.0, 1e-12)
