@@ -4,6 +4,7 @@ A power law P = -c |Omega|^b acts as the moment -c |Omega|^(b-1) sign(Omega) sec
 motion. In the quasi-steady range it makes the energy fall as (t0 - t)^(2/(b + 2)).
 """
 
+from collections.abc import Iterable
 from copy import copy
 from dataclasses import dataclass
 from itertools import chain, repeat
@@ -91,7 +92,7 @@ class Resistance(NamedTuple):
         """The numbers (n,) that `shape` leaves out."""
         return tuple(own for own, kept in zip(self._flat(), self.shape._flat(), strict=True) if kept is None)
 
-    def filled(self, numbers) -> "Resistance":
+    def filled(self, numbers: Iterable) -> "Resistance":
         """Return a shape with `numbers` (n,), of any kind, in place of None."""
         left = iter(numbers)
         *powers, moment, force = (next(left) if kept is None else kept for kept in self._flat())
@@ -120,7 +121,7 @@ class OwnLaw:
         """The numbers (n,) that `shape` leaves out."""
         return tuple(value for value in vars(self).values() if isinstance(value, float))
 
-    def filled(self, numbers) -> "OwnLaw":
+    def filled(self, numbers: Iterable) -> "OwnLaw":
         """Return the law with `numbers`, of any kind, in place of its floats or of None."""
         law, left = copy(self), iter(numbers)
         for name, value in vars(self).items():
