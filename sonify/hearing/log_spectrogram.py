@@ -5,8 +5,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from scipy.ndimage import map_coordinates
+from scipy.ndimage import map_coordinates, maximum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
+
+from sonify.hearing.hum import without_hum
 
 HOP = 0.005
 """Spacing of the frames [s]."""
@@ -14,28 +16,34 @@ STEPS_PER_OCTAVE = 48
 """Of the logarithmic frequency axis."""
 BANDS = ((8.0, 40.0, 0.5), (40.0, 120.0, 0.2), (120.0, 400.0, 0.07), (400.0, 1500.0, 0.025), (1500.0, 8000.0, 0.01))
 """From, to [Hz], and the window there [s]: a tone that goes as 1/(t_end - t) stays within a line of it."""
+HUM_FROM = 0.025
+"""From the band with this window downwards hums are taken away first."""
+OCTAVE = STEPS_PER_OCTAVE + 1
+"""Bins from half an octave below to half an octave above."""
 DEEPEST_DB, LEAST_DB, MOST_DB = 60.0, -6.0, 20.0
-"""What is so far below the loudest is as good as silence; bounds of the level that a frame contributes [dB]."""
+"""What is so far below the loudest at its frequency is as good as silence; bounds of what a frame contributes [dB]."""
 GROUP = 1024
 """So many frames are transformed at once."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class LogMap:
-    """Level (t, f) [dB] above the median over time, at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm.
+    """Level (t, f) [dB] at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm, and how far it stands out.
 
-    Between LEAST_DB and MOST_DB, so that no frame decides alone, and MOST_DB only for the strongest of a frame.
+    `contrast` (t, f) [dB] is from the median over time and from half an octave to either side, between LEAST_DB and
+    MOST_DB, so that no frame decides alone.
     """
 
     time: np.ndarray
     frequency: np.ndarray
     level: np.ndarray
+    contrast: np.ndarray
 
     def read(self, t, frequency) -> np.ndarray:
-        """Return the level at times t and frequencies (any shape); outside it is 0."""
+        """Return the contrast at times t and frequencies (any shape); outside it is 0."""
         row = (t - self.time[0]) / HOP
         column = np.log2(frequency / self.frequency[0]) * STEPS_PER_OCTAVE
-        return map_coordinates(self.level, [row, column], order=1, mode="constant", cval=0.0)
+        return map_coordinates(self.contrast, [row, column], order=1, mode="constant", cval=0.0)
 
 
 def log_map(samples: np.ndarray, rate: float) -> LogMap:
@@ -51,17 +59,23 @@ def log_map(samples: np.ndarray, rate: float) -> LogMap:
             continue
         down = max(int(rate / (4 * frequency[here][-1])), 1)  # the samples that this band and those below it need
         samples, rate = resample_poly(samples, 1, down) if down > 1 else samples, rate / down
+        samples = without_hum(samples, rate) if window == HUM_FROM else samples
         level[:, here] = _levels(samples, rate, time, frequency[here], window)
-    level = np.maximum(level, level.max() - DEEPEST_DB)
+    return LogMap(time=time, frequency=frequency, level=level, contrast=_contrast(level))
+
+
+def _contrast(level):
+    level = np.maximum(level, level.max(axis=0) - DEEPEST_DB)
     level -= np.median(level, axis=0)
-    level = np.minimum(level, MOST_DB + level - level.max(axis=1, keepdims=True))
-    return LogMap(time=time, frequency=frequency, level=np.clip(level, LEAST_DB, MOST_DB))
+    level += np.minimum(MOST_DB - maximum_filter1d(level, OCTAVE, axis=1), 0)
+    level = np.clip(level, LEAST_DB, MOST_DB)
+    return np.maximum(level - uniform_filter1d(level, OCTAVE, axis=1), LEAST_DB)
 
 
 def _levels(samples, rate, time, frequency, window):
     """Levels (t, f) [dB] at frequencies (f,) through Hann windows around times (t,)."""
-    size = max(int(window * rate), 16)
-    turning = np.exp(-2j * np.pi / rate * np.outer(np.arange(size), frequency)) * np.hanning(size)[:, None]
+    size = 2 * max(int(window * rate / 2), 8) + 1
+    turning = np.exp(-2j * np.pi / rate * np.outer(np.arange(size), frequency)) * (np.hanning(size) / size)[:, None]
     kernel = np.hstack([turning.real, turning.imag]).astype(np.float32)
     frames = sliding_window_view(np.pad(samples, size), size)
     start = np.minimum(np.round(time * rate).astype(int) + size - size // 2, len(frames) - 1)

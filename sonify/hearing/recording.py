@@ -9,6 +9,7 @@ import soundfile
 from numpy.lib.stride_tricks import sliding_window_view
 from scipy.signal import butter, find_peaks, resample_poly, sosfiltfilt
 
+from sonify.hearing.hum import vertex
 from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.source import Source, pieces, source_of, stretch
 from sonify.scene_errors import InputError
@@ -67,9 +68,7 @@ def listen(sound: Source | str | Path) -> Heard:
         sample_rate=rate,
         start=start,
         tone=_later(rising_tone(samples, rate), start),
-        repetition=_later(rising_tone(*envelope(samples, rate), fundamental=True), start)
-        if rate > 2 * ENVELOPE_FROM
-        else None,
+        repetition=_later(rising_tone(*envelope(samples, rate)), start) if rate > 2 * ENVELOPE_FROM else None,
         carriers=steady_carriers(samples, rate),
         missing=duration * getattr(source_of(sound), "missing", 0.0),
     )
@@ -156,11 +155,10 @@ def _carrier(level, above, peak, spacing):
     best = near[np.argmax(level[:, near], axis=1)]
     rows = np.arange(len(level))
     low, mid, high = (level[rows, np.clip(best + i, 0, level.shape[1] - 1)] for i in (-1, 0, 1))
-    vertex = (low - high) / (2 * np.minimum(low - 2 * mid + high, -1e-9))
     shown = (above[rows, best] > CARRIER_STANDS_OUT_DB) & (low < mid) & (high < mid)
     if shown.sum() < max(5, len(level) // 5):
         return None
-    frequency = (best + vertex)[shown] * spacing
+    frequency = (best[shown] + vertex(low[shown], mid[shown], high[shown])) * spacing
     middle = np.median(frequency)
     cents = 1200 * np.log2(frequency / middle)
     return Carrier(
