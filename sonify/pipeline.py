@@ -1,73 +1,26 @@
 """SCENE -> PLAN -> MODES -> MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one screen."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from dynamics import ImpossibleContactError, Motion, simulate
-from dynamics.simulation import chosen_integrator, prepare
-from modal import Modes, UnsolvableError, eigenmodes, with_radiation
+from dynamics.simulation import prepare
 from modal.one_thread import one_blas_thread
-from modal.radiation import TOP
-from modal.solve import check
-from sonify.claims.checks import Check, all_checks
-from sonify.claims.motion import Finding, all_findings
-from sonify.claims.sound import all_verdicts
+from sonify.claims.checks import all_checks
+from sonify.claims.motion import all_findings
+from sonify.claims.sound import all_verdicts, hear
 from sonify.files import claimed
-from sonify.hearing.loudness import unheard
-from sonify.hearing.recording import Heard, RecordingError, listen
-from sonify.plan.plan import Plan, plan_of, with_end, with_voices
+from sonify.plan.plan import with_end
 from sonify.plan.predictions import SOUND
+from sonify.plan.solvable import planned, solvable, solve_motion
 from sonify.progress import Stages
 from sonify.report.write import write_record
-from sonify.scene import Scene, SceneError, load_scene
-from sonify.sound.audible_modes import after_a_jump
-from sonify.sound.pressure import Sound
+from sonify.result import Result
+from sonify.scene import Scene
 from sonify.sound.render import Renderer
 from sonify.sound.wav import write_sound
 
-if TYPE_CHECKING:
-    from PIL.Image import Image
-
 RECORDS = ("run.json", "report.html")
 """What speaks of the other files; that of an earlier run goes before the first of them is replaced."""
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Result:
-    """What a run found, `seconds` by stage. Its files are in `out`, where they have been written."""
-
-    scene: Scene
-    plan: Plan
-    motion: Motion
-    modes: Modes
-    sound: Sound
-    heard: Heard | None
-    findings: list[Finding]
-    checks: list[Check]
-    seconds: dict[str, float]
-    out: Path | None = None
-
-    @property
-    def passed(self) -> bool:
-        """Whether every self-check passed."""
-        return all(check.passed for check in self.checks)
-
-    def plot(self, name: str = "spectrogram") -> "Image":
-        """Return the picture of that name (spectrogram, stems, motion, modes), which a notebook shows; a PIL image."""
-        from sonify.report.pictures import picture  # drawing loads slowly
-
-        return picture(self, name)
-
-    def __repr__(self):
-        from sonify.report.page import in_words
-
-        return in_words(self)
-
-    def _repr_html_(self):
-        from sonify.report.page import in_a_notebook
-
-        return in_a_notebook(self)
 
 
 @one_blas_thread
@@ -110,13 +63,13 @@ def write(result: Result, out: str | Path | None = None, stages: Stages | None =
     Raises OutputError when `out` cannot be written, and OSError when the disk is full. No file is ever left half
     written.
     """
-    stages = stages or Stages(result.seconds)
+    stages = stages or Stages(dict(result.seconds))
     with claimed(out or Path("outputs") / result.scene.name) as folder:
         for stale in RECORDS:
             (folder / stale).unlink(missing_ok=True)
         with stages.stage("sound files") as watch:
             write_sound(result.sound, folder, watch)
-        result = replace(result, out=folder)
+        result = replace(result, out=folder, seconds=stages.seconds)
         write_record(result, stages)
     return result
 
@@ -137,54 +90,3 @@ def run(
         result = solve(scene, stages=stages)
         stages.answer(result)
         return write(result, folder, stages)
-
-
-def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
-    """Return the scene with that accuracy. Raises SceneError, before any work, where its disk, support or integrator
-    cannot be solved."""
-    scene = scene if isinstance(scene, Scene) else load_scene(scene)
-    scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
-    try:
-        check(scene.disk, scene.support)
-        chosen_integrator(scene.numerics.integrator)
-    except ValueError as error:
-        raise SceneError(str(error)) from None
-    return scene
-
-
-def planned(scene: Scene) -> tuple[Plan, Modes]:
-    """Return what is to be computed, and the modes, which the plan needs to say which of them sound. Raises SceneError
-    where there are too many modes, where the patch is lost in round-off, and where decay rates are given for more modes
-    than there are."""
-    plan = plan_of(scene)
-    try:
-        elastic = eigenmodes(scene, below=plan.highest_mode)
-    except UnsolvableError as error:
-        raise SceneError(str(error)) from None
-    modes = damped(with_radiation(elastic, (TOP,)), scene.material.decay_rates)
-    return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
-
-
-def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
-    """Return the modes, the first of them with the decay rates [1/s] that were `measured`."""
-    if len(measured) > len(modes):
-        raise SceneError(f"material.decay_rates: {len(measured)} values, but only {len(modes)} modes are sought")
-    return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
-
-
-def solve_motion(scene: Scene, watch=lambda t, inclination, doing: None) -> Motion:
-    """Return the motion of a scene. Raises SceneError where no contact force satisfies the balance laws."""
-    try:
-        return simulate(scene, watch)
-    except ImpossibleContactError as error:
-        raise SceneError(f"friction, release: {error}") from None
-
-
-def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
-    """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
-    try:
-        heard = listen(sound.pressure)
-    except RecordingError as error:
-        return None, [f"A verdict by ear: {error}.", *unheard()]
-    silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []
-    return heard, [*unheard(), *silent]

@@ -96,7 +96,7 @@ def test_wrong_usage_ends_with_2(arguments):
 
 
 def test_a_folder_that_cannot_be_written_ends_with_2_before_any_work(tmp_path, monkeypatch):
-    monkeypatch.setattr("sonify.pipeline.simulate", lambda *_: pytest.fail("the motion was solved"))
+    monkeypatch.setattr("sonify.plan.solvable.simulate", lambda *_: pytest.fail("the motion was solved"))
     (tmp_path / "file").write_text("")
     assert "cannot be written" in one_line(ask("run", "--out", str(tmp_path / "file" / "out")), 2)
 
@@ -115,7 +115,7 @@ def test_a_folder_in_the_place_of_a_file_ends_with_2_and_one_line(tmp_path, name
     def written(result, stages):
         raise IsADirectoryError(errno.EISDIR, "Is a directory", name)
 
-    monkeypatch.setattr("sonify.pipeline.simulate", written)
+    monkeypatch.setattr("sonify.plan.solvable.simulate", written)
     assert ask("run", "--out", str(tmp_path)).stderr.splitlines()[-1] == f"sonify: {name}: Is a directory"
 
 
@@ -143,7 +143,7 @@ def test_an_interrupt_ends_with_130(tmp_path, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("sonify.pipeline.simulate", interrupted)
+    monkeypatch.setattr("sonify.plan.solvable.simulate", interrupted)
     result = ask("run", "--out", str(tmp_path))
     assert result.exit_code == 130
     assert result.stderr.splitlines()[-1] == "sonify: interrupted"
@@ -164,7 +164,7 @@ def test_a_full_disk_ends_with_1_and_one_line(tmp_path, monkeypatch):
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device", "sound.wav")
 
-    monkeypatch.setattr("sonify.pipeline.simulate", full)
+    monkeypatch.setattr("sonify.plan.solvable.simulate", full)
     result = ask("run", "--out", str(tmp_path))
     assert result.exit_code == 1
     assert result.stderr.splitlines()[-1] == "sonify: sound.wav: No space left on device"

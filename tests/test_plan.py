@@ -19,9 +19,9 @@ from dynamics.time_left import time_left
 from modal import radiation_decay
 from modal.radiation import TOP
 from sonify import SceneError, load_scene
-from sonify.pipeline import planned
 from sonify.plan.plan import contact_rate, plan_of
 from sonify.plan.predictions import END, audible_error, level_error, measured, predicted_sound, true_error
+from sonify.plan.solvable import planned
 from sonify.scene import shipped_scenes
 from sonify.sound.force import CALM, STRIDE
 from sonify.sound.oscillators import OscillatorBank

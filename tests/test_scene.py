@@ -15,7 +15,7 @@ from arithmetic import gamma
 from pydantic import ValidationError
 
 from sonify import SceneError, load_scene, run
-from sonify.pipeline import solvable
+from sonify.plan.solvable import solvable
 from sonify.report.write import finite
 from sonify.scene import Scene, adapter, from_document, shipped_scenes
 from sonify.scene_errors import SENTENCES

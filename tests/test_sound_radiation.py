@@ -9,7 +9,7 @@ import pytest
 from arithmetic import gamma
 from scipy.special import j1
 
-from sonify.pipeline import planned
+from sonify.plan.solvable import planned
 from sonify.sound.radiation import (
     AIR_DENSITY,
     SOUND_SPEED,

@@ -18,8 +18,8 @@ from dynamics.numerics import LEVELS
 from sonify.charts.chart import DPI, MARKERS, tones_of
 from sonify.charts.records import Answer, Record, Work, measure
 from sonify.files import whole
-from sonify.pipeline import planned
 from sonify.plan.predictions import SOUND, audible_error, level_error
+from sonify.plan.solvable import planned
 from sonify.scene import load_scene
 from sonify.sound.render import Renderer
 

@@ -6,8 +6,17 @@ from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_frequency
 from modal import Modes
 from sonify.claims.motion import Finding, median
-from sonify.hearing.loudness import HANN_BANDWIDTH, ISO_226, THRESHOLD_DB, WINDOW, a_weighting_db, band_levels, level_db
-from sonify.hearing.recording import Heard
+from sonify.hearing.loudness import (
+    HANN_BANDWIDTH,
+    ISO_226,
+    THRESHOLD_DB,
+    WINDOW,
+    a_weighting_db,
+    band_levels,
+    level_db,
+    unheard,
+)
+from sonify.hearing.recording import Heard, RecordingError, listen
 from sonify.hearing.spectrogram import spectrogram
 from sonify.sound.pressure import Sound
 
@@ -15,6 +24,16 @@ LAST = 1.0
 """The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
 INDEPENDENT = 0.05
 """The share of the frames of a tone that do not overlap."""
+
+
+def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
+    """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
+    try:
+        heard = listen(sound.pressure)
+    except RecordingError as error:
+        return None, [f"A verdict by ear: {error}.", *unheard()]
+    silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []
+    return heard, [*unheard(), *silent]
 
 
 def all_verdicts(heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0) -> list[Finding]:

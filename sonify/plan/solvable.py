@@ -1,0 +1,53 @@
+"""SCENE -> PLAN, MODES, MOTION, or one line that says why it has none."""
+
+from pathlib import Path
+
+from dynamics import ImpossibleContactError, Motion, simulate
+from dynamics.simulation import chosen_integrator
+from modal import Modes, UnsolvableError, eigenmodes, with_radiation
+from modal.radiation import TOP
+from modal.solve import check
+from sonify.plan.plan import Plan, plan_of, with_voices
+from sonify.scene import Scene, SceneError, load_scene
+from sonify.sound.audible_modes import after_a_jump
+
+
+def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
+    """Return the scene with that accuracy. Raises SceneError, before any work, where its disk, support or integrator
+    cannot be solved."""
+    scene = scene if isinstance(scene, Scene) else load_scene(scene)
+    scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
+    try:
+        check(scene.disk, scene.support)
+        chosen_integrator(scene.numerics.integrator)
+    except ValueError as error:
+        raise SceneError(str(error)) from None
+    return scene
+
+
+def planned(scene: Scene) -> tuple[Plan, Modes]:
+    """Return what is to be computed, and the modes, which the plan needs to say which of them sound. Raises SceneError
+    where there are too many modes, where the patch is lost in round-off, and where decay rates are given for more modes
+    than there are."""
+    plan = plan_of(scene)
+    try:
+        elastic = eigenmodes(scene, below=plan.highest_mode)
+    except UnsolvableError as error:
+        raise SceneError(str(error)) from None
+    modes = damped(with_radiation(elastic, (TOP,)), scene.material.decay_rates)
+    return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
+
+
+def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
+    """Return the modes, the first of them with the decay rates [1/s] that were `measured`."""
+    if len(measured) > len(modes):
+        raise SceneError(f"material.decay_rates: {len(measured)} values, but only {len(modes)} modes are sought")
+    return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
+
+
+def solve_motion(scene: Scene, watch=lambda t, inclination, doing: None) -> Motion:
+    """Return the motion of a scene. Raises SceneError where no contact force satisfies the balance laws."""
+    try:
+        return simulate(scene, watch)
+    except ImpossibleContactError as error:
+        raise SceneError(f"friction, release: {error}") from None
