@@ -9,6 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numba import njit
 
+from . import profile
+from .compiled import fingerprint
 from .profile import SMOOTH, height
 from .resonance import linear
 from .roughness import Roughness, window
@@ -73,7 +75,7 @@ def respond(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH), imp
         knots, A, B, drive = _coefficients(table, block, rate, impedance)
         if np.isnan(z):
             z = sum(height(*p, s, knots[0, 0]) for p, s in zip(profiles, (block.path[0], block.edge[0]), strict=True))
-        out, x, z = _march(x, z, knots, A, B, drive, 1 / rate, *profiles[0], *profiles[1])
+        out, x, z = _march(x, z, knots, A, B, drive, 1 / rate, *profiles)
         yield out
 
 
@@ -125,7 +127,7 @@ def _gains(system, k, speed):
         yield np.abs(s * ((weight / (s[:, None] - roots)).sum(axis=1) + D))
 
 
-@njit(cache=True)
+@njit
 def _propagator(A, B, h):
     """Return [exp(A h), the mean of exp(A s) B over a step] (4, 5): the Taylor series of the matrix [A h, B; 0, 0]."""
     total, term, following = np.empty((4, 5)), np.empty((4, 5)), np.empty((4, 5))
@@ -145,8 +147,8 @@ def _propagator(A, B, h):
     return total
 
 
-@njit(cache=True)
-def _march(x, z, knots, A, B, drive, h, table, table_cells, rim, rim_cells):
+@njit
+def _steps(x, z, knots, A, B, drive, h, table, rim):
     """Step through a block; return the force (n, 2), the last state and the last height.
 
     Where `drive` along a_2 is NaN the contact slides, and its tangential spring is gone.
@@ -162,7 +164,11 @@ def _march(x, z, knots, A, B, drive, h, table, table_cells, rim, rim_cells):
             for m in range(6):
                 now[m] = knots[j, m] + f * (knots[j + 1, m] - knots[j, m])
 
-            rise = height(table, table_cells, now[1], now[0]) + height(rim, rim_cells, now[2], now[0]) - z
+            rise = (
+                height(table.coefficients, table.cells_per_metre, now[1], now[0])
+                + height(rim.coefficients, rim.cells_per_metre, now[2], now[0])
+                - z
+            )
             z += rise
             for m in range(4):
                 following[m] = E[m, 0] * x[0] + E[m, 1] * x[1] + E[m, 2] * x[2] + E[m, 3] * x[3] + E[m, 4] * rise
@@ -170,3 +176,15 @@ def _march(x, z, knots, A, B, drive, h, table, table_cells, rim, rim_cells):
             out[EVERY * j + i, 0] = 0.0 if slides else -now[3] * x[2]
             out[EVERY * j + i, 1] = -now[4] * x[3] - now[5] * (x[1] - rise / h)
     return out, x, z
+
+
+def _compiled(version):
+    @njit(cache=True)
+    def march(x, z, knots, A, B, drive, h, table, rim):
+        version  # noqa: B018 -- a part of the key under which the machine code is kept
+        return _steps(x, z, knots, A, B, drive, h, table, rim)
+
+    return march
+
+
+_march = _compiled(fingerprint(profile))

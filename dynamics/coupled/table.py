@@ -10,7 +10,7 @@ from .contact import LEAST_INCLINATION, ContactLaw, Springs
 from .resonance import damping
 
 STEP = 0.02
-"""In ln sin(beta): splines then err by less than 1e-8, the lengths by 2e-5 (test_contact_filter.py)."""
+"""In ln sin(beta): the splines then err by less than 1e-8, the lengths by 2e-5 (test_contact_filter.py)."""
 K, A, K1, K2, LENGTH1, LENGTH2, LOSS = range(7)
 """Columns: K [N/m^1.5]; at the weight a [m], k1, k2 [N/m], l1, l2 [m]; loss c [s/m] of N = K d^1.5 (1 + c d')."""
 
@@ -32,18 +32,16 @@ class LawTable:
 
     @cached_property
     def spline(self) -> CubicSpline:
-        """The logarithms of the columns but the last, which has none where nothing is lost."""
+        """The columns over the grid."""
         beta, load = np.arcsin(np.minimum(np.exp(self.grid), 1.0)), self.law.disk.weight
         springs = self.law.springs(beta, load)
         c = damping(self.law, beta, load) if self.damping is None else np.full(len(beta), self.damping)
-        columns = self.law.stiffness(beta), self.law.semi_axes(beta, load)[0], *springs[:2], *springs[3:]
-        return CubicSpline(self.grid, np.column_stack([*np.log(columns), c / load]))
+        columns = self.law.stiffness(beta), self.law.semi_axes(beta, load)[0], *springs[:2], *springs[3:], c / load
+        return CubicSpline(self.grid, np.column_stack(columns))
 
     def columns(self, inclination) -> np.ndarray:
         """Return the columns at inclinations (k,), (k, 7), under the weight."""
-        values = self.spline(np.log(np.sin(inclination)))
-        values[:, :LOSS] = np.exp(values[:, :LOSS])
-        return values
+        return self.spline(np.log(np.sin(inclination)))
 
     def springs(self, inclination, load):
         """Return the Springs, the half-length a (k,) [m] and the damping (k,) [N s/m] under loads (k,) [N]."""

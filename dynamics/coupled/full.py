@@ -1,0 +1,115 @@
+"""The full compliant motion: a rigid disk on an elastic, rough contact with creep, slip and loss of contact.
+
+Valid from upright down to LEAST_INCLINATION, where one ellipse no longer is the contact, and while the roughness under
+the ellipse makes one contact (roughness.several_below).
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+
+from ..disk import Friction
+from .contact import LEAST_INCLINATION
+from .handover import inclination
+from .march import FLAT, GOES, UNSOLVED, UPRIGHT, march
+from .profile import SMOOTH, Profile
+from .resonance import inertias, mobility
+from .state import SIZE
+from .table import STEP, LawTable
+
+RATE = 400e3
+"""Steps a second: safe to 1e-6 rad."""
+LARGEST, HEAVIEST = 1.0, 4.0
+"""Radians that the fastest resonance may turn in a step, under so many times the weight."""
+ROWS = 4096
+ENDS = {
+    FLAT: "the inclination reached its final value: below, one ellipse is not the contact",
+    UPRIGHT: "the disk stood upright on a generator of its lateral surface: contact passes to the other rim",
+    UNSOLVED: "the roughness turned the disk too far in one step: several contacts at once, or too low a rate",
+}
+"""Why a motion stopped, in words."""
+
+
+class ContactLoss(NamedTuple):
+    """A flight of the contact: begin and duration [s], greatest height [m] of the edge above the table."""
+
+    t: float
+    duration: float
+    height: float
+
+
+class Piece(NamedTuple):
+    """A stretch of motion, and what ended in it.
+
+    Times (n,) [s], states (n, SIZE), mean forces since the row before (n, 3) [N] along a_1, a_2 and the normal; losses
+    of contact; slips, each (begin, end) [s]; why the motion stopped, GOES where it did not.
+    """
+
+    t: np.ndarray
+    state: np.ndarray
+    force: np.ndarray
+    losses: list[ContactLoss]
+    slips: list[tuple[float, float]]
+    why: int
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Compliant:
+    """A disk on a table: the law of its contact, friction, power laws (c [W s^b], b) of the precession rate.
+
+    `profiles` of table and edge; `impedance` Z [N s/m] of the table; `rate` of the steps [1/s].
+    """
+
+    table: LawTable
+    friction: Friction
+    powers: tuple[tuple[float, float], ...] = ()
+    profiles: tuple[Profile, Profile] = (SMOOTH, SMOOTH)
+    impedance: float = np.inf
+    rate: float = RATE
+
+    @cached_property
+    def constants(self) -> np.ndarray:
+        """The numbers that the steps read, in the places of state.py."""
+        disk, f = self.table.law.disk, self.friction
+        body = disk.mass, *inertias(disk), disk.radius, disk.thickness / 2, disk.weight
+        return np.array(
+            [*body, f.mu_static, f.mu_dynamic, f.arm_nutation, f.arm_rolling, f.arm_pivoting, self.impedance]
+        )
+
+    @cached_property
+    def cubics(self) -> np.ndarray:
+        """The table of the law (intervals, columns, 4), each cubic in the part of its interval."""
+        return np.ascontiguousarray(self.table.spline.c.transpose(1, 2, 0) * STEP ** np.array([3, 2, 1, 0]))
+
+    def run(self, y, every: int, stop: float, last: float = LEAST_INCLINATION) -> Iterator[Piece]:
+        """Yield the motion from the state y up to `stop` [s] or to the inclination `last`, a row every so many steps.
+
+        The array y is advanced. The last piece says by its `why` in ENDS where the model ended. Raises ValueError where
+        the rate is too low for the stiffness of the contact, naming what is needed.
+        """
+        law = self.constants, np.reshape(np.array(self.powers, dtype=float), (-1, 2))
+        table, sine = (self.table.grid[0], 1 / STEP, self.cubics, *self.profiles), np.sin(max(last, LEAST_INCLINATION))
+        count, left, why = 0, int(np.ceil(stop * self.rate / every - 1e-9)), GOES
+        flying, slipping = [np.nan, np.nan, 0.0], [np.nan, np.nan]
+        while left > 0 and why == GOES:
+            self._hold(y)
+            rows = np.empty((min(ROWS, left), SIZE + 3))
+            flights, slips = (np.full((len(rows) * every // 2 + 2, k), np.nan) for k in (3, 2))
+            flights[0], slips[0] = flying, slipping
+            why, n, flown, slid = march(y, count, *law, *table, 1 / self.rate, every, sine, rows, flights, slips)
+            t = (count + every * np.arange(1, n + 1)) / self.rate
+            losses = [ContactLoss(begin, end - begin, top) for begin, end, top in flights[:flown].tolist()]
+            slid_through = [tuple(slip) for slip in slips[:slid].tolist()]
+            yield Piece(t, rows[:n, :SIZE], rows[:n, SIZE:] * [-1.0, 1.0, 1.0], losses, slid_through, why)
+            flying, slipping, count, left = flights[flown], slips[slid], count + every * n, left - n
+
+    def _hold(self, y):
+        """Raise ValueError where a resonance turns too far in a step."""
+        disk, beta = self.table.law.disk, inclination(y[None])
+        springs, W = self.table.springs(beta, HEAVIEST * disk.weight)[0], mobility(disk, beta)[0]
+        fastest = float(np.sqrt(springs.kn * W[2, 2] + springs.k2 * W[1, 1])[0]) / LARGEST
+        if fastest > self.rate:
+            raise ValueError(f"rate = {self.rate:g}: too low for so stiff a contact, at least {fastest:.4g} 1/s needed")

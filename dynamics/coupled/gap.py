@@ -1,0 +1,43 @@
+"""The energy of the contact as a function of the gap, its mean slope over a step, and the law by table (compiled)."""
+
+import numpy as np
+from numba import njit
+
+
+@njit
+def place(sine, start, per_unit, size):
+    """Return the interval of ln sin(beta) in the table of the law, and how far into it, as a part of it."""
+    x = (np.log(sine) - start) * per_unit
+    i = min(max(int(x), 0), size - 1)
+    return i, x - i
+
+
+@njit
+def column(spline, i, u, which):
+    """Return a column of the law from the cubics `spline` (n, columns, 4)."""
+    c = spline[i, which]
+    return c[3] + u * (c[2] + u * (c[1] + u * c[0]))
+
+
+@njit
+def slope(spline, i, u, which):
+    """Return its derivative by ln sin(beta), over the intervals per unit."""
+    c = spline[i, which]
+    return c[2] + u * (2 * c[1] + u * 3 * c[0])
+
+
+@njit
+def root(gap):
+    """Return r = sqrt(-G) [m^0.5] at a gap G [m], 0 where it is open: U = 2/5 K r^5."""
+    return np.sqrt(-gap) if gap < 0 else 0.0
+
+
+@njit
+def mean_force(r0, r1, gap0, gap1):
+    """Return -(U1 - U0)/K/(G1 - G0) [m^1.5]; both gaps closed, 2/5 (r1^5 - r0^5)/(r1^2 - r0^2) is divided out."""
+    if r0 > 0 and r1 > 0:
+        q0, q1, both = r0 * r0, r1 * r1, r0 * r1
+        return 0.4 * (q0 * q0 + q1 * q1 + both * (both + q0 + q1)) / (r0 + r1)
+    if r0 == r1:
+        return 0.0
+    return 0.4 * (r0**5 - r1**5) / (gap1 - gap0)

@@ -1,0 +1,87 @@
+"""Between the columns of a Motion and the state of the disk on its compliant contact, and the energy of that state."""
+
+import numpy as np
+
+from .profile import height
+from .resonance import inertias
+from .state import (
+    AXIS,
+    EDGE,
+    FORCE,
+    GAP,
+    HEIGHTS,
+    LAST,
+    LOSSES,
+    MOMENTUM,
+    PATH,
+    SIZE,
+    SPRING,
+    STIFFNESS,
+    TABLE,
+    VELOCITY,
+    WEIGHT,
+)
+from .table import K1, K2, LENGTH1, LENGTH2, A, K
+
+
+def release(model, state, force=None) -> np.ndarray:
+    """Return the state (SIZE,) of a Compliant at the columns of a Motion (11,), its springs loaded with a force (3,).
+
+    The force [N] is friction along a_1, a_2 and the normal force; by default the weight alone. What the springs hold
+    they hold by creep, so that nothing rings which the motion itself does not excite.
+    """
+    law, theta, beta, slip = model.table.law, state[0], state[1], state[8:10]
+    f1, f2, N = (0.0, 0.0, law.disk.weight) if force is None else force
+    R, H, (J1, J2), c = (
+        law.disk.radius,
+        law.disk.thickness / 2,
+        inertias(law.disk),
+        model.table.columns(np.array([beta]))[0],
+    )
+    a1, a2 = np.array([np.cos(theta), np.sin(theta), 0.0]), np.array([-np.sin(theta), np.cos(theta), 0.0])
+    n, e3 = np.sin(beta) * a2 + [0, 0, np.cos(beta)], [0, 0, np.sin(beta)] - np.cos(beta) * a2
+    w1, w2, w3 = state[5:8]
+    speed = abs(R * (w2 - w3 / np.tan(beta)) + slip[0])
+    deflection, delta = np.array([-f1 / c[K1], -f2 / c[K2]]), (N / c[K]) ** (2 / 3)  # against the force, along a_1, a_2
+    slip = slip + deflection * speed / c[[LENGTH1, LENGTH2]]
+    y = np.zeros(SIZE)
+    y[HEIGHTS : HEIGHTS + 2] = [height(*p, -R * state[2], c[A]) for p in model.profiles]
+    y[0], y[1] = state[3:5]
+    y[2] = R * np.sin(beta) - 2 * H * np.sin(beta / 2) ** 2 - delta + y[HEIGHTS : HEIGHTS + 2].sum()
+    y[VELOCITY:AXIS] = slip @ [a1, a2] + np.cross(w1 * a1 + w2 * n + w3 * e3, H * n + R * e3)
+    y[AXIS:MOMENTUM], y[MOMENTUM:SPRING] = n, J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    y[SPRING : SPRING + 2], y[STIFFNESS : STIFFNESS + 2] = (
+        deflection * [-1, 1],
+        c[K1 : K2 + 1],
+    )  # along t = -a_1, d = a_2
+    y[FORCE], y[LAST : LAST + 2], y[GAP], y[[PATH, EDGE]] = N, N, -delta, -R * state[2]
+    return y
+
+
+def inclination(y) -> np.ndarray:
+    """Return the inclinations (n,) [rad] of states (n, SIZE), exact however small."""
+    return np.arctan2(np.hypot(y[:, AXIS], y[:, AXIS + 1]), y[:, AXIS + 2])
+
+
+def energy(model, y) -> np.ndarray:
+    """Return kinetic, potential and elastic energy [J] of states (n, SIZE), zero for the disk lying flat."""
+    (J1, J2), L, n = inertias(model.table.law.disk), y[:, MOMENTUM : MOMENTUM + 3], y[:, AXIS : AXIS + 3]
+    moving = model.table.law.disk.mass * np.sum(y[:, VELOCITY:AXIS] ** 2, axis=1)
+    turning = np.sum(L * L, axis=1) / J1 + (1 / J2 - 1 / J1) * np.sum(L * n, axis=1) ** 2
+    pressed = 0.8 * model.table.columns(inclination(y))[:, K] * np.maximum(0.0, -y[:, GAP]) ** 2.5
+    springs = np.sum(y[:, STIFFNESS : STIFFNESS + 2] * y[:, SPRING : SPRING + 2] ** 2, axis=1)
+    return (moving + turning + pressed + springs) / 2 + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE])
+
+
+def columns(model, y) -> np.ndarray:
+    """Return the columns of a Motion (n, 11) at states y (n, SIZE); the precession is in (-pi, pi]."""
+    disk, (J1, J2) = model.table.law.disk, inertias(model.table.law.disk)
+    R, H, beta, n, L = disk.radius, disk.thickness / 2, inclination(y), y[:, AXIS:MOMENTUM], y[:, MOMENTUM:SPRING]
+    s, c = np.sin(beta), np.cos(beta)
+    d = n[:, :2] / s[:, None]
+    w1, w2 = (L[:, 0] * d[:, 1] - L[:, 1] * d[:, 0]) / J1, np.sum(n * L, axis=1) / J2
+    w3 = (L[:, 2] * s - np.sum(L[:, :2] * d, axis=1) * c) / J1
+    u1 = y[:, 3] * d[:, 1] - y[:, 4] * d[:, 0] - R * w2 + H * w3
+    u2 = np.sum(y[:, 3:5] * d, axis=1) + (R * s + H * c) * w1
+    lost = y[:, LOSSES : LOSSES + 5].sum(axis=1)
+    return np.column_stack([np.arctan2(-d[:, 0], d[:, 1]), beta, -y[:, EDGE] / R, y[:, :2], w1, w2, w3, u1, u2, lost])

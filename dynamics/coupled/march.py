@@ -1,0 +1,71 @@
+"""Many steps of the disk on its compliant contact, with what is written down of them (compiled)."""
+
+import numpy as np
+from numba import njit
+
+from . import gap, normal, profile, state, table, tangential
+from .compiled import fingerprint
+from .normal import step_normal
+from .state import FORCE, GAP, SIZE, SLIDES, TANGENTIAL
+from .tangential import step_tangential
+
+GOES, FLAT, UPRIGHT, UNSOLVED = range(4)
+"""Why a march stopped: not at all, at its last inclination, upright, the equation for N had no solution."""
+
+
+@njit
+def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, flights, slips):
+    flying, sliding, flight, slip = flights[0, 0] == flights[0, 0], slips[0, 0] == slips[0, 0], 0, 0
+    for row in range(len(rows)):
+        forces = np.zeros(3)
+        step_tangential(y, law, powers, start, per_unit, spline, h / 2)
+        for i in range(every):
+            before, tangential = y[GAP], (y[TANGENTIAL], y[TANGENTIAL + 1])
+            if not step_normal(y, law, start, per_unit, spline, table, rim, h):
+                return UNSOLVED, row, flight, slip
+            step_tangential(y, law, powers, start, per_unit, spline, h if i < every - 1 else h / 2)
+            forces[0] += (tangential[0] + y[TANGENTIAL]) / (2 * every)
+            forces[1] += (tangential[1] + y[TANGENTIAL + 1]) / (2 * every)
+            forces[2] += y[FORCE] / every
+            flying, flight = note_flight(flights, flight, flying, before, y[GAP], count * h, h)
+            if (y[SLIDES] > 0) != sliding:
+                slips[slip, 1 if sliding else 0] = (count + 1) * h
+                sliding, slip = not sliding, slip + (1 if sliding else 0)
+            count += 1
+        rows[row, :SIZE], rows[row, SIZE:] = y, forces
+        sine = np.sqrt(y[6] * y[6] + y[7] * y[7])
+        if sine < last or y[8] <= 0:
+            return (FLAT if sine < last else UPRIGHT), row + 1, flight, slip
+    return GOES, len(rows), flight, slip
+
+
+@njit
+def note_flight(flights, flight, flying, before, gap, t, h):
+    """Note where the gap opens and closes within the step from t, by straight lines; return whether it is open."""
+    if gap > 0 and not flying:
+        flights[flight, 0] = t + h * max(0.0, -before) / (gap - min(before, 0.0))
+        flights[flight, 2] = 0.0
+    if gap > 0:
+        flights[flight, 2] = max(flights[flight, 2], gap)
+    elif flying:
+        flights[flight, 1] = t + h * before / (before - gap)
+        return False, flight + 1
+    return gap > 0, flight
+
+
+def _compiled(version):
+    @njit(cache=True)
+    def march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, flights, slips):
+        """Take `every` steps h for each of the `rows` (n, SIZE + 3); return why it stopped, rows filled, events ended.
+
+        A row is the state and the means over its steps of the force on the disk along t, d and of the normal force.
+        `count` steps were taken before. `flights` (f, 3): begin, end [s] and height [m] of each loss of contact;
+        `slips` (g, 2): begin and end. One with a begin but no end (NaN) goes on: the first from before, the last after.
+        """
+        version  # noqa: B018 -- a part of the key under which the machine code is kept
+        return _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, flights, slips)
+
+    return march
+
+
+march = _compiled(fingerprint(gap, normal, profile, state, table, tangential))

@@ -1,0 +1,147 @@
+"""The normal part of a step: gravity, the gap's energy, its loss, the yielding table. It cannot gain energy.
+
+With v, L velocity and angular momentum, n the axis, J1, J2 the moments of inertia, e = 1/J2 - 1/J1, and ~ for the mean
+of both ends of a step h:  dz = h v~,  dn = (h/J1) L~ x n~,  m dv = h (F - m g),  dL = h T.  Then |n| stays, and with
+w~ = L~/J1 + e (L.n)~ n~ the kinetic energy changes by h (F.v~ + T.w~) exactly, whatever h: d(L.n) = h T.n~.
+
+The gap is G = z - R s + H (1 - c) - w - z_t(path) - z_r(edge) with s = |n_xy| = sin(beta); its energy U = 2/5 K(s)
+(-G)^2.5. Quotients of differences N = -dU/dG, g = dU/ds, m_t = dz_t/dpath, m_r = dz_r/dedge, f = R - H (s0 + s1)/(c0 +
+c1) give dU = -N dG + g ds and dG = dz - f ds - dw - m_t dpath - m_r dedge without a remainder. The path lengths advance
+by dpath = h (t.v~ + a.w~), dedge = h b.w~, so the force N (e3 - m_t t) and the torque (N f + g)/s~ n~_xy x n~ -
+N (m_t a + m_r b) do the work -dU - N dw: kinetic energy + m g z + U is kept.
+
+To N comes the loss c N of the approach, and N is never negative. Both only take energy: -c N (dG)^2/h, or, where the
+contact tears off, what U still held. The table yields by dw = -h (N - m g)/Z and carries the weight, so that
+m g (z - w) stands for m g z, and h (N - m g)^2/Z is radiated. The proof needs the one scalar equation for N solved.
+"""
+
+import numpy as np
+from numba import njit
+
+from .gap import column, mean_force, place, root, slope
+from .profile import height
+from .state import (
+    EDGE,
+    FORCE,
+    GAP,
+    HALF,
+    HEIGHTS,
+    IMPEDANCE,
+    J1,
+    J2,
+    LAST,
+    LOSSES,
+    MASS,
+    PATH,
+    RADIUS,
+    SPEED,
+    TABLE,
+    WEIGHT,
+)
+from .table import LOSS, A, K
+
+CLOSE, MOST = 1e-12, 40
+"""The equation for N is solved to this part of N and the weight, within so many iterations."""
+STANDS, READ, READS = 1e-10, 1e-13, 3
+"""A path that moves by less [m] in a step does not; heights are read again, a few times, where it moves by more [m]."""
+FEWEST = 1e-4
+"""Where sin(beta) changes by a smaller part of itself, the mean of dK/ds at both ends is exact to rounding."""
+
+
+@njit
+def turned(n0, n1, n2, b0, b1, b2):
+    """Return m - n where m - n = b x (m + n)."""
+    k0, k1, k2 = b1 * n2 - b2 * n1, b2 * n0 - b0 * n2, b0 * n1 - b1 * n0
+    q = 2 / (1 + b0 * b0 + b1 * b1 + b2 * b2)
+    return q * (k0 + b1 * k2 - b2 * k1), q * (k1 + b2 * k0 - b0 * k2), q * (k2 + b0 * k1 - b1 * k0)
+
+
+@njit
+def read(profile, path, moved, half, before):
+    """Return the height at the end of a step along a path, that of before where the path stands."""
+    if abs(moved) <= STANDS:
+        return before
+    return height(profile.coefficients, profile.cells_per_metre, path + moved, half)
+
+
+@njit
+def secant(y0, y1, dx):
+    """Return the mean slope of what is read along a path, 0 where the path stands."""
+    return (y1 - y0) / dx if abs(dx) > STANDS else 0.0
+
+
+@njit
+def step_normal(y, law, start, per_unit, spline, table, rim, h):
+    """Advance the state y by the normal part of a step h; return whether the equation for N was solved."""
+    m, J, R, H, weight = law[MASS], law[J1], law[RADIUS], law[HALF], law[WEIGHT]
+    push, twist, yields, ease = h / (2 * m), h / (2 * J), h / law[IMPEDANCE], 1 / J
+    e, size = 1 / law[J2] - 1 / J, len(spline)
+    v0, v1, v2, n0, n1, n2, L0, L1, L2 = y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11]
+    # what the step starts from: the energy of the gap, K and its loss
+    s0, c0, spin = np.sqrt(n0 * n0 + n1 * n1), n2, L0 * n0 + L1 * n1 + L2 * n2
+    i, u = place(s0, start, per_unit, size)
+    K0, loss, dK = column(spline, i, u, K), column(spline, i, u, LOSS), slope(spline, i, u, K) * per_unit / s0
+    loss /= h
+    rough0, rough1 = y[HEIGHTS], y[HEIGHTS + 1]
+    gap0, r0 = y[GAP], root(y[GAP])
+    U0 = 0.4 * r0**5
+    # the directions d towards the contact and t along the path, half a step on; a = reach e3 - lever d, b = -(R/s) d
+    p0, p1, p2 = turned(n0, n1, n2, twist / 2 * L0, twist / 2 * L1, twist / 2 * L2)
+    p0, p1, p2 = n0 + p0, n1 + p1, n2 + p2
+    sp = np.sqrt(p0 * p0 + p1 * p1)
+    d0, d1, reach, rim_lever = p0 / sp, p1 / sp, R * p2 - H * sp, R / sp
+    lever, W = reach * p2 / sp, 1 / m + (R * c0 - H * s0) ** 2 / J
+    N, g, mt, mr = max(0.0, 3 * (y[FORCE] - y[LAST]) + y[LAST + 1]), U0 * dK, 0.0, 0.0
+    a0, a1, a2, s1, z0, z1, r1 = 2 * p0 - n0, 2 * p1 - n1, 2 * p2 - n2, s0, rough0, rough1, r0
+    inverse, lean = 0.5 / sp, R - H * sp / p2
+    gap, dpath, dedge, read_path, read_edge, error = gap0, 0.0, 0.0, np.inf, np.inf, 0.0
+    V0, V1, V2, M0, M1, M2, pull = v0, v1, v2, L0, L1, L2, 0.0
+    left = MOST
+    while left > 0:
+        left -= 1
+        V0, V1, V2 = v0 + push * N * mt * d1, v1 - push * N * mt * d0, v2 + push * (N - weight)
+        turn = (N * lean + g) * (n2 + a2) * inverse / 2
+        roll = N * (mt * lever + mr * rim_lever)
+        M0 = L0 + h / 2 * (turn * (n1 + a1) + roll * d0)
+        M1 = L1 + h / 2 * (roll * d1 - turn * (n0 + a0))
+        M2 = L2 - h / 2 * N * mt * reach
+        q0, q1, q2 = turned(n0, n1, n2, twist * M0, twist * M1, twist * M2)
+        a0, a1, a2 = n0 + q0, n1 + q1, n2 + q2
+        s1 = np.sqrt(a0 * a0 + a1 * a1)
+        inverse, lean = 1 / (s0 + s1), R - H * (s0 + s1) / (c0 + a2)
+        ds = ((n0 + a0) * q0 + (n1 + a1) * q1) * inverse
+        mean = e / 4 * (spin + (2 * M0 - L0) * a0 + (2 * M1 - L1) * a1 + (2 * M2 - L2) * a2)
+        wd = (M0 * d0 + M1 * d1) * ease + mean * ((n0 + a0) * d0 + (n1 + a1) * d1)
+        dedge = -h * rim_lever * wd
+        dpath = h * (d0 * V1 - d1 * V0 + reach * (M2 * ease + mean * (n2 + a2)) - lever * wd)
+        i, u = place(s1, start, per_unit, size)
+        K1 = column(spline, i, u, K)
+        if left >= MOST - READS and max(abs(dpath - read_path), abs(dedge - read_edge)) > READ:
+            read_path, read_edge, half = dpath, dedge, column(spline, i, u, A)
+            z0, z1 = read(table, y[PATH], dpath, half, rough0), read(rim, y[EDGE], dedge, half, rough1)
+        mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
+        dgap = h * V2 + yields * (N - weight) - lean * ds - (z0 - rough0) - (z1 - rough1)
+        gap = gap0 + dgap
+        r1 = root(gap)
+        kept = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap)
+        pull = kept * (1 - loss * dgap)
+        steep = (K1 - K0) / ds if abs(ds) > FEWEST * s0 else (dK + slope(spline, i, u, K) * per_unit / s1) / 2
+        used, g = g, (U0 + 0.4 * r1**5) / 2 * steep
+        error = max(0.0, pull) - N
+        missed = abs(g - used) + abs(N * (mt * lever + mr * rim_lever) - roll)
+        if left < MOST - 1 and max(abs(error), missed / R) <= CLOSE * (N + weight):
+            break
+        stiffness = K1 * (r0 / 2 + r1)
+        N += error / (1 + stiffness * (h * h / 4 * W + yields / 2) + h * h / 2 * loss * kept * W)
+        N = max(N, 0.0)
+    if left == 0:
+        return False
+    y[LOSSES] += (kept - N) * (gap - gap0)
+    y[LOSSES + 4] += yields * (N - weight) ** 2
+    y[0], y[1], y[2] = y[0] + h * V0, y[1] + h * V1, y[2] + h * V2
+    y[3], y[4], y[5] = 2 * V0 - v0, 2 * V1 - v1, 2 * V2 - v2
+    y[6], y[7], y[8], y[9], y[10], y[11] = a0, a1, a2, 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
+    y[PATH], y[EDGE], y[TABLE] = y[PATH] + dpath, y[EDGE] + dedge, y[TABLE] - yields * (N - weight)
+    y[LAST + 1], y[LAST], y[FORCE], y[SPEED], y[GAP] = y[LAST], y[FORCE], N, abs(dpath) / h, gap
+    y[HEIGHTS], y[HEIGHTS + 1] = z0, z1
+    return True

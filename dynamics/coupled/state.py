@@ -1,0 +1,15 @@
+"""Where the state of the disk on its compliant contact and the constants of its law stand in their arrays."""
+
+POSITION, VELOCITY, AXIS, MOMENTUM, SPRING = 0, 3, 6, 9, 12
+"""Centre [m] (its height above that of the disk lying flat), velocity, axis n, angular momentum, springs along t, d."""
+PATH, EDGE, TABLE = 14, 15, 16
+"""Path lengths on the table and on the edge, rise of the table under the contact [m]."""
+FORCE, LAST, SPEED, GAP, SLIDES = 17, 18, 20, 21, 22
+"""Normal force of the last step and of the two before [N], path speed [m/s], gap [m], 1 where it slides."""
+HEIGHTS, STIFFNESS, TANGENTIAL = 23, 25, 27
+"""Heights read on table and edge [m]; stiffness of the springs [N/m] and force on the disk [N] along t, d."""
+LOSSES, CAUSES = 29, ("contact", "creep", "slip", "moments", "table")
+"""Energy [J] lost to each cause since the start."""
+SIZE = 34
+MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 11
+"""Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table."""

@@ -1,0 +1,138 @@
+"""The tangential part of a step: creeping springs, slip and moments at a disk that stands. It cannot gain energy.
+
+The midpoint rule for u' = -W p, q' = u - q V/l, p = k q keeps kinetic energy + k q^2/2 but for creep, which takes
+k q~^2 V h/l >= 0. Where p exceeds what friction holds, p on the circle with C p + y p = C p0 takes its place; p0 is the
+force without slip, C positive, y >= 0: the slip 2 y p lies along p and takes 2 y p^2. A spring that begins to slip lets
+go what is above dynamic friction, and keeps no more than that; it sticks when it is stretched no further. As k grows a
+spring keeps its force, as k falls its stretch; both lower its energy. The moments are impulses against omega.a_i that
+are clipped where they stop it, so each takes kinetic energy.
+"""
+
+import numpy as np
+from numba import njit
+
+from .gap import column, place
+from .state import (
+    ARMS,
+    FORCE,
+    HALF,
+    J1,
+    J2,
+    LOSSES,
+    MASS,
+    MU_D,
+    MU_S,
+    RADIUS,
+    SLIDES,
+    SPEED,
+    SPRING,
+    STIFFNESS,
+    TANGENTIAL,
+)
+from .table import K1, K2, LENGTH1, LENGTH2
+
+
+@njit
+def step_tangential(y, law, powers, start, per_unit, spline, h):
+    """Advance the state y by the tangential part of a step h."""
+    m, J, R, H = law[MASS], law[J1], law[RADIUS], law[HALF]
+    s, c = np.sqrt(y[6] * y[6] + y[7] * y[7]), y[8]
+    i, u = place(s, start, per_unit, len(spline))
+    d0, d1, reach, rise = y[6] / s, y[7] / s, R * c - H * s, R * s + H * c
+    for side in range(2):
+        k = column(spline, i, u, K1 if side == 0 else K2)
+        q, before = y[SPRING + side], y[STIFFNESS + side]
+        y[SPRING + side], y[STIFFNESS + side] = q * min(1.0, before / k), k
+        y[LOSSES + 1] += (before * q * q - k * y[SPRING + side] ** 2) / 2
+    resist(y, law, powers, s, c, d0, d1, h)
+    e = 1 / law[J2] - 1 / J
+    spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
+    wd, wt = (y[9] * d0 + y[10] * d1) / J + spin * s, (y[10] * d0 - y[9] * d1) / J
+    ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * c) + rise * wd
+    ud = y[3] * d0 + y[4] * d1 - rise * wt
+    Wt, Wd = 1 / m + R * R / law[J2] + H * H / J, 1 / m + rise * rise / J
+    pt, pd = hold(y, law, ut, ud, Wt, Wd, column(spline, i, u, LENGTH1), column(spline, i, u, LENGTH2), h)
+    # the force -p acts at reach d - rise e3
+    y[3], y[4] = y[3] - h / m * (pd * d0 - pt * d1), y[4] - h / m * (pd * d1 + pt * d0)
+    y[9], y[10] = y[9] - h * rise * (pt * d0 + pd * d1), y[10] - h * rise * (pt * d1 - pd * d0)
+    y[11] -= h * reach * pt
+    y[TANGENTIAL], y[TANGENTIAL + 1] = -pt, -pd
+
+
+@njit
+def hold(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
+    """Advance the springs; return the mean force (along t, d) with which they hold the contact point."""
+    kt, kd, N = y[STIFFNESS], y[STIFFNESS + 1], y[FORCE]
+    creep_t, creep_d = h * y[SPEED] / length_t, h * y[SPEED] / length_d
+    Ct, Cd = (1 + creep_t / 2) / kt + h * h / 4 * Wt, (1 + creep_d / 2) / kd + h * h / 4 * Wd
+    qt, qd, limit = y[SPRING], y[SPRING + 1], law[MU_D] * N
+    before = kt * qt * qt + kd * qd * qd
+    pt, pd = (qt + h / 2 * ut) / Ct, (qd + h / 2 * ud) / Cd
+    tried, slides = np.sqrt(pt * pt + pd * pd), y[SLIDES] > 0
+    if tried > (limit if slides else law[MU_S] * N):
+        if not slides:
+            qt, qd = within(qt, qd, kt, kd, limit)
+            pt, pd = (qt + h / 2 * ut) / Ct, (qd + h / 2 * ud) / Cd
+            tried = np.sqrt(pt * pt + pd * pd)
+        if tried > limit:
+            pt, pd = on_circle(pt, pd, Ct, Cd, limit, tried)
+        qt, qd = within(2 * pt / kt - qt, 2 * pd / kd - qd, kt, kd, limit)
+        slides = True
+    else:
+        slides = slides and pt * (pt / kt - qt) + pd * (pd / kd - qd) > 0
+        qt, qd = 2 * pt / kt - qt, 2 * pd / kd - qd
+    if N > 0:
+        y[SLIDES] = 1.0 if slides else 0.0
+    y[SPRING], y[SPRING + 1] = qt, qd
+    creep = creep_t * pt * pt / kt + creep_d * pd * pd / kd
+    work = h * (pt * (ut - h / 2 * Wt * pt) + pd * (ud - h / 2 * Wd * pd))
+    y[LOSSES + 1] += creep
+    y[LOSSES + 2] += work - (kt * qt * qt + kd * qd * qd - before) / 2 - creep
+    return pt, pd
+
+
+@njit
+def within(qt, qd, kt, kd, limit):
+    """Return a deflection, shortened where its force exceeds the limit."""
+    keep = min(1.0, limit / max(np.sqrt((kt * qt) ** 2 + (kd * qd) ** 2), 1e-300))
+    return keep * qt, keep * qd
+
+
+@njit
+def on_circle(pt, pd, Ct, Cd, limit, tried):
+    """Return the force with |p| = limit and C p + y p = C p0."""
+    if limit == 0:
+        return 0.0, 0.0
+    y = (Ct + Cd) / 2 * (tried / limit - 1)
+    for _ in range(4):  # Newton's method for 1/|p|, which is almost linear in y
+        qt, qd = Ct * pt / (Ct + y), Cd * pd / (Cd + y)
+        size = np.sqrt(qt * qt + qd * qd)
+        slope = (qt * qt / (Ct + y) + qd * qd / (Cd + y)) / size
+        y = max(0.0, y + (size / limit - 1) * size / slope)
+    return Ct * pt / (Ct + y), Cd * pd / (Cd + y)
+
+
+@njit
+def resist(y, law, powers, s, c, d0, d1, h):
+    """Apply the moments k1, k2, k3 and the power laws (n, 2) of the precession rate as clipped impulses."""
+    J, e = law[J1], 1 / law[J2] - 1 / law[J1]
+    for i in range(3):
+        a0, a1, a2 = (-d1, d0, 0.0) if i == 0 else (d0, d1, 0.0) if i == 1 else (0.0, 0.0, 1.0)
+        impulse(y, a0, a1, a2, h * law[ARMS + i] * y[FORCE], J, e, LOSSES + 3)
+    for i in range(len(powers)):
+        a0, a1, a2 = -c * d0, -c * d1, s  # e_3, upwards along the diameter through the contact
+        rate = abs(y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
+        impulse(y, a0, a1, a2, h * powers[i, 0] * rate ** (powers[i, 1] - 1) / s, J, e, LOSSES + 3)
+
+
+@njit
+def impulse(y, a0, a1, a2, size, J, e, cause):
+    """Turn against omega along the unit vector a by an angular impulse, at most the one that stops it."""
+    if size == 0:
+        return
+    n = a0 * y[6] + a1 * y[7] + a2 * y[8]
+    rate = (a0 * y[9] + a1 * y[10] + a2 * y[11]) / J + e * n * (y[6] * y[9] + y[7] * y[10] + y[8] * y[11])
+    yields = 1 / J + e * n * n
+    turn = -np.sign(rate) * min(size, abs(rate) / yields)
+    y[9], y[10], y[11] = y[9] + turn * a0, y[10] + turn * a1, y[11] + turn * a2
+    y[cause] -= turn * (rate + turn * yields / 2)
