@@ -23,7 +23,7 @@ class Disk:
     """Outer radius [m]."""
     thickness: Annotated[float, Ge(1e-9), Le(100)]
     """Height along the axis [m]."""
-    mass: Annotated[float, Ge(1e-9), Le(1e9)] | None = None
+    mass: Annotated[float, Ge(1e-9), Le(1e9)] = None  # type: ignore[assignment]
     """Mass [kg]."""
     density: Annotated[float, Ge(1e-3), Le(1e6)] | None = None
     """Mass per volume [kg/m^3], of a disk that has a volume."""

@@ -111,6 +111,10 @@ class OwnLaw:
 
     is_singular = False
 
+    def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
+        """Return the loads as `Resistance` does."""
+        raise NotImplementedError(f"{type(self).__name__} is to be called as Resistance is")
+
     @property
     def shape(self) -> "OwnLaw":
         """What a compiled flow depends on: None in place of every float."""

@@ -1,5 +1,6 @@
 """The record of a solved motion, which answers for any time and any force."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from enum import Enum
 from functools import cached_property
@@ -78,7 +79,7 @@ class Motion:
 
     disk: Disk
     law: Law
-    loads: object
+    loads: Callable | None
     path: PPoly
     regimes: tuple[Regime, ...]
     regime_of_piece: np.ndarray

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from operator import add
 
 from . import collocation
+from .dissipation import OwnLaw, Resistance
 from .equations import Law
 from .first_root import first_fall
 from .hybrid import Arc, Switch
@@ -20,7 +21,7 @@ class RollingDisk:
     """Law and loads of a scene, the sqrt(inclination) at which the motion counts as over, and the integrator to use."""
 
     law: Law
-    loads: Callable | None
+    loads: OwnLaw | Resistance | None
     r_end: float
     integrate: Callable
     tolerance: float

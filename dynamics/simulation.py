@@ -120,7 +120,7 @@ def _motion(disk, system, path, outcome, name) -> Motion:
     start = 0
     ends = np.cumsum([len(block) for block in path.coefficients])
     for block, kept in zip(path.coefficients, np.split(lasting, ends[:-1]), strict=True):
-        n = np.count_nonzero(kept)
+        n = int(np.count_nonzero(kept))
         c[order - block.shape[1] :, start : start + n] = block[kept, ::-1].swapaxes(0, 1)
         start += n
     chi = disk.time_unit

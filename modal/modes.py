@@ -5,6 +5,7 @@ patch at the circumferential angle 0. In the paper's basis (2.1), with the conta
 the bottom face, which meets the table, is z = -thickness/2.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
 from math import log, pi
 from typing import Annotated, Literal
@@ -64,7 +65,7 @@ class Body:
     displacement: np.ndarray
 
 
-OF_A_MODE = ("frequency", "decay_rate", "order", "partner", "participation", "rim_shape", "face_shape")
+OF_A_MODE: tuple[str, ...] = ("frequency", "decay_rate", "order", "partner", "participation", "rim_shape", "face_shape")
 OF_A_MODE += ("residual", "error")
 """The arrays of `Modes` that have a row for every mode."""
 
@@ -154,16 +155,16 @@ class Modes:
         """participation^2 (m, 6) [kg, kg m^2]; the columns of a held disk add up to its mass and inertia."""
         return self.participation**2
 
-    def select(self, indices: ArrayLike) -> "Modes":
+    def select(self, indices: Sequence[int] | np.ndarray) -> "Modes":
         """The modes of these indices (k,), or a mask (m,), in that order; `partner` is renumbered, -1 if left out."""
         kept = np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
         place = np.full(len(self) + 1, -1)
         place[kept] = np.arange(len(kept))
         of_a_mode = {name: getattr(self, name)[kept] for name in OF_A_MODE}
         of_a_mode["partner"] = place[of_a_mode["partner"]]
-        names = {name: tuple(getattr(self, name)[i] for i in kept) for name in ("family", "parity")}
+        family, parity = (tuple(names[i] for i in kept) for names in (self.family, self.parity))
         body = replace(self.body, displacement=self.body.displacement[kept])
-        return replace(self, **of_a_mode, **names, body=body)
+        return replace(self, family=family, parity=parity, body=body, **of_a_mode)
 
     def at_rim(self, angle: ArrayLike) -> np.ndarray:
         """Radial, tangential, axial displacement (m, k, 3) [kg^-1/2] of the bottom edge at angles (k,) [rad]."""
