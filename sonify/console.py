@@ -11,7 +11,7 @@ from sonify.plan.plan import unsettled
 from sonify.progress import Stages
 
 if TYPE_CHECKING:
-    from sonify.pipeline import Result
+    from sonify.result import Result
 
 
 class Console(Stages):

@@ -5,7 +5,7 @@ from time import perf_counter
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from sonify.pipeline import Result
+    from sonify.result import Result
 
 
 class Stages:

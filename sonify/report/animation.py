@@ -21,7 +21,7 @@ from sonify.report.view import TABLE, Camera, contact, exposed, rims, table, tra
 from sonify.scene_errors import InputError
 
 if TYPE_CHECKING:
-    from sonify.pipeline import Result
+    from sonify.result import Result
 
 FPS, EXPOSURES = 25, 12
 """Frames a second, and instants that are averaged into each."""

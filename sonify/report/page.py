@@ -11,7 +11,7 @@ from jinja2 import Environment, PackageLoader
 from sonify.files import whole
 
 if TYPE_CHECKING:
-    from sonify.pipeline import Result
+    from sonify.result import Result
 
 PICTURES = {
     "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",

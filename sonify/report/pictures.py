@@ -12,7 +12,7 @@ from sonify.report.motion import draw_motion
 from sonify.report.sound import draw_spectrogram, draw_stems
 
 if TYPE_CHECKING:
-    from sonify.pipeline import Result
+    from sonify.result import Result
 
 
 def draw_all(result: "Result"):
