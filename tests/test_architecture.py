@@ -44,6 +44,8 @@ def test_who_imports_whom(file):
     if file.stem == "theory":
         own = {name for name in imported(file) if name.split(".")[0] == package}
         assert not own, "an oracle must not use what it judges"
+    else:
+        assert not any("theory" in name.split(".") for name in imported(file)), "an oracle only judges"
     if "matplotlib" in tops:
         assert file.relative_to(ROOT).parts[:2] in {("sonify", "report"), ("sonify", "charts")}
 

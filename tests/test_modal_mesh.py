@@ -5,6 +5,7 @@ sides (Henshell & Shaw 1975, Barsoum 1976), squared ones all over.
 Oracles: sqrt(z) itself; the volume of a cylinder; every side of a cell belongs to two cells or to the boundary.
 """
 
+from itertools import product
 from types import SimpleNamespace
 
 import numpy as np
@@ -95,8 +96,15 @@ def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(half_angle_deg, 
         assert (on_rim | on_plane | on_face).all()
 
 
-@pytest.mark.parametrize("size", SIZES)
-@pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), [*PATCHES, *WHOLE])
+LARGE = {((180, 1.2, 0.96), "thin, narrow"), ((0.5, 2, 0.05), "thin, narrow")}
+"""Meshes whose volume takes seconds: for the slow suite."""
+MESHES = [
+    pytest.param(*patch, size, marks=[pytest.mark.slow] if (patch, size) in LARGE else [])
+    for patch, size in product([*PATCHES, *WHOLE], SIZES)
+]
+
+
+@pytest.mark.parametrize(("half_angle_deg", "aspect", "share", "size"), MESHES)
 def test_no_cell_folds_and_the_volume_is_that_of_the_disk(half_angle_deg, aspect, share, size):
     for part in sectors(half_angle_deg, aspect, share, SIZES[size]):
         basis = CellBasis(part.mesh, part.mesh.elem(), intorder=8)

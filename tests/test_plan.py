@@ -56,7 +56,7 @@ def disagreements(scene):
     return wrong
 
 
-@pytest.mark.parametrize("support", ["patch", "free"])
+@pytest.mark.parametrize("support", ["patch", pytest.param("free", marks=pytest.mark.slow)])
 def test_the_published_run_is_as_wrong_as_predicted(scene, support):
     assert disagreements(scene.replace(f"support.kind={support}")) == []
 
