@@ -129,5 +129,17 @@ def chart(name, quick, out, redraw):
             click.echo(f"{out}/{one}.md")
 
 
+@main.command()
+@click.argument("what", type=click.Choice(["modes"]))
+@click.argument("scene", default="published")
+@click.option("--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="Kind of file.")
+@click.option("--out", type=click.Path(), help="The file; default <scene name> with the suffix of its kind.")
+def export(what, scene, form, out):
+    """Write the modes of SCENE for Faust, for modal analysis (universal file, extra `uff`) or for ParaView."""
+    from sonify.export import export_modes
+
+    click.echo(str(export_modes(scene, form, out)))
+
+
 if __name__ == "__main__":
     main(prog_name="python -m sonify")

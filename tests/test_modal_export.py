@@ -10,9 +10,14 @@ import subprocess
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 from scipy.signal import lfilter
 
 from modal import Material, Plate, as_faust, as_faust_library, plate_modes, write_uff
+from sonify.__main__ import main
+from sonify.export import export_modes
+from sonify.scene import load_scene
+from sonify.scene_errors import InputError
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 
@@ -127,3 +132,19 @@ def test_an_overdamped_mode_is_not_written(modes):
     for write in (as_faust, as_faust_library):
         with pytest.raises(ValueError, match=r"mode 3 of 16997\.7 Hz does not oscillate"):
             write(modes.with_decay(np.where(np.arange(len(modes)) == 2, rate, 1.0)))
+
+
+def test_the_command_writes_a_whole_file_and_names_it(tmp_path):
+    told = CliRunner().invoke(main, ["export", "modes", "--as", "faust", "--out", str(tmp_path / "disk.dsp")])
+    assert (told.exit_code, told.stdout.split()) == (0, [str(tmp_path / "disk.dsp")])
+    assert (tmp_path / "disk.dsp").read_text("utf-8").startswith('declare name "disk"')
+    assert [file.name for file in tmp_path.iterdir()] == ["disk.dsp"]
+
+
+def test_the_command_refuses_in_one_line_what_has_no_modes_and_writes_nothing(tmp_path):
+    scene = load_scene("published").replace("disk.radius=2e-3", "disk.thickness=1e-3", "disk.mass=1e-4")
+    with pytest.raises(InputError, match="no mode"):
+        export_modes(scene.replace("support.kind=free"), "faust", tmp_path / "none.dsp")
+    told = CliRunner().invoke(main, ["export", "modes", "nowhere", "--as", "vtu", "--out", str(tmp_path / "none.vtu")])
+    assert (told.exit_code, len(told.stderr.splitlines())) == (2, 1)
+    assert list(tmp_path.iterdir()) == []

@@ -7,6 +7,7 @@ import numpy as np
 from PIL import Image, ImageDraw
 
 from dynamics import Disk
+from sonify.sound.drive import in_patch_frame
 
 SEGMENTS = 96
 """Sides of the polygon that is drawn for the rim."""
@@ -48,11 +49,9 @@ class Camera:
 
 def patch_frame(state, inclination) -> np.ndarray:
     """Return the axes (k, 3, 3) of the patch for states (k, 11), x to the contact and z along the axis; (2.1)."""
-    turned, (s, c) = state[:, 0], (np.sin(inclination), np.cos(inclination))
-    a1 = np.stack([np.cos(turned), np.sin(turned), 0 * turned], axis=1)
-    a2 = np.stack([-np.sin(turned), np.cos(turned), 0 * turned], axis=1)
-    a3 = np.array([0.0, 0.0, 1.0])
-    return np.stack([c[:, None] * a2 - s[:, None] * a3, -a1, s[:, None] * a2 + c[:, None] * a3], axis=1)
+    c, s, zero = np.cos(state[:, 0]), np.sin(state[:, 0]), 0 * inclination
+    table = [(c, -s, zero), (s, c, zero), (zero, zero, 1 + zero)]
+    return np.stack([in_patch_frame(np.stack(axis, axis=1), inclination) for axis in table], axis=2)
 
 
 def contact(state, inclination, disk: Disk) -> np.ndarray:
