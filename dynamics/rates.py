@@ -43,9 +43,3 @@ def precession_rate(state) -> np.ndarray:
 def slips(motion: Motion) -> np.ndarray:
     """Return the times (j,) [s] at which rolling turns into sliding."""
     return np.array([e.t for e in motion.transitions if e.before.startswith("roll") and e.after.startswith("slide")])
-
-
-def transition_rate(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (j - 1,) [s] and the slips a second (j - 1,) [Hz] between successive slips."""
-    t = slips(motion)
-    return (t[1:] + t[:-1]) / 2, 1 / np.diff(t)

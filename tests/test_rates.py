@@ -6,11 +6,10 @@ Oracle: the zeros of omega_1, the linear theory of steady motion, counts of turn
 
 import numpy as np
 import pytest
-from arithmetic import gamma
 from scenes import scene, whirling
 
 from dynamics import simulate, theory
-from dynamics.rates import nutation_frequency, precession_frequency, slips, transition_rate
+from dynamics.rates import nutation_frequency, precession_frequency, slips
 
 
 @pytest.fixture(scope="module")
@@ -59,11 +58,7 @@ def test_the_mean_precession_counts_turns(motion):
     assert np.trapezoid(frequency[here], t[here]) == pytest.approx(counted, rel=0.03)
 
 
-def test_the_rate_of_slips_rises_towards_the_end_and_counts_them(motion):
-    t, rate = transition_rate(motion)
-    assert len(t) == len(slips(motion)) - 1
-    assert np.median(rate[-20:]) > 100 * np.median(rate[:20])
-    times = slips(motion)
-    assert np.sum(1 / rate) == pytest.approx(
-        np.ptp(times), rel=0, abs=gamma(len(times) + 2) * times.sum() / len(times) * 2
-    )
+def test_slips_come_a_hundred_times_as_often_towards_the_end(motion):
+    gaps = np.diff(slips(motion))
+    assert len(gaps) > 100
+    assert np.median(gaps[:20]) > 100 * np.median(gaps[-20:])
