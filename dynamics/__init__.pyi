@@ -9,5 +9,6 @@ from .motion import Motion as Motion
 from .motion import Outcome as Outcome
 from .motion import Transition as Transition
 from .numerics import Numerics as Numerics
+from .rigid_motion import RigidMotion as RigidMotion
 from .simulation import simulate as simulate
 from .switching import ImpossibleContactError as ImpossibleContactError

@@ -15,6 +15,7 @@ from annotated_types import Ge, Le
 
 from .disk import GRAVITY, Disk
 from .equations import Law, Loads
+from .kinematics import arms, centre_velocity, precession_rate
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,9 +73,8 @@ class Resistance(NamedTuple):
     def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
         """Return the loads at inclination beta, angular velocity omega and slip velocity, for the scalars of `flow`."""
         sin_a, cos_a = flow.cos(beta), flow.sin(beta)
-        e = law.h * sin_a + cos_a
-        rate = omega[2] / cos_a
-        v1, v2 = slip[0] + omega[1] - law.h * omega[2], slip[1] - e * omega[0]
+        rate = precession_rate(omega[2], cos_a)
+        v1, v2 = centre_velocity(slip, omega, arms(sin_a, cos_a, law.h)[0], law.h)
         M1, M2, M3 = (-self.viscous_moment * w for w in omega)
         for c, half in self.powers:  # |Omega|^(b-1) sign(Omega), written so that b = 2, 4, ... stay polynomials
             M3 = M3 - c * rate * flow.power(rate * rate, half) / cos_a

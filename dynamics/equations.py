@@ -7,6 +7,8 @@ floats, numpy arrays, numba floats or heyoka expressions, according to the sine 
 import math
 from typing import NamedTuple
 
+from .kinematics import arms, centre_velocity, precession_rate
+
 
 class Law(NamedTuple):
     """The dimensionless constants of a scene: h = H/R, K = k^2, friction coefficients, arms over R."""
@@ -65,10 +67,10 @@ def balance(sin, cos):
         """
         h, K = law.h, law.K
         sin_a, cos_a = cos(beta), sin(beta)
-        e, f = h * sin_a + cos_a, h * cos_a - sin_a  # (4.9)
+        e, f = arms(sin_a, cos_a, h)
         J1, J2, weight = K / 4 + h * h / 3, K / 2, (K + 4) / 4
-        rate = w3 / cos_a  # precession rate, (2.3)
-        v1, v2 = u1 + w2 - h * w3, u2 - e * w1  # centre of mass along a_1, a_2, from (2.5)
+        rate = precession_rate(w3, cos_a)
+        v1, v2 = centre_velocity((u1, u2), (w1, w2, w3), e, h)
 
         # About e_1: J1 w1' = gyro + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6).
         gyro = J2 * w2 * w3 - J1 * rate * sin_a * w3 + loads.M1
@@ -128,7 +130,7 @@ def balance(sin, cos):
 def separation(beta, w1, w2, w3, law, loads=UNLOADED) -> float:
     """Return the acceleration with which the lowest point would leave the plane if nothing held it there."""
     sin_a, cos_a = math.cos(beta), math.sin(beta)
-    e, f = law.h * sin_a + cos_a, law.h * cos_a - sin_a
+    e, f = arms(sin_a, cos_a, law.h)
     J1, J2 = law.K / 4 + law.h**2 / 3, law.K / 2
     free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
     return e * w1 * w1 - f * free - (law.K + 4) / 4

@@ -1,19 +1,12 @@
-"""The record of a solved motion, which answers for any time and any force."""
+"""What every solved motion of the disk answers, however it was solved; its outcome, transitions and jumps."""
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from enum import Enum
-from functools import cached_property
-from typing import NamedTuple
+from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import PPoly
 
 from .disk import Disk
-from .equations import Law
-from .monotone import largest_fall
-from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
 
 COLUMNS = (
     "precession",
@@ -29,10 +22,6 @@ COLUMNS = (
     "dissipated_energy",
 )
 """Names of the columns of `Motion.state`."""
-HARMONICS = 8
-"""Multiples of the precession rate that the contact force is taken to contain."""
-BLOCK = 8192
-"""Times at which the force is computed together: few enough for the cache."""
 
 
 class Outcome(Enum):
@@ -70,178 +59,57 @@ class Jumps(NamedTuple):
     after: np.ndarray
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Motion:
-    """A solved motion: piecewise polynomials of the state, the regime of each piece, the transitions and the outcome.
+@runtime_checkable
+class Motion(Protocol):
+    """A solved motion, in SI units; times outside it raise ValueError. `RigidMotion` is the rigid disk's."""
 
-    Inside, everything is dimensionless as in the paper; what the methods take and return is in SI units.
-    """
+    @property
+    def disk(self) -> Disk: ...
+    @property
+    def transitions(self) -> tuple[Transition, ...]: ...
+    @property
+    def contact_losses(self) -> tuple: ...
+    @property
+    def outcome(self) -> Outcome: ...
+    @property
+    def integrator(self) -> str: ...
 
-    disk: Disk
-    law: Law
-    loads: Callable | None
-    path: PPoly
-    regimes: tuple[Regime, ...]
-    regime_of_piece: np.ndarray
-    transitions: tuple[Transition, ...]
-    contact_losses: tuple
-    outcome: Outcome
-    integrator: str
-
-    def __repr__(self):
-        """In one line."""
-        end = self.path.x[-1] * self.disk.time_unit
-        return f"Motion({end:.6g} s, {self.outcome.name}, {len(self.transitions)} transitions, {self.integrator})"
-
-    @cached_property
+    @property
     def t(self) -> np.ndarray:
         """Ends of the pieces of the solution, (n,) [s], from 0 to the end of the motion."""
-        return read_only(self.path.x * self.disk.time_unit)
 
-    @cached_property
+    @property
+    def t_end(self) -> float:
+        """The time [s] at which the inclination of a settled motion would be zero."""
+
+    @property
     def state(self) -> np.ndarray:
         """The state at `t`, (n, 11), with the columns COLUMNS."""
-        return read_only(self.at(self.t))
+
+    @property
+    def jumps(self) -> Jumps:
+        """Every discontinuity of the contact force, with the one-sided limits of the force."""
 
     def at(self, t: ArrayLike) -> np.ndarray:
-        """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses.
-
-        Raises ValueError for times outside the motion.
-        """
-        return self._columns(self.path(self._tau(t)))
+        """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses."""
 
     def force(self, t: ArrayLike) -> np.ndarray:
-        """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
-
-        It comes from the balance laws that the integrator solved (4.6), (5.2), never from differences. At a jump it is
-        the force after it. Raises ValueError for times outside the motion.
-        """
-        return self.at_and_force(t)[1]
+        """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force."""
 
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return `at(t)` and `force(t)` from one evaluation; ValueError for times outside the motion."""
-        tau = self._tau(t)
-        state, force = np.empty((len(tau), len(COLUMNS))), np.empty((len(tau), 3))
-        for i in range(0, len(tau), BLOCK):
-            some = slice(i, i + BLOCK)
-            y = self.path(tau[some])
-            state[some], force[some] = self._columns(y), self._force(y, self._piece(tau[some]))
-        return state, force
-
-    def bandwidth(self, state: np.ndarray) -> np.ndarray:
-        """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11); (2.3)."""
-        return HARMONICS / (2 * np.pi) * np.abs(state[:, 7] / np.sin(state[:, 1]))
+        """Return `at(t)` and `force(t)` from one evaluation."""
 
     def normal_load(self, t: ArrayLike) -> np.ndarray:
-        """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""
-        return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
+        """Return Phi of (4.6) at the times t (k,) [s]."""
+
+    def bandwidth(self, state: np.ndarray) -> np.ndarray:
+        """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11)."""
 
     def energy(self, t: ArrayLike) -> np.ndarray:
-        """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
-        tau = self._tau(t)
-        return energy(self.path(tau).T, self.law) * self._unit_of_energy
+        """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table."""
 
     def largest_regain(self) -> float:
         """Return by how much [J] the dissipated energy ever falls, from any instant to any later one."""
-        return largest_fall(self.path.c[..., DISSIPATED], self.path.x) * self._unit_of_energy
 
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""
-        names = np.array([str(regime) for regime in self.regimes])
-        return names[self.regime_of_piece[self._piece(self._tau(t))]]
-
-    @cached_property
-    def jumps(self) -> Jumps:
-        """Every discontinuity of the contact force, with the one-sided limits of the force."""
-        ends = np.flatnonzero(np.diff(self.regime_of_piece)) + 1
-        tau = self.path.x[ends]
-        at_end = _polynomials(self.path.c[:, ends - 1], tau - self.path.x[ends - 1])
-        before, after = self._force(at_end, ends - 1), self._force(self.path.c[-1, ends].copy(), ends)
-        return Jumps(*(read_only(a) for a in (tau * self.disk.time_unit, before, after)))
-
-    @cached_property
-    def t_end(self) -> float:
-        """The time [s] at which sqrt(inclination), falling linearly on the mean, is zero; for a settled motion."""
-        r = self.path.c[-1, :, R]
-        i = np.searchsorted(-r, -10 * r[-1])
-        slope = (r[-1] - r[i]) / (self.path.x[-2] - self.path.x[i])
-        return float((self.path.x[-2] - r[-1] / slope) * self.disk.time_unit)
-
-    def _tau(self, t):
-        tau = np.atleast_1d(np.asarray(t, dtype=float)) / self.disk.time_unit
-        if tau.ndim > 1:
-            raise ValueError(f"t must be a time or a row of times [s], not an array of shape {tau.shape}")
-        end = self.path.x[-1]
-        if tau.size and not (tau.min() >= 0 and tau.max() <= end * (1 + 1e-14)):
-            raise ValueError(f"t must lie within the motion, 0 to {end * self.disk.time_unit:.9g} s")
-        return np.minimum(tau, end)
-
-    def _piece(self, tau):
-        return np.clip(np.searchsorted(self.path.x, tau, side="right") - 1, 0, len(self.regime_of_piece) - 1)
-
-    @property
-    def _unit_of_energy(self) -> float:
-        return self.disk.mass * (self.disk.radius / self.disk.time_unit) ** 2
-
-    def _columns(self, y):
-        radius, chi = self.disk.radius, self.disk.time_unit
-        r = y[:, [R]]
-        return np.hstack(
-            [
-                y[:, [PRECESSION]],
-                r * r,
-                y[:, [PRECESSION + 1]],
-                y[:, X : X + 2] * radius,
-                r * y[:, W1 : W3 + 1] / chi,
-                r * y[:, V1 : V2 + 1] * radius / chi,
-                y[:, [DISSIPATED]] * self._unit_of_energy,
-            ]
-        )
-
-    def _force(self, y, piece):
-        """Solve the contact at states y (k, 11) within the pieces (k,), and return its force (k, 3) [N]."""
-        out = np.empty((len(y), 3))
-        kinds = self.regime_of_piece[piece]
-        for kind in np.unique(kinds):
-            here = np.flatnonzero(kinds == kind)
-            contact = self._contact(y[here].T, piece[here], self.regimes[kind])
-            out[here] = np.stack(np.broadcast_arrays(contact.F1, contact.F2, contact.Phi), axis=1)
-        return out * (self.disk.mass * self.disk.radius / self.disk.time_unit**2)
-
-    def _contact(self, y, piece, regime):
-        if regime.sliding:  # at either end of a slide the direction is that of the slip which begins or ends there
-            resting = np.hypot(y[V1], y[V2]) < 1e-3 * STOP_SPEED
-            rest, slope, curve = self.path.c[-1:-4:-1, piece[resting], V1 : V2 + 1].swapaxes(1, 2)
-            duration = np.diff(self.path.x)[piece[resting]]
-            grazes = np.abs(slope).max(axis=0) < 0.1 * duration * np.abs(curve).max(axis=0)
-            onward = np.where(grazes, curve, slope) * np.where(rest.any(axis=0), -1.0, 1.0)
-            y[V1 : V2 + 1, resting] = 1e-3 * STOP_SPEED * onward / np.abs(onward).max(axis=0)
-        branch = Branch.of(regime, self.law, self.loads)
-        return ARRAY.contact(y, branch, regime.senses, self.law)
-
-
-def _polynomials(c, x):
-    """Evaluate polynomials c (order + 1, k, m), highest power first, at x (k,)."""
-    out = c[0].copy()
-    for row in c[1:]:
-        out *= x[:, None]
-        out += row
-    return out
-
-
-def energy(y, law: Law):
-    """Return the dimensionless energy (6.1), with its two errata corrected, of states y (11, ...)."""
-    r = y[R]
-    beta, w1, w2, w3 = r * r, r * y[W1], r * y[W1 + 1], r * y[W3]
-    sin_a, cos_a = np.cos(beta), np.sin(beta)
-    e, f = law.h * sin_a + cos_a, law.h * cos_a - sin_a
-    v1, v2, v3 = r * y[V1] + w2 - law.h * w3, r * y[V2] - e * w1, f * w1
-    turning = (law.K / 4 + law.h**2 / 3) * (w1 * w1 + w3 * w3) + law.K / 2 * w2 * w2
-    height = cos_a - 2 * law.h * np.sin(beta / 2) ** 2  # e - h without cancellation
-    return (v1 * v1 + v2 * v2 + v3 * v3 + turning) / 2 + (law.K + 4) / 4 * height
-
-
-def read_only(array):
-    array = np.asarray(array)
-    array.flags.writeable = False
-    return array

@@ -6,6 +6,7 @@ import numpy as np
 from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
+from . import kinematics
 from .motion import Motion
 
 PROMINENCE, SHARE, NEIGHBOURS = 0.005, 0.5, 11
@@ -37,7 +38,7 @@ def precession_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
 
 def precession_rate(state) -> np.ndarray:
     """Return d theta/dt = omega_3 sec(alpha) (2.3), (k,) [rad/s], of states (k, 11)."""
-    return state[:, 7] / np.sin(state[:, 1])
+    return kinematics.precession_rate(state[:, 7], np.sin(state[:, 1]))
 
 
 def slips(motion: Motion) -> np.ndarray:

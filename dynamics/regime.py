@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .equations import Contact, Law, Loads, balance
+from .kinematics import arms, centre_velocity, precession_rate
 
 R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
 AXES = ("nutation", "rolling", "pivoting")
@@ -102,10 +103,9 @@ class Flow:
         r, w1 = y[R], y[W1]
         beta, omega = r * r, (r * y[W1], r * y[W2], r * y[W3])
         sin_a, cos_a = self.cos(beta), self.sin(beta)
-        e = law.h * sin_a + cos_a
         slip = (r * y[V1], r * y[V2]) if branch.sliding else (0.0, 0.0)
-        v1, v2 = slip[0] + omega[1] - law.h * omega[2], slip[1] - e * omega[0]
-        rate = omega[2] / cos_a
+        v1, v2 = centre_velocity(slip, omega, arms(sin_a, cos_a, law.h)[0], law.h)
+        rate = precession_rate(omega[2], cos_a)
         ct, st = self.cos(y[PRECESSION]), self.sin(y[PRECESSION])
         turns = projections(beta, *omega, self.sin, self.cos)
         power = contact.m1 * turns[0] + contact.m2 * turns[1] + contact.m3 * turns[2]

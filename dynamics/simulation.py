@@ -14,9 +14,10 @@ from .disk import Disk, Friction, Release
 from .dissipation import OwnLaw, resistance
 from .equations import Law
 from .hybrid import CASCADE, STALLED, StalledError, drive
-from .motion import Motion, Outcome, Transition, read_only
+from .motion import Outcome, Transition
 from .numerics import Numerics, integrator_of
 from .regime import R, Regime
+from .rigid_motion import RigidMotion, read_only
 from .rolling import RollingDisk
 from .switching import ImpossibleContactError
 
@@ -50,7 +51,7 @@ Watch = Callable[[float, float, str], None]
 
 def simulate(
     scene: MotionScene, watch: Watch = lambda t, inclination, doing: None, loads: OwnLaw | None = None
-) -> Motion:
+) -> RigidMotion:
     """Solve the rigid motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
 
     `watch(t, inclination, doing)` [s, rad] is called on the way, and before a wait for the compiler, which `doing` then
@@ -109,7 +110,7 @@ def chosen_integrator(name: str):
     return name, import_module(f".{name}", __package__).advance
 
 
-def _motion(disk, system, path, outcome, name) -> Motion:
+def _motion(disk, system, path, outcome, name) -> RigidMotion:
     """Join the pieces of a path to one record; pieces of no duration are left out."""
     x = np.concatenate(path.times)
     lasting = np.diff(x) > 0
@@ -126,7 +127,7 @@ def _motion(disk, system, path, outcome, name) -> Motion:
     chi = disk.time_unit
     name_of = cache(str)
     crossings = (Transition(a.t * chi, name_of(a.before), name_of(a.after), a.guard) for a in path.crossings)
-    return Motion(
+    return RigidMotion(
         disk=disk,
         law=system.law,
         loads=system.loads,

@@ -13,7 +13,7 @@ import pytest
 import soundfile
 from arithmetic import gamma
 
-from dynamics import Motion, simulate
+from dynamics import RigidMotion, simulate
 from dynamics.numerics import LEVELS, inclination_at
 from dynamics.time_left import time_left
 from modal import radiation_decay
@@ -81,10 +81,10 @@ def counted():
         sizes["solved"].append(len(np.atleast_1d(t)))
         return solved(self, t)
 
-    solved = Motion.at_and_force
+    solved = RigidMotion.at_and_force
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("sonify.sound.response.OscillatorBank", CountedBank)
-        patch.setattr(Motion, "at_and_force", counted_force)
+        patch.setattr(RigidMotion, "at_and_force", counted_force)
         scene = load_scene("published").replace("numerics.time_limit=12.0")
         run = rendered(scene, "standard")
     return SimpleNamespace(**vars(run), **sizes)

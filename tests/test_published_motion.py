@@ -13,7 +13,7 @@ import pytest
 from arithmetic import gamma
 from scenes import scene
 
-from dynamics import Outcome, simulate
+from dynamics import Motion, Outcome, simulate
 from sonify import load_scene
 
 REFERENCE = json.loads((Path(__file__).parent / "references" / "motion.json").read_text())
@@ -70,6 +70,10 @@ def test_counts_of_slips(motion):
     slips = np.array([s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")])
     counts = [int(np.sum(slips < tau * motion.disk.time_unit)) for tau in (50, 100, 150, 200, 250)]
     assert counts == [3, 6, 11, 19, 36]
+
+
+def test_it_answers_what_every_motion_answers(motion):
+    assert isinstance(motion, Motion)
 
 
 def test_end(motion):

@@ -9,8 +9,10 @@ import functools
 import math
 
 from numba import njit
+from numba.extending import register_jitable
 
 from dynamics.equations import balance
+from dynamics.kinematics import arms, centre_velocity, precession_rate
 from sonify.charts.motion_case import Case, answer_of
 from sonify.charts.records import Answer, Failure
 
@@ -32,6 +34,8 @@ def moreau(case: Case, step: float) -> Answer:
 @functools.cache
 def stepper():
     """Compile the time-stepping once a process."""
+    for function in (arms, centre_velocity, precession_rate):  # which `solve` calls
+        register_jitable(function)
     solve = njit(balance(math.sin, math.cos))
 
     @njit

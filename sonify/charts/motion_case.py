@@ -9,7 +9,7 @@ from math import pi, sin, sqrt
 from typing import NamedTuple
 
 from dynamics.equations import Law
-from dynamics.motion import energy
+from dynamics.kinematics import energy
 from sonify.charts.records import Answer, relative
 
 PUBLISHED = Law(h=0.0128 / 0.0751, K=1.0, mu_static=0.5, mu_dynamic=0.3, k1=1e-4, k2=8e-4, k3=8e-3)
@@ -92,9 +92,10 @@ def scaled(state) -> list:
 
 def answer_of(state, law: Law, steps: int) -> Answer:
     """Return inclination and energy (6.1) of a state."""
-    return answer_of_scaled(scaled(state), law, steps)
+    return Answer((float(state[0]), float(energy(state[0], state[1:4], state[4:6], law))), steps)
 
 
 def answer_of_scaled(y, law: Law, steps: int) -> Answer:
     """Return inclination and energy (6.1) of a state as `dynamics.regime` has it."""
-    return Answer((float(y[0] ** 2), float(energy(y, law))), steps)
+    r = y[0]
+    return answer_of((r * r, *(r * x for x in y[1:6])), law, steps)

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from dynamics.equations import Law
+from dynamics.kinematics import arms, centre_velocity
 from sonify.charts.motion_case import Case
 from sonify.charts.records import Answer, Failure
 
@@ -40,12 +41,12 @@ def at_start(case: Case) -> Pose:
     """Return the pose at the start of a case: the contact at rest, (2.5)."""
     beta, w1, w2, w3 = case.start[:4]
     h, sin_a, cos_a = case.law.h, math.cos(beta), math.sin(beta)
-    e, f = h * sin_a + cos_a, h * cos_a - sin_a
+    e, f = arms(sin_a, cos_a, h)
     rotation = np.array([[1.0, 0.0, 0.0], [0.0, sin_a, cos_a], [0.0, -cos_a, sin_a]])
     return Pose(
         centre=np.array([0.0, 0.0, e]),
         rotation=rotation,
-        velocity=np.array([w2 - h * w3, -e * w1, f * w1]),
+        velocity=np.array([*centre_velocity((0.0, 0.0), (w1, w2, w3), e, h), f * w1]),
         angular=rotation @ [w1, -w3, w2],
     )
 

@@ -6,8 +6,8 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from scipy import sparse
 
-from dynamics.motion import HARMONICS
 from dynamics.rates import precession_rate
+from dynamics.rigid_motion import HARMONICS
 
 HALF_WIDTH = 8
 """Half the width of the low-pass before the samples, where the force holds more than they can [samples]."""
