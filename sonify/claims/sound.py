@@ -152,7 +152,7 @@ def tone_is_heard(tone, sound: Sound) -> Finding:
 def modes_carry_the_end(sound: Sound, error: float = 0.0) -> Finding:
     """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)].
 
-    What differs by the relative `error`, and no longer in step, may have 1 + error^2 times the energy.
+    What differs by the relative `error` in quadratic mean has an energy within a factor of (1 + error)^2.
     """
     heave, tilt, smooth, jumps = (_weighted_power(sound, stem) for stem in sound.stems.values())
     return Finding(
@@ -161,7 +161,7 @@ def modes_carry_the_end(sound: Sound, error: float = 0.0) -> Finding:
         value=float(level_db(smooth + jumps) - level_db(heave + tilt)),
         unit="dB(A), ringing of the modes over rigid motion of the disk",
         at_least=0.0,
-        margin=10 * np.log10(1 + error**2),
+        margin=20 * np.log10(1 + error),
         source="section 8: this is not the primary sound source; the forcing excites modes",
     )
 
@@ -169,7 +169,7 @@ def modes_carry_the_end(sound: Sound, error: float = 0.0) -> Finding:
 def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
     """The one-way coupling holds while the modes own less than the disk: when do they first own as much?
 
-    Their energy is known within a factor of 1 + error^2, as in `modes_carry_the_end`.
+    Their energy is known within a factor of (1 + error)^2, as in `modes_carry_the_end`.
     """
     inside = (sound.energy_time >= 0) & (sound.energy_time <= motion.t[-1])
     t, energy, whole = sound.energy_time[inside], sound.energy[inside], motion.energy(sound.energy_time[inside])
@@ -185,7 +185,7 @@ def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0) -> Findi
         value=value,
         unit="s before the end when the modes first hold as much energy as the disk",
         at_most=0.0,
-        margin=value - since(1 / (1 + error**2)) if value else since(1 + error**2),
+        margin=value - since((1 + error) ** -2) if value else since((1 + error) ** 2),
         source="section 8: the vibrations will result in a loss of contact; here they do not act back",
     )
 
