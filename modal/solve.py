@@ -66,16 +66,18 @@ class ElasticScene(Protocol):
 
 
 @one_blas_thread
-def eigenmodes(scene: ElasticScene, below: float = BELOW) -> Modes:
-    """The elastic `Modes` below the frequency `below` [Hz] of the disk of a scene.
+def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | None = None) -> Modes:
+    """The elastic `Modes` below the frequency `below` [Hz] of the disk of a scene, on another `support` where one is
+    given: with Support(kind="free") those of the free disk, which a contact that moves along its rim drives.
 
-    Raises ValueError if the patch
-    is taller than the disk or leaves a rigid body free to move, if a shell has no wall or is held, or if `below` is not
-    positive; UnsolvableError if there are more than about MOST modes, or if the patch is lost in round-off.
+    Raises ValueError if the patch is taller than the disk or leaves a rigid body free to move, if a shell has no wall
+    or is held, or if `below` is not positive; UnsolvableError if there are more than about MOST modes, or if the patch
+    is lost in round-off.
     """
+    support = support or scene.support
     if not below > 0:
         raise ValueError(f"below = {below:g} must be a frequency above 0 Hz")
-    check(scene.disk, scene.support)
+    check(scene.disk, support)
     disk, rho = scene.disk, density(scene.disk)
     count = mode_count(disk, scene.material, rho, below)
     if count > MOST:
@@ -84,7 +86,7 @@ def eigenmodes(scene: ElasticScene, below: float = BELOW) -> Modes:
             f"no more than {MOST} can be sought"
         )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
-    if scene.support.kind == "free":
+    if support.kind == "free":
         size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
         return axisymmetric.plate_modes(Plate(**size, material=scene.material, density=rho), below, accuracy)
-    return held.held_modes(disk, scene.material, scene.support, rho, below, accuracy)
+    return held.held_modes(disk, scene.material, support, rho, below, accuracy)

@@ -46,6 +46,11 @@ def test_known_frequencies(modes, order, frequency):
     assert modes.error[first] < 1e-5
 
 
+def test_a_held_disk_has_its_free_modes_for_the_asking(modes):
+    held = SimpleNamespace(**vars(scene()) | {"support": Support()})
+    assert eigenmodes(held, 40e3, Support(kind="free")).frequency.tolist() == modes.frequency.tolist()
+
+
 def test_below_40_khz_every_mode_is_within_1e_6_of_a_larger_basis(modes):
     exact = eigenmodes(scene("reference"), below=40e3)
     assert modes.order.tolist() == exact.order.tolist()

@@ -55,7 +55,7 @@ def record(element, solid, material, values, shapes, residual, error, radius) ->
     axis to the rim, as if they were whole: across a hole `face_shape` is interpolated from the nodes about it, and its
     area counts as part of the face.
     """
-    angle, (r, weight, theta) = sample.rim_angles(), sample.face_grid(radius)
+    angle, (r, _, theta) = sample.rim_angles(), sample.face_grid(radius)
     low, high = solid.points[:, 2].min(), solid.points[:, 2].max()
     rim = radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     grid = np.stack([np.outer(r, np.cos(theta)).ravel(), np.outer(r, np.sin(theta)).ravel()], axis=1)
@@ -75,11 +75,8 @@ def record(element, solid, material, values, shapes, residual, error, radius) ->
         parity=tuple(np.where(odd, "odd", "even").tolist()),
         partner=np.full(len(values), -1),
         participation=flat @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
-        rim_angle=angle,
+        **sample.grids(radius),
         rim_shape=rim_shape,
-        face_radius=r,
-        face_weight=weight,
-        face_angle=theta,
         face_shape=np.stack(face, axis=1),
         residual=residual,
         error=np.array(error),

@@ -19,6 +19,12 @@ def face_grid(radius, inner=0.0):
     return r, weight * (radius - inner) / 2 * r, np.arange(FACE_ANGLES) * 2 * np.pi / FACE_ANGLES
 
 
+def grids(radius, inner=0.0):
+    """The grids of `Modes` on the edge and the faces of a disk [m], by the names of its fields."""
+    r, weight, angle = face_grid(radius, inner)
+    return {"rim_angle": rim_angles(), "face_radius": r, "face_weight": weight, "face_angle": angle}
+
+
 def quadratic(x):
     """The three Lagrange polynomials (..., 3) of the nodes 0, 1/2, 1."""
     return np.stack([(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)], axis=-1)

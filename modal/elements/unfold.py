@@ -129,16 +129,12 @@ def unfolded(part, solid, solved, error, disk, material) -> Modes:
     shapes = [c.shapes[:, source[:, 0]] * sign[source[:, 1]] for c, sign in zip(solved, signs, strict=True)]
     ascending = np.argsort(columns["frequency"], kind="stable")
     columns = {name: value[ascending] for name, value in columns.items()}
-    r, weight, theta = sample.face_grid(disk.radius)
     displacement = np.concatenate(shapes)[ascending]
     return Modes(
         **columns | {"family": tuple(columns["family"].tolist()), "parity": tuple(columns["parity"].tolist())},
         decay_rate=pi * columns["frequency"] * material.loss_factor,
         partner=np.full(len(ascending), -1),
-        rim_angle=sample.rim_angles(),
-        face_radius=r,
-        face_weight=weight,
-        face_angle=theta,
+        **sample.grids(disk.radius),
         mass=part.copies * solid.total,
         method="finite elements",
         unknowns=3 * len(points),

@@ -144,15 +144,11 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
     ascending = ascending[whole["frequency"][ascending] < below]
     whole = {name: value[ascending] for name, value in whole.items()}
     displacement, pair = whole.pop("displacement"), whole.pop("pair")
-    r, weight, theta = sample.face_grid(plate.radius, plate.inner_radius)
     return Modes(
         **whole | {"family": tuple(whole["family"].tolist()), "parity": tuple(whole["parity"].tolist())},
         decay_rate=pi * whole["frequency"] * plate.material.loss_factor,
         partner=partners(pair),
-        rim_angle=sample.rim_angles(),
-        face_radius=r,
-        face_weight=weight,
-        face_angle=theta,
+        **sample.grids(plate.radius, plate.inner_radius),
         mass=plate.mass,
         method="Fourier and polynomials",
         unknowns=sum(len(pairs.vectors) for pairs in found),

@@ -99,7 +99,7 @@ def works(case: ModesCase, quick: bool) -> list[Work]:
         return Work(family, method, setting, case.name, partial(function, *arguments), case.error, WRONG)
 
     held = case.half_angle is not None
-    method = "graded Q2, symmetry classes" if held else "Fourier x polynomials"
+    method = "Q2 shapes, frequencies by synthesis" if held else "Fourier x polynomials"
     runs = [work("ours", method, a, ours, case, a) for a in (ACCURACIES[:2] if quick else ACCURACIES)]
     for known, name in ((False, "first patch"), (True, "further patch")) if held else ():
         for richness in ["default"] if quick else RICHNESSES:
