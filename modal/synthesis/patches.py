@@ -43,7 +43,7 @@ def at_rim(p, size):
     return np.hstack([np.kron(np.array(t.share, float)[:, None], np.tile(np.eye(size[1]), size[0])) for t in p.terms])
 
 
-BEYOND = 2.2
+BEYOND = 2.6
 """Flexibility of all polynomials that the basis lacks over what its highest ones contribute: it falls slowly, because
 rim and faces meet at a corner."""
 
