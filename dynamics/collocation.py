@@ -23,6 +23,8 @@ LENGTH, LONGEST = 0.1, 0.5
 GROWTH, SHRINK = 4.0, 0.4
 """Bounds on the ratio of a step to the last one."""
 SHORTEST = 1e-12
+REST = 1e-13
+"""Slip speed over r at which a slow slide is at rest: there it is too slow for a last step along its tangent."""
 COMPLEX_STEP = 1e-30
 ACCURACY = 1e-12
 SLOW, LAZY_GAIN, LAZY_LOSS = 0.05, 0.002, 0.05
@@ -50,11 +52,11 @@ def grazing_step(y, nu, first, regime, branch, law) -> Step | None:
     dt, forward = LENGTH * y[R], (math.cos(nu), math.sin(nu))
     while dt > SHORTEST * y[R]:
         states = _newton(_at_rest(y, nu, first, regime, branch, law, dt), y, forward, regime, branch, law, dt)
-        if states is not None:
-            step = Step(regime, dt, _powers(y, states, forward, regime, branch, law, dt))
+        if states is not None and _error(powers := _powers(y, states, forward, regime, branch, law, dt), dt) < 1:
+            step = Step(regime, dt, powers)
             grip, *others = _guards(np.vstack([states, step.end]).T, forward, regime, branch, law, 0.0).values()
-            if min(map(np.min, others)) > 0 and grip.min() > -STOP_SPEED:
-                return step if grip[-1] > 0 else None
+            if min(map(np.min, others)) > 0 and grip.min() > -REST:
+                return step if grip[-1] > STOP_SPEED else None
         dt /= 2
     raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")
 
@@ -89,23 +91,27 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
         times.append(t)
         blocks.append(powers)
         if fired or not is_stiff(y, FLOAT.contact(y.tolist(), branch, regime.senses, law), law):
+            if fired is None and values["grip"] < STOP_SPEED:  # it stops too fast to be slow, and has no guard left
+                fired = "grip"
             break
     return Arc(np.array(times), np.array(blocks), y.tolist(), fired)
 
 
 def _step(y, regime, branch, law, dt):
-    """Return the powers (ORDER + 1, k) of one step of length dt, None where it is too long; its error over ACCURACY.
-
-    The error is the last coefficient in Chebyshev's polynomials on the step.
-    """
+    """Return the powers (ORDER + 1, k) of one step of length dt, None where it is too long; its error over ACCURACY."""
     forward = y[V1 : V2 + 1]
     states = _newton(_onward(y, regime, branch, law, dt), y, forward, regime, branch, law, dt)
     if states is None:
         return None, math.inf
-    powers = np.array(_powers(y, states, forward, regime, branch, law, dt))
-    last = np.abs(powers[-1]).max() * dt**ORDER / 2 ** (2 * ORDER - 1)
-    error = last / (ACCURACY * max(1.0, np.abs(y).max())) + 1e-30
+    powers = _powers(y, states, forward, regime, branch, law, dt)
+    error = _error(powers, dt)
     return (powers if error < 1 else None), error
+
+
+def _error(powers, dt):
+    """Return the error of a step over ACCURACY: the last coefficient in Chebyshev's polynomials on the step."""
+    last = np.abs(powers[-1]).max() * dt**ORDER / 2 ** (2 * ORDER - 1)
+    return last / (ACCURACY * max(1.0, np.abs(powers[0]).max())) + 1e-30
 
 
 def _slip(y, forward):
@@ -184,11 +190,11 @@ def _guards(y, forward, regime, branch, law, r_end):
     """Return the guards at states y (k, ...) by name, grip first: it is negative where the slip runs back."""
     slip, (c, s) = _slip(y, forward)
     contact = ARRAY.contact_along(y, slip, (c, s), branch, regime.senses, law)
-    grip = {"grip": y[V1] * c + y[V2] * s - STOP_SPEED}
+    grip = {"grip": y[V1] * c + y[V2] * s - REST}
     return grip | {**ARRAY.guards(y, contact, branch, regime.senses, law, r_end), **grip}
 
 
 def _powers(y, states, forward, regime, branch, law, dt):
-    """Return the Taylor coefficients of the polynomial through the collocated rates."""
+    """Return the Taylor coefficients (ORDER + 1, k) of the polynomial through the collocated rates."""
     rates = TO_POWERS @ _rates(states, forward, regime, branch, law)
-    return [list(y), *(dt ** (-POWERS[:, None].astype(float)) * rates / (POWERS[:, None] + 1)).tolist()]
+    return np.vstack([y, dt ** (-POWERS[:, None].astype(float)) * rates / (POWERS[:, None] + 1)])

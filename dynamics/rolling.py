@@ -61,7 +61,9 @@ class RollingDisk:
         if guard == "slip":
             return self._follow(y, held, fired={0}, senses=regime.senses)
         if guard == "grip":
-            last = slide_to_rest(y, regime, self.law, self.loads)
+            last, stops = slide_to_rest(y, regime, self.law, self.loads)
+            if not stops:
+                return Switch(regime, last.end, (last,))
             y = last.end
             y[V1] = y[V2] = 0.0
             then = self._follow(y, held | {0}, senses=regime.senses)

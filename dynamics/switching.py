@@ -16,8 +16,10 @@ from .hybrid import StalledError, Step
 from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 
 ROUND_OFF = 1e-12
-START = 1e-5
+START = 3e-6
 """Length of the first step of a slide in units of r: its error is START cubed, below round-off."""
+PASSING = 0.01
+"""Part of the time in which friction could stop a slip, for a step that leaves behind the guard that has fallen."""
 
 GRAZING = 0.05
 """A slide whose first acceleration is less than this part of friction starts with the long step of collocation.py."""
@@ -185,9 +187,9 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
     return _parabola(regime, dt, y, slope, FLOAT.rates(ahead, last, branch, law))
 
 
-def _step_off(y, first, regime, branch, law) -> Step:
-    """Take one step of Heun of START r: a turning that stops sticking starts at its guard's zero, without push."""
-    dt = START * y[R]
+def _step_off(y, first, regime, branch, law, length=START) -> Step:
+    """Take one step of Heun of `length` r: a turning that stops sticking starts at its guard's zero, without push."""
+    dt = length * y[R]
     slope = FLOAT.rates(y, first, branch, law)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
     after = FLOAT.rates(ahead, FLOAT.contact(ahead, branch, regime.senses, law), branch, law)
@@ -198,11 +200,32 @@ def _parabola(regime, dt, y, slope, after) -> Step:
     return Step(regime, dt, [list(y), slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]])
 
 
-def slide_to_rest(y, regime: Regime, law: Law, loads) -> Step:
-    """Take the last step of a slide along its tangent: to rest from a slip speed whose square is below round-off."""
-    branch = Branch.of(regime, law, loads)
-    slope = FLOAT.rates(y, FLOAT.contact(y, branch, regime.senses, law), branch, law)
-    speed = math.hypot(y[V1], y[V2])
-    duration = -(speed**2) / (y[V1] * slope[V1] + y[V2] * slope[V2])
-    slope[V1], slope[V2] = -y[V1] / duration, -y[V2] / duration
-    return Step(regime, duration, [list(y), slope])
+def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
+    """Take the last step of a slide: to rest under the friction, of a direction in between, that stops it exactly.
+
+    So the balance laws hold for the whole step, and what it leaves out is of the second order in the slip speed. Where
+    none of the accelerations points against the slip it passes by rest, by a small step that is returned with False.
+    """
+    branch, speed = Branch.of(regime, law, loads), math.hypot(y[V1], y[V2])
+    along = math.atan2(y[V2], y[V1])
+
+    def gain_and_cross(angle, flow=FLOAT, sin=math.sin, cos=math.cos):
+        contact = _along(y, angle, regime, branch, law, flow, sin, cos)
+        slope = flow.rates(y, contact, branch, law)
+        return np.array([[math.cos(along), math.sin(along)], [-math.sin(along), math.cos(along)]]) @ slope[V1 : V2 + 1]
+
+    def cross(angle):
+        return gain_and_cross(angle)[1]
+
+    angle = _root_near(cross, along, 0.02)
+    if angle is None or gain_and_cross(angle)[0] >= 0:  # it still turns
+        grid = along + np.linspace(-np.pi, np.pi, 65)
+        gain, across = gain_and_cross(grid, ARRAY, np.sin, np.cos)
+        turns = np.flatnonzero(((across[:-1] > 0) != (across[1:] > 0)) & (gain[:-1] < 0) & (gain[1:] < 0))
+        angles = [brentq(cross, grid[k], grid[k + 1], xtol=1e-15, rtol=1e-15) for k in turns]
+        angle = min(angles, key=lambda a: abs(a - along), default=None)
+    if angle is not None:
+        slope = FLOAT.rates(y, _along(y, angle, regime, branch, law), branch, law)
+        return Step(regime, -speed / gain_and_cross(angle)[0], [list(y), slope]), True
+    here = FLOAT.contact(y, branch, regime.senses, law)
+    return _step_off(y, here, regime, branch, law, PASSING * speed / (law.mu_dynamic * here.Phi)), False
