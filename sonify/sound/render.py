@@ -10,7 +10,7 @@ from sonify.sound.force import ForceSampler
 from sonify.sound.pressure import Sound, kept, with_sum
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import ElasticFace, RigidFace
-from sonify.sound.response import Carried, Driven
+from sonify.sound.response import Carried, Driven, Vibrating
 
 BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
@@ -29,7 +29,7 @@ RIGID, DIRECTION, MODAL = slice(0, 2), slice(2, 4), slice(4, None)
 class Renderer:
     """Turns a motion and the modes of its disk into blocks of pressure at the listener [Pa], one column per stem.
 
-    The force drives the modes, or the motion carries them, if it has a `vibration`: see `response`. Of the modes those
+    The force drives the modes, or the motion carries them, if it is Vibrating: see `response`. Of the modes those
     of the indices `wanted` sound, all if None, but none at or above half the sample rate. `calm` is that of the
     ForceSampler. The clock of the samples is the listener's: the source is heard distance / c later. However the motion
     ends, its modes ring out. Nothing but the sampler's count of readings changes by use. tests/test_sound.py.
@@ -92,7 +92,7 @@ class Renderer:
         return np.column_stack([rigid, np.cos(azimuth), np.sin(azimuth), self._drive(force, attitude)])
 
     def _response(self, settled):
-        if hasattr(self.motion, "vibration"):
+        if isinstance(self.motion, Vibrating):
             return Carried(self.modes, self.motion, self.chosen)
         return Driven(self.modes, self.sample_rate, settled)
 

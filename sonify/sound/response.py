@@ -1,8 +1,19 @@
 """FORCE or MOTION -> MODAL RESPONSE: the accelerations of the modes, block after block."""
 
+from typing import Protocol, runtime_checkable
+
 import numpy as np
 
 from sonify.sound.oscillators import Knots, OscillatorBank, free_response
+
+
+@runtime_checkable
+class Vibrating(Protocol):
+    """A motion that solves the modes of its disk with it."""
+
+    def vibration(self, t: np.ndarray) -> np.ndarray:
+        """Return displacement, velocity and acceleration of every mode, (k, 3, m), at t (k,) [s]; of modal mass 1."""
+        ...
 
 
 class Driven:
@@ -29,11 +40,9 @@ class Driven:
 
 
 class Carried:
-    """The modes of the indices `chosen` (m,) as a motion moves them that solves them itself.
+    """The modes of the indices `chosen` (m,) as a Vibrating motion moves them: still before it, free after it.
 
-    `motion.vibration(t)` (k, 3, all) is displacement, velocity and acceleration at t (k,) [s] for modal mass 1. Before
-    the motion they are still, after it they ring freely. What the table's share is cannot be told apart: all of it
-    counts as after the smooth force.
+    The shares of the smooth force and of its jumps cannot be told apart: all of it counts as after the smooth force.
     """
 
     def __init__(self, modes, motion, chosen):
