@@ -12,7 +12,7 @@ import pytest
 import skfem
 
 from modal import Body, Material, Plate, Support, plate_modes
-from sonify.report.mode_shapes import caption, draw_modes, edges, top_face
+from sonify.report.mode_shapes import caption, draw_modes, edges, stiff_share, top_face
 from sonify.report.solid_view import skin
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
@@ -89,6 +89,21 @@ def test_a_disk_without_modes_says_so(tmp_path):
     assert len(none) == 0
     draw_modes(none, tmp_path / "none.svg")
     assert "no mode below" in (tmp_path / "none.svg").read_text()
+
+
+def test_a_stiff_disk_that_turns_about_its_patch_swings():
+    """Oracle: the field of a rotation about a point of the rim; half of it where as much again is bending."""
+    angle = 2 * np.pi * np.arange(64) / 64
+    c, s = np.cos(angle), np.sin(angle)
+    turned = np.column_stack([-s, 1 - c, 0 * c])  # e_z x (x - e_x), radial and tangential
+    bent = np.column_stack([0 * c, 0 * c, np.cos(2 * angle)]) * np.sqrt(2 * np.square(turned).sum() / 64)
+    names = {"partner": [-1] * 2, "parity": ["even"] * 2, "family": ["extensional"] * 2, "order": [0] * 2}
+    rims = {"rim_angle": angle, "rim_shape": np.array([turned, turned + bent])}
+    modes = SimpleNamespace(frequency=[800.0, 900.0], decay_rate=[0.0, 0.0], **names, **rims)
+    assert [stiff_share(modes, i) for i in (0, 1)] == pytest.approx([1, 0.5])
+    assert caption(modes, 0, held=True) == "1: 800 Hz\nswing in the plane of the disk"
+    assert caption(modes, 1, held=True) == "2: 900 Hz\nextensional, order 0"
+    assert caption(modes, 0) == "1: 800 Hz\nextensional, order 0"
 
 
 def test_captions_say_what_a_mode_is(modes):

@@ -16,7 +16,7 @@ from PIL import Image, ImageDraw, ImageFont
 from dynamics.rates import precession_rate
 from sonify.files import whole
 from sonify.hearing.spectrogram import spectrogram
-from sonify.report.sound import level_image, log_frequency
+from sonify.report.sound import RANGE_DB, level_image, log_frequency, loudest_db
 from sonify.report.view import TABLE, Camera, contact, exposed, rims, table, traced
 from sonify.scene_errors import InputError
 
@@ -203,7 +203,7 @@ def backdrop(clip):
     seen = spectrogram(clip.result.sound.pressure, WINDOW, span=clip.span).band(*RATES)
     log_frequency(axes, RATES)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
-    image = level_image(axes, seen, 1.0)
+    image = level_image(axes, seen, 1.0, loudest_db(seen) - RANGE_DB)
     bar = figure.add_axes((0.92, 60 / SIZE[1], 0.015, below))
     figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")
     canvas = FigureCanvasAgg(figure)

@@ -10,7 +10,7 @@ from PIL import Image
 
 from sonify.files import whole
 
-DPI, MOST_TICKS = 110, 5
+DPI, MOST_TICKS = 110, 6
 
 
 @contextmanager

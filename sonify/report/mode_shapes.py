@@ -19,6 +19,10 @@ STRETCH = 0.16
 """Largest drawn displacement over the radius, of the rim seen from above."""
 
 
+SWING = 0.97
+"""A mode of a held disk of which so much is motion of the stiff disk is called a swing."""
+
+
 def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None = None) -> None:
     """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the whole body over it.
 
@@ -37,7 +41,14 @@ def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None
     for i in range(len(modes)):
         row, column = divmod(i, COLUMNS)
         x, y = ACROSS * (column + 0.5), -high * row
-        axis.text(x, y - 0.05, caption(modes, i), fontsize=10, ha="center", va="top")
+        axis.text(
+            x,
+            y - 0.05,
+            caption(modes, i, bool(support) and support.kind == "patch"),
+            fontsize=10,
+            ha="center",
+            va="top",
+        )
         if slanted:
             draw_solid(axis, modes, polygons, i, (x, y - HEAD - tall / 2))
         draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2), support)
@@ -77,7 +88,7 @@ def draw_above(axis, modes: Modes, i, at, support: Support | None):
     x, y = x / radius + at[0], y / radius + at[1]
     plane = modes.rim_shape[i, :, :2]
     scale = max(np.abs(w).max(), np.abs(plane).max())
-    axis.contourf(x, y, w / scale, levels=np.linspace(-1, 1, 21), cmap="RdBu_r")
+    axis.contourf(x, y, w / scale, levels=np.linspace(-1, 1, 22), cmap="RdBu_r")
     if np.abs(w).max() > 0.1 * scale:
         axis.contour(x, y, w / scale, levels=[0.0], colors="black", linewidths=1.3)
     for r in (1.0, hole / radius):
@@ -89,11 +100,23 @@ def draw_above(axis, modes: Modes, i, at, support: Support | None):
         axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
 
 
-def caption(modes: Modes, i):
-    """Number, frequency, family, order and T60 of mode i."""
+def caption(modes: Modes, i, held=False):
+    """Number, frequency, family, order and T60 of mode i; a swing about the patch that holds a disk has no order."""
     time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
     pair = f"{modes.parity[i]}, " if modes.partner[i] >= 0 else ""
-    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{modes.family[i]}, {pair}order {modes.order[i]}"
+    kind = f"{modes.family[i]}, {pair}order {modes.order[i]}"
+    if held and stiff_share(modes, i) > SWING:
+        kind = f"swing {'in' if modes.family[i] == 'extensional' else 'out of'} the plane of the disk"
+    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{kind}"
+
+
+def stiff_share(modes: Modes, i) -> float:
+    """Return the share of the mean square of a rim's motion, in mode i, that the six motions of a stiff rim make up."""
+    c, s, none = np.cos(modes.rim_angle), np.sin(modes.rim_angle), 0 * modes.rim_angle
+    one = none + 1
+    motions = [(c, -s, none), (s, c, none), (none, one, none), (none, none, one), (none, none, c), (none, none, s)]
+    shape, basis = modes.rim_shape[i].T.ravel(), np.reshape(motions, (6, -1)).T
+    return float(1 - np.linalg.lstsq(basis, shape)[1][0] / (shape @ shape))
 
 
 def top_face(modes: Modes, i, radius, hole):

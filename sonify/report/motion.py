@@ -30,8 +30,8 @@ def draw_motion(motion: Motion, path):
         at_rest = motion.normal_load([0.0])[0] * weight / motion.force([0.0])[0, 2]
         for panel, height, name in ((axes[0, 0], np.pi / 2, "flat"), (axes[1, 0], at_rest, "weight")):
             panel.axhline(height, color="0.5", lw=1.2, ls="--", label=name)
-            panel.legend(loc="lower right", fontsize=8)
+            panel.legend(loc="lower right", fontsize=8, framealpha=1)
         axes[1, 1].set(ylim=(0, 4))
-        axes[2, 0].set(xlabel="x/R", aspect="equal")
+        axes[2, 0].set(xlabel="x/R", aspect="equal", adjustable="datalim")
         lowest, highest = np.percentile(precession_rate(state) * chi, [1, 99])
         axes[2, 1].set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))

@@ -1,6 +1,7 @@
 """SOUND -> PICTURES: spectrograms with the solved lines over them, and the causes of sound against hearing."""
 
 import numpy as np
+from matplotlib import colormaps
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullLocator
 from scipy.ndimage import median_filter
@@ -19,8 +20,16 @@ RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
 """The band of the contact rates [Hz], and the window it is seen through [s]."""
 WINDOW_MODES = 0.02
 """The window for the band of the modes [s]."""
-FLOOR_DB, RANGE_DB = -10.0, 65.0
-"""Level of the darkest [dB re 20 uPa], and from there to the brightest."""
+RANGE_DB = 65.0
+"""From the darkest to the brightest; the brightest is the loudest of the sound."""
+STEM_STYLES = (
+    ("#0072b2", "-"),
+    ("#d55e00", "--"),
+    ("#000000", "-."),
+    ("#56b4e9", (0, (8, 1))),
+    ("#009e73", (0, (1, 1))),
+)
+"""Colours told apart by the colour-blind, with dashes told apart in grey print."""
 EDGE = [withStroke(linewidth=2.5, foreground="k")]
 """Makes a white line visible on white."""
 
@@ -29,14 +38,15 @@ def draw_spectrogram(motion: Motion, modes: Modes, sound: Sound, path):
     """Draw the pressure in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
     delay = sound.source_end - motion.t[-1]
     low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
+    floor = loudest_db(low, high) - RANGE_DB
     end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
             top.set(xlim=span)
             log_frequency(top, RATES)
-            level_image(top, low.during(*span), 1.0)
+            level_image(top, low.during(*span), 1.0, floor)
             _rate_lines(top, motion, delay, 1.0)
-            image = level_image(bottom, high.during(*span), 1e3)
+            image = level_image(bottom, high.during(*span), 1e3, floor)
             bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
             _mode_lines(bottom, modes.frequency, span)
         _rate_lines(axes[1, 1], motion, delay, 1e3)
@@ -50,12 +60,12 @@ def draw_spectrogram(motion: Motion, modes: Modes, sound: Sound, path):
 def draw_recording(recording, heard: Heard, path):
     """Draw a sound file in two bands, relative to full scale, with the rising tone that was heard over it."""
     low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
-    top = 5 * np.ceil(max(low.level_db(1.0).max(), high.level_db(1.0).max()) / 5)
+    floor = loudest_db(low, high, reference=1.0) - RANGE_DB
     with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
         log_frequency(axes[0], RATES)
         axes[0].set(ylabel="frequency [Hz]", title="Contact rates")
         for panel, seen, unit in zip(axes, (low, high), (1.0, 1e3), strict=True):
-            image = level_image(panel, seen, unit, 1.0, top - RANGE_DB)
+            image = level_image(panel, seen, unit, floor, 1.0)
             panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
             if heard.tone is not None:
                 left = np.geomspace(0.01, 8.0, 400)
@@ -76,8 +86,15 @@ def log_frequency(axes, band):
     axes.yaxis.set_minor_locator(NullLocator())
 
 
-def level_image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
-    """Draw the level [dB re `reference`] of a spectrogram over time [s] and frequency [Hz, over `unit`]."""
+def loudest_db(*parts, reference=REFERENCE_PRESSURE) -> float:
+    """Return the greatest level of spectrograms [dB re `reference`], rounded up to the next 5 dB."""
+    return float(5 * np.ceil(max(part.level_db(reference).max() for part in parts) / 5))
+
+
+def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
+    """Draw the level [dB re `reference`], from `floor` on, of a spectrogram over time [s] and frequency [Hz, over
+    `unit`]; where there is no window it is as dark as the floor."""
+    axes.set_facecolor(colormaps["magma"](0))
     level, options = seen.level_db(reference), {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
     time, frequency = seen.time, seen.frequency / unit
     if axes.get_yscale() == "log":
@@ -89,9 +106,9 @@ def level_image(axes, seen, unit, reference=REFERENCE_PRESSURE, floor=FLOOR_DB):
 
 def _rate_lines(axes, motion, delay, unit):
     (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
-    for rate, style, name in ((precession, "-", "precession"), (nutation, "--", "nutation")):
+    for rate, color, style, name in ((precession, "w", "-", "precession"), (nutation, "#56b4e9", "--", "nutation")):
         smooth = median_filter(rate, 5) / unit
-        axes.plot(peaks + delay, smooth, color="w", lw=1.0, ls=style, label=f"{name}, solved", path_effects=EDGE)
+        axes.plot(peaks + delay, smooth, color=color, lw=1.2, ls=style, label=f"{name}, solved", path_effects=EDGE)
     _legend(axes)
 
 
@@ -102,32 +119,36 @@ def _legend(axes):
 def _mode_lines(axes, frequencies, span):
     heights = np.unique(np.round(frequencies)) / 1e3  # the two of a pair are one line
     places = heights.copy()
-    apart = 0.022 * axes.get_ylim()[1]
-    for i in range(1, len(places)):  # keep the labels apart
+    apart = 0.036 * axes.get_ylim()[1]  # a line of text
+    for i in range(1, len(places)):
         places[i] = max(places[i], places[i - 1] + apart)
     axes.hlines(heights, *span, color="w", lw=0.8, ls=":", alpha=0.7, label="modes, solved")
     near = (places < axes.get_ylim()[1]) & (places - heights < 3 * apart)  # the others have no room
+    leader = {"arrowstyle": "-", "lw": 0.5, "shrinkA": 0, "shrinkB": 0, "relpos": (0, 0.5)}
     for height, place in zip(heights[near], places[near], strict=True):
-        axes.text(span[1], place, f" {1e3 * height:.0f} Hz", fontsize=7, va="center")
+        options = {"xycoords": axes.get_yaxis_transform(), "textcoords": axes.get_yaxis_transform()}
+        axes.annotate(
+            f"{1e3 * height:.0f} Hz", (1, height), (1.02, place), fontsize=7, va="center", arrowprops=leader, **options
+        )
 
 
 def draw_stems(sound: Sound, path):
     """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing."""
-    styles = dict(zip(STEMS, [("k", "-"), ("k", "--"), ("0.55", "-"), ("0.55", "--")], strict=True))
     with figure_at(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
-        for name, (color, style) in styles.items():
+        for name, (color, style) in zip(STEMS, STEM_STYLES, strict=False):
             heard = audibility(sound.stems[name])
-            options = {"color": color, "ls": style, "lw": 1.2, "label": name.replace("_", " ")}
+            options = {"color": color, "ls": style, "lw": 1.4, "label": name.replace("_", " ")}
             weighted.plot(heard.time, heard.a_weighted, **options)
             above.plot(heard.time, heard.above_threshold, **options)
         weighted.set(
             ylabel="A-weighted level [dB re 20 µPa]", ylim=(-20, None), title="Causes of sound at the listener"
         )
         above.axhspan(-30, 0, color="0.9")
-        above.text(sound.duration, -29, "not heard: below the threshold of ISO 226  ", ha="right", va="bottom")
+        words = {"va": "bottom", "bbox": {"color": "0.9", "pad": 1}, "zorder": 5}
+        above.text(0, -29, "  not heard: below the threshold of ISO 226", **words)
         above.set(ylabel="above threshold, best third octave [dB]", xlabel="time at the listener [s]", ylim=(-30, None))
-        weighted.legend(loc="upper left")
         for axes in (weighted, above):
             axes.grid(alpha=0.3)
-            axes.axvline(sound.source_end, color="k", lw=0.6, ls=":")
+            axes.axvline(sound.source_end, color="k", lw=0.6, ls=":", label="end of the motion")
             axes.set_xlim(0, sound.duration)
+        weighted.legend(loc="upper left")
