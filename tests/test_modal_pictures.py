@@ -101,7 +101,7 @@ def test_a_stiff_disk_that_turns_about_its_patch_swings():
     rims = {"rim_angle": angle, "rim_shape": np.array([turned, turned + bent])}
     modes = SimpleNamespace(frequency=[800.0, 900.0], decay_rate=[0.0, 0.0], **names, **rims)
     assert [stiff_share(modes, i) for i in (0, 1)] == pytest.approx([1, 0.5])
-    assert caption(modes, 0, held=True) == "1: 800 Hz\nswing in the plane of the disk"
+    assert caption(modes, 0, held=True) == "1: 800 Hz\nswing, in plane"
     assert caption(modes, 1, held=True) == "2: 900 Hz\nextensional, order 0"
     assert caption(modes, 0) == "1: 800 Hz\nextensional, order 0"
 

@@ -60,7 +60,7 @@ def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None
 
 LEGEND = (
     "At a slant: exaggerated, bright where it moves most. From above: axial motion of the top face (colour),\n"
-    "nodal lines (black), rim (dashed); where the disk is held at a patch, it is to the right (green)"
+    "nodal lines (black), rim (dashed); where the disk is held at a patch, it is to the right (green), and a swing turns about it"
 )
 
 
@@ -106,7 +106,7 @@ def caption(modes: Modes, i, held=False):
     pair = f"{modes.parity[i]}, " if modes.partner[i] >= 0 else ""
     kind = f"{modes.family[i]}, {pair}order {modes.order[i]}"
     if held and stiff_share(modes, i) > SWING:
-        kind = f"swing {'in' if modes.family[i] == 'extensional' else 'out of'} the plane of the disk"
+        kind = f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
     return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{kind}"
 
 

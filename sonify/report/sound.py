@@ -21,7 +21,7 @@ RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
 WINDOW_MODES = 0.02
 """The window for the band of the modes [s]."""
 RANGE_DB = 65.0
-"""From the darkest to the brightest; the brightest is the loudest of the sound."""
+"""From the darkest to the brightest; the brightest is the loudest of each band: the modes may be far below the rest."""
 STEM_STYLES = (
     ("#0072b2", "-"),
     ("#d55e00", "--"),
@@ -38,15 +38,15 @@ def draw_spectrogram(motion: Motion, modes: Modes, sound: Sound, path):
     """Draw the pressure in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
     delay = sound.source_end - motion.t[-1]
     low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
-    floor = loudest_db(low, high) - RANGE_DB
+    floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
     end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
             top.set(xlim=span)
             log_frequency(top, RATES)
-            level_image(top, low.during(*span), 1.0, floor)
+            rates = level_image(top, low.during(*span), 1.0, floors[0])
             _rate_lines(top, motion, delay, 1.0)
-            image = level_image(bottom, high.during(*span), 1e3, floor)
+            ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
             bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
             _mode_lines(bottom, modes.frequency, span)
         _rate_lines(axes[1, 1], motion, delay, 1e3)
@@ -54,17 +54,18 @@ def draw_spectrogram(motion: Motion, modes: Modes, sound: Sound, path):
         axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")
         axes[1, 0].set(ylabel="frequency [kHz]", title="Modes")
         axes[0, 1].set(title="The end")
-        figure.colorbar(image, ax=axes, pad=0.05, fraction=0.04, label="level of a sine in the window [dB re 20 µPa]")
+        for image, row in ((rates, axes[0]), (ringing, axes[1])):
+            figure.colorbar(image, ax=row, pad=0.05, fraction=0.04, label="level of a sine [dB re 20 µPa]")
 
 
 def draw_recording(recording, heard: Heard, path):
     """Draw a sound file in two bands, relative to full scale, with the rising tone that was heard over it."""
     low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
-    floor = loudest_db(low, high, reference=1.0) - RANGE_DB
+    floors = [loudest_db(part, 1.0) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
     with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
         log_frequency(axes[0], RATES)
         axes[0].set(ylabel="frequency [Hz]", title="Contact rates")
-        for panel, seen, unit in zip(axes, (low, high), (1.0, 1e3), strict=True):
+        for panel, seen, unit, floor in zip(axes, (low, high), (1.0, 1e3), floors, strict=True):
             image = level_image(panel, seen, unit, floor, 1.0)
             panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
             if heard.tone is not None:
@@ -72,10 +73,8 @@ def draw_recording(recording, heard: Heard, path):
                 options = {"color": "w", "lw": 1.0, "ls": "--", "label": "rising tone, fitted", "path_effects": EDGE}
                 panel.plot(heard.tone.end - left, heard.tone.at(heard.tone.end - left) / unit, **options)
                 _legend(panel)
+            figure.colorbar(image, ax=panel, pad=0.02, fraction=0.05, label="level of a sine [dB re full scale, RMS]")
         axes[1].set(ylabel="frequency [kHz]", title="Modes", xlabel="time [s]")
-        figure.colorbar(
-            image, ax=axes, pad=0.02, fraction=0.05, label="level of a sine in the window [dB re full scale, RMS]"
-        )
 
 
 def log_frequency(axes, band):
@@ -86,9 +85,9 @@ def log_frequency(axes, band):
     axes.yaxis.set_minor_locator(NullLocator())
 
 
-def loudest_db(*parts, reference=REFERENCE_PRESSURE) -> float:
-    """Return the greatest level of spectrograms [dB re `reference`], rounded up to the next 5 dB."""
-    return float(5 * np.ceil(max(part.level_db(reference).max() for part in parts) / 5))
+def loudest_db(seen, reference=REFERENCE_PRESSURE) -> float:
+    """Return the greatest level of a spectrogram [dB re `reference`], rounded up to the next 5 dB."""
+    return float(5 * np.ceil(seen.level_db(reference).max(initial=-200.0) / 5))
 
 
 def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
