@@ -60,7 +60,7 @@ def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None
 
 LEGEND = (
     "At a slant: exaggerated, bright where it moves most. From above: axial motion of the top face (colour),\n"
-    "nodal lines (black), rim (dashed); where the disk is held at a patch, it is to the right (green), and a swing turns about it"
+    "nodal lines (black), rim (dashed); a patch that holds the disk is to the right (green), a swing turns about it"
 )
 
 
