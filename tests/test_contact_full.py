@@ -12,6 +12,7 @@ from contact_scenes import granite, steady_rate, steady_speed
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
+from dynamics.coupled.filter import Along, respond
 from dynamics.coupled.full import Compliant
 from dynamics.coupled.handover import columns, energy, inclination, release
 from dynamics.coupled.march import FLAT, GOES, UPRIGHT
@@ -168,6 +169,23 @@ def test_first_slip_is_that_of_the_rigid_disk(scene, motion):
     _, _, _, _, slips, _ = run(model, y, 400, 0.4)
     slides = [e.t for e in motion.transitions if e.after.startswith("slide") != e.before.startswith("slide")]
     assert slips == [pytest.approx(slides[:2], abs=1e-4)]
+
+
+@pytest.mark.parametrize("beta", [0.4, 0.02])
+def test_filter_and_full_model_agree_wave_by_wave(beta):
+    """In steady precession on 10 nm both read the same heights, and give the same force to a tenth of it.
+
+    A row of the full model is the mean of 10 us, as is the mean of two samples of the filter.
+    """
+    profiles = rough(1e-8)
+    model = Compliant(table=table(), friction=GRIPS, profiles=profiles)
+    _, _, force, _, _, _ = run(model, release(model, steady(beta)), 4, 0.0496)
+    t = np.arange(0, 0.0497, 16e-5)
+    path, one = steady_speed(LAW.disk, beta) * t, np.ones(len(t))
+    motion = Along(t, beta * one, LAW.disk.weight * one, one > 0, path, path, np.zeros((len(t), 2)))
+    filtered = next(respond(model.table, [motion], 1e5, profiles))[:, 1]
+    whole = force[1 : len(filtered), 2] - LAW.disk.weight
+    assert np.std(whole - (filtered[1 : len(force)] + filtered[: len(force) - 1]) / 2) < 0.1 * np.std(whole)
 
 
 @pytest.mark.slow

@@ -3,6 +3,8 @@
 import numpy as np
 from numba import njit
 
+from .state import AXIS, CELL, PART, SINE
+
 
 @njit
 def place(sine, start, per_unit, size):
@@ -10,6 +12,13 @@ def place(sine, start, per_unit, size):
     x = (np.log(sine) - start) * per_unit
     i = min(max(int(x), 0), size - 1)
     return i, x - i
+
+
+@njit
+def locate(y, start, per_unit, spline):
+    """Note in the state where its axis stands in the table of the law."""
+    y[SINE] = np.sqrt(y[AXIS] * y[AXIS] + y[AXIS + 1] * y[AXIS + 1])
+    y[CELL], y[PART] = place(y[SINE], start, per_unit, len(spline))
 
 
 @njit

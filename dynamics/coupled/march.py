@@ -5,8 +5,9 @@ from numba import njit
 
 from . import gap, normal, profile, state, table, tangential
 from .compiled import fingerprint
+from .gap import locate
 from .normal import step_normal
-from .state import FORCE, GAP, SIZE, SLIDES, TANGENTIAL
+from .state import FORCE, GAP, SINE, SIZE, SLIDES, TANGENTIAL
 from .tangential import step_tangential
 
 GOES, FLAT, UPRIGHT, UNSOLVED = range(4)
@@ -16,14 +17,15 @@ GOES, FLAT, UPRIGHT, UNSOLVED = range(4)
 @njit
 def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, flights, slips):
     flying, sliding, flight, slip = flights[0, 0] == flights[0, 0], slips[0, 0] == slips[0, 0], 0, 0
+    locate(y, start, per_unit, spline)
     for row in range(len(rows)):
         forces = np.zeros(3)
-        step_tangential(y, law, powers, start, per_unit, spline, h / 2)
+        step_tangential(y, law, powers, spline, h / 2)
         for i in range(every):
             before, tangential = y[GAP], (y[TANGENTIAL], y[TANGENTIAL + 1])
             if not step_normal(y, law, start, per_unit, spline, table, rim, h):
                 return UNSOLVED, row, flight, slip
-            step_tangential(y, law, powers, start, per_unit, spline, h if i < every - 1 else h / 2)
+            step_tangential(y, law, powers, spline, h if i < every - 1 else h / 2)
             forces[0] += (tangential[0] + y[TANGENTIAL]) / (2 * every)
             forces[1] += (tangential[1] + y[TANGENTIAL + 1]) / (2 * every)
             forces[2] += y[FORCE] / every
@@ -33,9 +35,8 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every,
                 sliding, slip = not sliding, slip + (1 if sliding else 0)
             count += 1
         rows[row, :SIZE], rows[row, SIZE:] = y, forces
-        sine = np.sqrt(y[6] * y[6] + y[7] * y[7])
-        if sine < last or y[8] <= 0:
-            return (FLAT if sine < last else UPRIGHT), row + 1, flight, slip
+        if y[SINE] < last or y[8] <= 0:
+            return (FLAT if y[SINE] < last else UPRIGHT), row + 1, flight, slip
     return GOES, len(rows), flight, slip
 
 

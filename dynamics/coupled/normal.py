@@ -21,6 +21,7 @@ from numba import njit
 from .gap import column, mean_force, place, root, slope
 from .profile import height
 from .state import (
+    CELL,
     EDGE,
     FORCE,
     GAP,
@@ -32,8 +33,10 @@ from .state import (
     LAST,
     LOSSES,
     MASS,
+    PART,
     PATH,
     RADIUS,
+    SINE,
     SPEED,
     TABLE,
     WEIGHT,
@@ -78,8 +81,7 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     e, size = 1 / law[J2] - 1 / J, len(spline)
     v0, v1, v2, n0, n1, n2, L0, L1, L2 = y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11]
     # what the step starts from: the energy of the gap, K and its loss
-    s0, c0, spin = np.sqrt(n0 * n0 + n1 * n1), n2, L0 * n0 + L1 * n1 + L2 * n2
-    i, u = place(s0, start, per_unit, size)
+    s0, c0, spin, i, u = y[SINE], n2, L0 * n0 + L1 * n1 + L2 * n2, int(y[CELL]), y[PART]
     K0, loss, dK = column(spline, i, u, K), column(spline, i, u, LOSS), slope(spline, i, u, K) * per_unit / s0
     loss /= h
     rough0, rough1 = y[HEIGHTS], y[HEIGHTS + 1]
@@ -143,5 +145,5 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     y[6], y[7], y[8], y[9], y[10], y[11] = a0, a1, a2, 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
     y[PATH], y[EDGE], y[TABLE] = y[PATH] + dpath, y[EDGE] + dedge, y[TABLE] - yields * (N - weight)
     y[LAST + 1], y[LAST], y[FORCE], y[SPEED], y[GAP] = y[LAST], y[FORCE], N, abs(dpath) / h, gap
-    y[HEIGHTS], y[HEIGHTS + 1] = z0, z1
+    y[HEIGHTS], y[HEIGHTS + 1], y[SINE], y[CELL], y[PART] = z0, z1, s1, i, u
     return True

@@ -10,6 +10,8 @@ HEIGHTS, STIFFNESS, TANGENTIAL = 23, 25, 27
 """Heights read on table and edge [m]; stiffness of the springs [N/m] and force on the disk [N] along t, d."""
 LOSSES, CAUSES = 29, ("contact", "creep", "slip", "moments", "table")
 """Energy [J] lost to each cause since the start."""
-SIZE = 34
+SINE, CELL, PART = 34, 35, 36
+"""sin(beta), and where it stands in the table of the law: the interval, and the part of it."""
+SIZE = 37
 MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 11
 """Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table."""

@@ -11,9 +11,10 @@ are clipped where they stop it, so each takes kinetic energy.
 import numpy as np
 from numba import njit
 
-from .gap import column, place
+from .gap import column
 from .state import (
     ARMS,
+    CELL,
     FORCE,
     HALF,
     J1,
@@ -22,7 +23,9 @@ from .state import (
     MASS,
     MU_D,
     MU_S,
+    PART,
     RADIUS,
+    SINE,
     SLIDES,
     SPEED,
     SPRING,
@@ -33,11 +36,10 @@ from .table import K1, K2, LENGTH1, LENGTH2
 
 
 @njit
-def step_tangential(y, law, powers, start, per_unit, spline, h):
+def step_tangential(y, law, powers, spline, h):
     """Advance the state y by the tangential part of a step h."""
     m, J, R, H = law[MASS], law[J1], law[RADIUS], law[HALF]
-    s, c = np.sqrt(y[6] * y[6] + y[7] * y[7]), y[8]
-    i, u = place(s, start, per_unit, len(spline))
+    s, c, i, u = y[SINE], y[8], int(y[CELL]), y[PART]
     d0, d1, reach, rise = y[6] / s, y[7] / s, R * c - H * s, R * s + H * c
     for side in range(2):
         k = column(spline, i, u, K1 if side == 0 else K2)
