@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from contact_scenes import REFERENCE, granite, prototype, steady_speed
 from scipy.integrate import solve_ivp
+from scipy.signal import welch
 
-from dynamics.coupled.filter import BLOCK, EVERY, Along, _gains, along, predicted_rms, respond
+from dynamics.coupled.filter import BLOCK, EVERY, Along, along, gain, predicted_rms, predicted_spectrum, respond
 from dynamics.coupled.profile import SMOOTH, heights
 from dynamics.coupled.resonance import linear
 from dynamics.coupled.roughness import Roughness, edge_profile, spectrum, table_profile, window
@@ -143,8 +144,34 @@ def test_predicted_rms():
         system = linear(LAW.disk, beta, springs, speed, 0.02 * springs.kn / (2 * np.pi * 1500))
         k = np.geomspace(2 * np.pi / red.longest, 2 * np.pi / red.shortest, 8192)
         density = k**-2 / np.trapezoid(k**-2, k) * (k * speed > 400 * np.pi)
-        gain = next(_gains(system, k, speed)) * window(k * LAW.semi_axes(beta, WEIGHT)[0])
-        assert 1e-6 * np.sqrt(2 * np.trapezoid(density * gain**2, k)) == pytest.approx(row["rms_mN"], rel=0.01)
+        force = np.abs(gain(system, k * speed)) * window(k * LAW.semi_axes(beta, WEIGHT)[0])
+        assert 1e-6 * np.sqrt(2 * np.trapezoid(density * force**2, k)) == pytest.approx(row["rms_mN"], rel=0.01)
+
+
+def test_the_carrier_is_in_the_force_and_rises(motion):
+    """Over the run the peak of the force is that of the spectrum expected along the motion, and rises, within 2 %."""
+    rate, rough = 96e3, Roughness(rms=1e-8)
+    profiles, peaks = (table_profile(rough), edge_profile(rough, RADIUS)), []
+    for start in (1.0, 10.0, 17.5):
+        blocks = list(along(motion, rate, start, start + 0.5))
+        force = np.concatenate(list(respond(TABLE, blocks, rate, profiles)))[:, 1]
+        f, power = welch(force, rate, nperseg=1024)
+        knots = [
+            (b.inclination[i], b.load[i], np.gradient(b.path, b.t)[i])
+            for b in blocks
+            for i in range(0, len(b.t) - 1, 30)
+        ]
+        expected = np.mean([predicted_spectrum(TABLE, rough, *knot, f[1:]) for knot in knots], axis=0)
+        peaks.append([middle(f[1:], p) for p in (power[1:], expected)])
+    found, theory = np.transpose(peaks)
+    assert found == pytest.approx(theory, rel=0.02)
+    assert (np.diff(found) > 0.1 * found[:-1]).all()
+
+
+def middle(f, power):
+    """Return the mean frequency [Hz] of what lies above a third of the peak beyond 800 Hz."""
+    high = (f > 800) & (power > power[f > 800].max() / 3)
+    return np.average(f[high], weights=power[high])
 
 
 def test_too_stiff_for_the_rate():

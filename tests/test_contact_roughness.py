@@ -9,7 +9,15 @@ import pytest
 from scipy.integrate import quad
 
 from dynamics.coupled.profile import SMOOTH, heights, profile_from_csv
-from dynamics.coupled.roughness import Roughness, edge_profile, spectrum, table_profile, window
+from dynamics.coupled.roughness import (
+    Roughness,
+    edge_profile,
+    require_seen,
+    shift_of_contact,
+    spectrum,
+    table_profile,
+    window,
+)
 
 ROUGH = Roughness(rms=3e-8, shortest=1e-4, longest=0.1)
 
@@ -110,6 +118,17 @@ def mean(level):
 def test_wrong_roughness(changes, words):
     with pytest.raises(ValueError, match=words):
         Roughness(**{"rms": 3e-8} | changes)
+
+
+def test_contact_runs_along_a_rough_edge():
+    """A narrow band is one wave: k^2 R/beta times its rms times the window; waves under the ellipse are refused."""
+    wave = Roughness(rms=1e-8, shortest=0.999e-3, longest=1.001e-3)
+    k, a, beta, radius = 2e3 * np.pi, 3e-4, 0.01, 0.0375
+    expected = 2**0.5 * 1e-8 * k**2 * abs(window(k * a)) * radius / np.sin(beta)
+    assert shift_of_contact(wave, np.array([beta]), a, radius) == pytest.approx(expected, rel=1e-2)
+    require_seen(wave, a)
+    with pytest.raises(ValueError, match="must exceed the contact"):
+        require_seen(wave, 6e-4)
 
 
 def test_wrong_files(tmp_path):

@@ -13,7 +13,7 @@ from . import profile
 from .compiled import fingerprint
 from .profile import SMOOTH, height
 from .resonance import linear
-from .roughness import Roughness, window
+from .roughness import Roughness, density, window
 from .table import LawTable
 
 EVERY = 16
@@ -106,25 +106,31 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
 
     Table and edge are independent and each is read at `speed` (k,) [m/s]; both are taken as endless.
     """
-    springs, a, c = table.springs(np.asarray(inclination), np.asarray(load))
+    k, _ = density(roughness)
+    steady = np.broadcast_arrays(inclination, load, np.abs(speed))
+    square = []
+    for one in zip(*map(np.atleast_1d, steady), strict=True):
+        f = k * one[2] / (2 * np.pi)
+        power = predicted_spectrum(table, roughness, *one, f, impedance)
+        square.append(np.trapezoid(power * (f > above), f))
+    return np.sqrt(square)
+
+
+def predicted_spectrum(table: LawTable, roughness: Roughness, inclination, load, speed, frequency, impedance=np.inf):
+    """Return the power spectral density [N^2/Hz] of the force at frequencies (f,) [Hz] in one steady motion."""
+    springs, a, c = table.springs(np.array([inclination]), np.array([load]))
     system = linear(table.law.disk, inclination, springs, speed, c, impedance)
-    k = np.geomspace(2 * np.pi / roughness.longest, 2 * np.pi / roughness.shortest, 8192)
-    density = k**-roughness.exponent
-    density *= roughness.rms**2 / np.trapezoid(density, k)
-    square = [
-        np.trapezoid(density * window(k * a[i]) ** 2 * gain**2 * (k * abs(speed[i]) > 2 * np.pi * above), k)
-        for i, gain in enumerate(_gains(system, k, speed))
-    ]
-    return np.sqrt(2 * np.array(square))
+    k = 2 * np.pi * frequency / abs(speed)
+    heights = np.interp(k, *density(roughness), left=0.0, right=0.0) * window(k * a) ** 2
+    return 2 * heights * np.abs(gain(system, 2 * np.pi * frequency)) ** 2 * 2 * np.pi / abs(speed)
 
 
-def _gains(system, k, speed):
-    """Yield |N'/z| (w,) [N/m] at every inclination for waves k (w,) [rad/m]."""
-    for A, B, C, D, V in zip(system.A, system.B, system.C, system.D, speed, strict=True):
-        roots, vectors = np.linalg.eig(A[np.ix_(PART, PART)])
-        weight = (C[PART] @ vectors) * np.linalg.solve(vectors, B[PART].astype(complex))
-        s = 1j * k * V
-        yield np.abs(s * ((weight / (s[:, None] - roots)).sum(axis=1) + D))
+def gain(system, omega):
+    """Return N'/z (f,) [N/m] of a linearised contact at angular frequencies (f,) [rad/s]."""
+    roots, vectors = np.linalg.eig(system.A[0][np.ix_(PART, PART)])
+    weight = (system.C[0, PART] @ vectors) * np.linalg.solve(vectors, system.B[0, PART].astype(complex))
+    s = 1j * omega
+    return s * ((weight / (s[:, None] - roots)).sum(axis=1) + system.D[0])
 
 
 @njit

@@ -20,19 +20,20 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every,
     locate(y, start, per_unit, spline)
     for row in range(len(rows)):
         forces = np.zeros(3)
-        step_tangential(y, law, powers, spline, h / 2)
-        for i in range(every):
-            before, tangential = y[GAP], (y[TANGENTIAL], y[TANGENTIAL + 1])
+        for i in range(every + 1):
+            step_tangential(y, law, powers, spline, h / 2 if i in (0, every) else h)
+            share = (0.5 if i in (0, every) else 1.0) / every
+            forces[0], forces[1] = forces[0] + share * y[TANGENTIAL], forces[1] + share * y[TANGENTIAL + 1]
+            if (y[SLIDES] > 0) != sliding:
+                slips[slip, 1 if sliding else 0] = count * h
+                sliding, slip = not sliding, slip + (1 if sliding else 0)
+            if i == every:
+                break
+            before = y[GAP]
             if not step_normal(y, law, start, per_unit, spline, table, rim, h):
                 return UNSOLVED, row, flight, slip
-            step_tangential(y, law, powers, spline, h if i < every - 1 else h / 2)
-            forces[0] += (tangential[0] + y[TANGENTIAL]) / (2 * every)
-            forces[1] += (tangential[1] + y[TANGENTIAL + 1]) / (2 * every)
             forces[2] += y[FORCE] / every
             flying, flight = note_flight(flights, flight, flying, before, y[GAP], count * h, h)
-            if (y[SLIDES] > 0) != sliding:
-                slips[slip, 1 if sliding else 0] = (count + 1) * h
-                sliding, slip = not sliding, slip + (1 if sliding else 0)
             count += 1
         rows[row, :SIZE], rows[row, SIZE:] = y, forces
         if y[SINE] < last or y[8] <= 0:

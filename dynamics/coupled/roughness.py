@@ -91,6 +91,32 @@ def window(ka):
     return np.where(small, 1 - ka * ka / 10, 3 * (np.sin(x) - x * np.cos(x)) / x**3)
 
 
+def require_seen(roughness: Roughness, half_length: float) -> None:
+    """Raise ValueError where every wave is shorter than the ellipse of half-length a [m] and so averaged away."""
+    if roughness.longest <= 2 * half_length:
+        raise ValueError(
+            f"roughness.longest = {roughness.longest:g}: must exceed the contact, {2 * half_length:.3g} m long"
+        )
+
+
+def density(roughness: Roughness, waves: int = 8192) -> tuple[np.ndarray, np.ndarray]:
+    """Return wave numbers (w,) [rad/m], evenly spaced in their logarithm, and the mean square per wave number [m^3]."""
+    k = np.geomspace(2 * pi / roughness.longest, 2 * pi / roughness.shortest, waves)
+    power = k**-roughness.exponent
+    return k, power * roughness.rms**2 / np.trapezoid(power, k)
+
+
+def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
+    """Return rms(z'') R/beta (n,): how far, in radians per radian, the true contact runs along the edge.
+
+    Table and edge, each averaged over the ellipse of half-length a (n,) [m] at inclinations (n,). Where it exceeds 1
+    the disk touches at several places at once, and one ellipse is no more than an approximation.
+    """
+    k, power = density(roughness)
+    curvature = [2 * np.trapezoid(power * k**4 * window(k * a) ** 2, k) for a in np.atleast_1d(half_length)]
+    return np.sqrt(curvature) * radius / np.sin(inclination)
+
+
 def _gaussian(roughness, period, n, which):
     k, power = spectrum(roughness, period)
     order = np.rint(k * period / (2 * pi)).astype(int)
