@@ -3,6 +3,13 @@
 from hashlib import sha256
 from pathlib import Path
 
+from numba import njit
+
+kernel = njit(error_model="numpy")
+"""Compile a function that others call: division by zero gives infinity, and costs no branch."""
+outermost = njit(error_model="numpy", cache=True)
+"""Compile a function that Python calls, and keep its machine code."""
+
 
 def fingerprint(*modules) -> str:
     """Return a hash of the source of modules.

@@ -7,10 +7,9 @@ rolling direction is not excited, so that four numbers are its state: velocities
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
 from . import profile
-from .compiled import fingerprint
+from .compiled import fingerprint, kernel, outermost
 from .profile import SMOOTH, height
 from .resonance import linear
 from .roughness import Roughness, density, window
@@ -133,7 +132,7 @@ def gain(system, omega):
     return s * ((weight / (s[:, None] - roots)).sum(axis=1) + system.D[0])
 
 
-@njit
+@kernel
 def _propagator(A, B, h):
     """Return [exp(A h), the mean of exp(A s) B over a step] (4, 5): the Taylor series of the matrix [A h, B; 0, 0]."""
     total, term, following = np.empty((4, 5)), np.empty((4, 5)), np.empty((4, 5))
@@ -153,7 +152,7 @@ def _propagator(A, B, h):
     return total
 
 
-@njit
+@kernel
 def _steps(x, z, knots, A, B, drive, h, table, rim):
     """Step through a block; return the force (n, 2), the last state and the last height.
 
@@ -185,7 +184,7 @@ def _steps(x, z, knots, A, B, drive, h, table, rim):
 
 
 def _compiled(version):
-    @njit(cache=True)
+    @outermost
     def march(x, z, knots, A, B, drive, h, table, rim):
         version  # noqa: B018 -- a part of the key under which the machine code is kept
         return _steps(x, z, knots, A, B, drive, h, table, rim)

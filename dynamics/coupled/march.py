@@ -1,10 +1,9 @@
 """Many steps of the disk on its compliant contact, with what is written down of them (compiled)."""
 
 import numpy as np
-from numba import njit
 
 from . import gap, normal, profile, state, table, tangential
-from .compiled import fingerprint
+from .compiled import fingerprint, kernel, outermost
 from .gap import locate
 from .normal import step_normal
 from .state import FORCE, GAP, SINE, SIZE, SLIDES, TANGENTIAL
@@ -14,7 +13,7 @@ GOES, FLAT, UPRIGHT, UNSOLVED = range(4)
 """Why a march stopped: not at all, at its last inclination, upright, the equation for N had no solution."""
 
 
-@njit
+@kernel
 def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, flights, slips):
     flying, sliding, flight, slip = flights[0, 0] == flights[0, 0], slips[0, 0] == slips[0, 0], 0, 0
     locate(y, start, per_unit, spline)
@@ -41,7 +40,7 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every,
     return GOES, len(rows), flight, slip
 
 
-@njit
+@kernel
 def note_flight(flights, flight, flying, before, gap, t, h):
     """Note where the gap opens and closes within the step from t, by straight lines; return whether it is open."""
     if gap > 0 and not flying:
@@ -56,7 +55,7 @@ def note_flight(flights, flight, flying, before, gap, t, h):
 
 
 def _compiled(version):
-    @njit(cache=True)
+    @outermost
     def march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, flights, slips):
         """Take `every` steps h for each of the `rows` (n, SIZE + 3); return why it stopped, rows filled, events ended.
 

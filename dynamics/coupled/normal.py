@@ -16,8 +16,8 @@ m g (z - w) stands for m g z, and h (N - m g)^2/Z is radiated. The proof needs t
 """
 
 import numpy as np
-from numba import njit
 
+from .compiled import kernel
 from .gap import column, mean_force, place, root, slope
 from .profile import height
 from .state import (
@@ -45,13 +45,16 @@ from .table import LOSS, A, K
 
 CLOSE, MOST = 1e-12, 40
 """The equation for N is solved to this part of N and the weight, within so many iterations."""
-STANDS, READ, READS = 1e-10, 1e-13, 3
-"""A path that moves by less [m] in a step does not; heights are read again, a few times, where it moves by more [m]."""
+STANDS, READ, READS = 1e-10, 1e-9, 3
+"""A path that moves by less [m] in a step stands; heights are read again, a few times, where it moves by more [m].
+
+The balance of energy does not depend on where exactly they were read: the slopes are quotients with the path as moved.
+"""
 FEWEST = 1e-4
 """Where sin(beta) changes by a smaller part of itself, the mean of dK/ds at both ends is exact to rounding."""
 
 
-@njit
+@kernel
 def turned(n0, n1, n2, b0, b1, b2):
     """Return m - n where m - n = b x (m + n)."""
     k0, k1, k2 = b1 * n2 - b2 * n1, b2 * n0 - b0 * n2, b0 * n1 - b1 * n0
@@ -59,7 +62,7 @@ def turned(n0, n1, n2, b0, b1, b2):
     return q * (k0 + b1 * k2 - b2 * k1), q * (k1 + b2 * k0 - b0 * k2), q * (k2 + b0 * k1 - b1 * k0)
 
 
-@njit
+@kernel
 def read(profile, path, moved, half, before):
     """Return the height at the end of a step along a path, that of before where the path stands."""
     if abs(moved) <= STANDS:
@@ -67,13 +70,13 @@ def read(profile, path, moved, half, before):
     return height(profile.coefficients, profile.cells_per_metre, path + moved, half)
 
 
-@njit
+@kernel
 def secant(y0, y1, dx):
     """Return the mean slope of what is read along a path, 0 where the path stands."""
     return (y1 - y0) / dx if abs(dx) > STANDS else 0.0
 
 
-@njit
+@kernel
 def step_normal(y, law, start, per_unit, spline, table, rim, h):
     """Advance the state y by the normal part of a step h; return whether the equation for N was solved."""
     m, J, R, H, weight = law[MASS], law[J1], law[RADIUS], law[HALF], law[WEIGHT]

@@ -9,8 +9,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 from scipy.fft import irfft, rfft
+
+from .compiled import kernel, outermost
 
 MOST_CELLS = 2**24
 
@@ -41,7 +42,7 @@ def spline_profile(waves, period, n=None):
     return Profile(np.concatenate([coefficients[-2:], coefficients, coefficients[:3]]), n / period)
 
 
-@njit
+@kernel
 def integrals(coefficients, cells_per_metre, s):
     """Return the third and the second integral of the heights at path length s [m]."""
     x = s * cells_per_metre
@@ -67,7 +68,7 @@ def integrals(coefficients, cells_per_metre, s):
     return third / 120, second * cells_per_metre / 120
 
 
-@njit
+@kernel
 def height(coefficients, cells_per_metre, s, a):
     """Return the height [m] at path length s [m] under an ellipse of half-length a [m].
 
@@ -80,7 +81,7 @@ def height(coefficients, cells_per_metre, s, a):
     return 1.5 * (second1 + second0 - (third1 - third0) / a) / (a * a)
 
 
-@njit(cache=True)
+@outermost
 def heights(coefficients, cells_per_metre, s, a):
     """Return `height` at path lengths s (k,) under half-lengths a (k,) [m], as (k,) [m]."""
     out = np.empty(s.size)

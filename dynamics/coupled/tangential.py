@@ -9,8 +9,8 @@ are clipped where they stop it, so each takes kinetic energy.
 """
 
 import numpy as np
-from numba import njit
 
+from .compiled import kernel
 from .gap import column
 from .state import (
     ARMS,
@@ -35,7 +35,7 @@ from .state import (
 from .table import K1, K2, LENGTH1, LENGTH2
 
 
-@njit
+@kernel
 def step_tangential(y, law, powers, spline, h):
     """Advance the state y by the tangential part of a step h."""
     m, J, R, H = law[MASS], law[J1], law[RADIUS], law[HALF]
@@ -61,7 +61,7 @@ def step_tangential(y, law, powers, spline, h):
     y[TANGENTIAL], y[TANGENTIAL + 1] = -pt, -pd
 
 
-@njit
+@kernel
 def hold(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
     """Advance the springs; return the mean force (along t, d) with which they hold the contact point."""
     kt, kd, N = y[STIFFNESS], y[STIFFNESS + 1], y[FORCE]
@@ -93,14 +93,14 @@ def hold(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
     return pt, pd
 
 
-@njit
+@kernel
 def within(qt, qd, kt, kd, limit):
     """Return a deflection, shortened where its force exceeds the limit."""
     keep = min(1.0, limit / max(np.sqrt((kt * qt) ** 2 + (kd * qd) ** 2), 1e-300))
     return keep * qt, keep * qd
 
 
-@njit
+@kernel
 def on_circle(pt, pd, Ct, Cd, limit, tried):
     """Return the force with |p| = limit and C p + y p = C p0."""
     if limit == 0:
@@ -114,7 +114,7 @@ def on_circle(pt, pd, Ct, Cd, limit, tried):
     return Ct * pt / (Ct + y), Cd * pd / (Cd + y)
 
 
-@njit
+@kernel
 def resist(y, law, powers, s, c, d0, d1, h):
     """Apply the moments k1, k2, k3 and the power laws (n, 2) of the precession rate as clipped impulses."""
     J, e = law[J1], 1 / law[J2] - 1 / law[J1]
@@ -127,7 +127,7 @@ def resist(y, law, powers, s, c, d0, d1, h):
         impulse(y, a0, a1, a2, h * powers[i, 0] * rate ** (powers[i, 1] - 1) / s, J, e, LOSSES + 3)
 
 
-@njit
+@kernel
 def impulse(y, a0, a1, a2, size, J, e, cause):
     """Turn against omega along the unit vector a by an angular impulse, at most the one that stops it."""
     if size == 0:
