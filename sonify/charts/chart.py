@@ -3,6 +3,7 @@
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogFormatter
 
 from sonify.charts.records import Record
 from sonify.files import whole
@@ -51,6 +52,8 @@ def _panel(axes, records, case, error_label, tones):
     axes.axhspan(bottom, top, color="0.93", zorder=0)
     axes.text(0.01, 0.99, "failed (hollow; one row per method)", transform=axes.transAxes, va="top", style="italic")
     axes.set(xscale="log", yscale="log", xlabel="processor time [s], median", ylabel=error_label, title=case)
+    axes.xaxis.set_minor_formatter(LogFormatter(minor_thresholds=(1.5, 0.4)))
+    axes.tick_params(axis="x", which="minor", labelsize=7)
     axes.set_ylim(min(errors) / 3, top)
     axes.set_yticks([tick for tick in axes.get_yticks() if min(errors) / 3 <= tick <= bottom])
     axes.tick_params(axis="y", which="minor", length=0)
