@@ -32,7 +32,7 @@ from sonify.charts.records import Failure
 
 STEEL = Material(young=195e9, poisson=0.28)
 DISK = Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=0.4387 / (pi * 0.03755**2 * 0.0128))
-REFERENCE = np.array([800.52, 1080.07, 2261.27, 7266.64, 9654.68, 11629.46, 14611.68, 15235.32, 18788.95])
+REFERENCE = np.array(modes_case("patch").reference)
 GRID = np.meshgrid([0, 0.5, 1], [0, 0.5, 1], indexing="ij")
 
 
