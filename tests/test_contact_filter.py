@@ -7,7 +7,7 @@ Oracle: the sum of the responses to each wave of the profile, an integrator of d
 import numpy as np
 import pytest
 from contact_scenes import REFERENCE, granite, prototype, steady_speed
-from scipy.integrate import solve_ivp
+from scipy.integrate import solve_ivp, trapezoid
 from scipy.signal import welch
 
 from dynamics.coupled.filter import BLOCK, EVERY, Along, along, gain, predicted_rms, predicted_spectrum, respond
@@ -143,9 +143,9 @@ def test_predicted_rms():
         springs, speed = prototype(LAW, beta), np.array([steady_speed(LAW.disk, beta[0])])
         system = linear(LAW.disk, beta, springs, speed, 0.02 * springs.kn / (2 * np.pi * 1500))
         k = np.geomspace(2 * np.pi / red.longest, 2 * np.pi / red.shortest, 8192)
-        density = k**-2 / np.trapezoid(k**-2, k) * (k * speed > 400 * np.pi)
+        density = k**-2 / trapezoid(k**-2, k) * (k * speed > 400 * np.pi)
         force = np.abs(gain(system, k * speed)) * window(k * LAW.semi_axes(beta, WEIGHT)[0])
-        assert 1e-6 * np.sqrt(2 * np.trapezoid(density * force**2, k)) == pytest.approx(row["rms_mN"], rel=0.01)
+        assert 1e-6 * np.sqrt(2 * trapezoid(density * force**2, k)) == pytest.approx(row["rms_mN"], rel=0.01)
 
 
 def test_the_carrier_is_in_the_force_and_rises(motion):

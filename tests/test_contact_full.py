@@ -283,8 +283,8 @@ def test_block_size_changes_no_byte(monkeypatch):
     from dynamics.coupled import full
 
     ends = []
-    for rows in (full.ROWS, 7):
-        monkeypatch.setattr(full, "ROWS", rows)
+    for steps in (full.STEPS, 140):
+        monkeypatch.setattr(full, "STEPS", steps)
         model = Compliant(table=table(), friction=SLIPPERY, profiles=rough(1e-7), rate=2e5)
         t, state, force, losses, slips, _ = run(model, release(model, steady(0.2, nutation=2.0)), 20, 0.03)
         ends.append((t.tobytes(), state.tobytes(), force.tobytes(), losses, slips))

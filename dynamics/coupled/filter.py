@@ -7,6 +7,7 @@ rolling direction is not excited, so that four numbers are its state: velocities
 from typing import NamedTuple
 
 import numpy as np
+from scipy.integrate import trapezoid
 
 from . import profile
 from .compiled import fingerprint, kernel, outermost
@@ -111,7 +112,7 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
     for one in zip(*map(np.atleast_1d, steady), strict=True):
         f = k * one[2] / (2 * np.pi)
         power = predicted_spectrum(table, roughness, *one, f, impedance)
-        square.append(np.trapezoid(power * (f > above), f))
+        square.append(trapezoid(power * (f > above), f))
     return np.sqrt(square)
 
 

@@ -24,7 +24,8 @@ RATE = 400e3
 """Steps a second: safe to 1e-6 rad."""
 LARGEST, HEAVIEST = 1.0, 4.0
 """Radians that the fastest resonance may turn in a step, under so many times the weight."""
-ROWS = 4096
+STEPS = 2**15
+"""Steps that are taken together, or one row where it takes more."""
 ENDS = {
     FLAT: "the inclination reached its final value: below, one ellipse is not the contact",
     UPRIGHT: "the disk stood upright on a generator of its lateral surface: contact passes to the other rim",
@@ -96,7 +97,7 @@ class Compliant:
         flying, slipping = [np.nan, np.nan, 0.0], [np.nan, np.nan]
         while left > 0 and why == GOES:
             self._hold(y)
-            rows = np.empty((min(ROWS, left), SIZE + 3))
+            rows = np.empty((min(max(STEPS // every, 1), left), SIZE + 3))
             flights, slips = (np.full((len(rows) * every // 2 + 2, k), np.nan) for k in (3, 2))
             flights[0], slips[0] = flying, slipping
             why, n, flown, slid = march(y, count, *law, *table, 1 / self.rate, every, sine, rows, flights, slips)

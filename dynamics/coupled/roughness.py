@@ -11,6 +11,7 @@ from typing import Annotated
 import numpy as np
 from annotated_types import Ge, Gt, Lt
 from scipy.fft import next_fast_len
+from scipy.integrate import trapezoid
 
 from .profile import MOST_CELLS, Profile, spline_profile
 
@@ -103,7 +104,7 @@ def density(roughness: Roughness, waves: int = 8192) -> tuple[np.ndarray, np.nda
     """Return wave numbers (w,) [rad/m], evenly spaced in their logarithm, and the mean square per wave number [m^3]."""
     k = np.geomspace(2 * pi / roughness.longest, 2 * pi / roughness.shortest, waves)
     power = k**-roughness.exponent
-    return k, power * roughness.rms**2 / np.trapezoid(power, k)
+    return k, power * roughness.rms**2 / trapezoid(power, k)
 
 
 def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
@@ -113,7 +114,7 @@ def shift_of_contact(roughness: Roughness, inclination, half_length, radius: flo
     the disk touches at several places at once, and one ellipse is no more than an approximation.
     """
     k, power = density(roughness)
-    curvature = [2 * np.trapezoid(power * k**4 * window(k * a) ** 2, k) for a in np.atleast_1d(half_length)]
+    curvature = [2 * trapezoid(power * k**4 * window(k * a) ** 2, k) for a in np.atleast_1d(half_length)]
     return np.sqrt(curvature) * radius / np.sin(inclination)
 
 
