@@ -141,5 +141,17 @@ def export(what, scene, form, out):
     click.echo(str(export_modes(scene, form, out)))
 
 
+def start(name="sonify"):
+    """Run the command line as a program, which, once a signal has ended it, waits for no thread that still compiles."""
+    try:
+        main(prog_name=name)
+    except SystemExit as end:
+        if isinstance(end.code, int) and end.code > 128:
+            sys.stdout.flush()
+            sys.stderr.flush()
+            os._exit(end.code)
+        raise
+
+
 if __name__ == "__main__":
-    main(prog_name="python -m sonify")
+    start("python -m sonify")

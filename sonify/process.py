@@ -10,6 +10,8 @@ from stat import S_ISREG
 
 ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
 """Ctrl-C; the end that a batch queue sends; the end of the terminal, which Windows does not know."""
+AGAIN = 0.05
+"""So long [s] a signal waits, and again, for the end of an import."""
 LEFT = {errno.EPIPE, errno.EIO, errno.EINVAL}
 """What a stream answers whose reader has left: a closed pipe, a closed terminal, a closed pipe of Windows."""
 
@@ -25,8 +27,10 @@ def well_behaved():
 def _signals():
     """Only the main thread may set what answers a signal; one that is ignored, as under nohup, stays so."""
 
-    def end(number, _):
-        raise KeyboardInterrupt(number)
+    def end(number, frame):
+        if not _imports(frame):
+            raise KeyboardInterrupt(number)
+        threading.Timer(AGAIN, _send, [threading.get_ident(), number]).start()
 
     main = threading.current_thread() is threading.main_thread()
     heeded = [number for number in ENDS if main and signal.getsignal(number) is not signal.SIG_IGN]
@@ -36,6 +40,21 @@ def _signals():
     finally:
         for number, answer in before.items():
             signal.signal(number, answer)
+
+
+def _send(thread, number):
+    """Send a signal to a thread, even where that sleeps, which Windows does not know."""
+    if hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(thread, number)
+    else:
+        signal.raise_signal(number)
+
+
+def _imports(frame):
+    """Whether a module is just being imported: some would take the interrupt for a dependency that is missing."""
+    while frame and not frame.f_code.co_filename.startswith("<frozen importlib"):
+        frame = frame.f_back
+    return frame is not None
 
 
 class Unread:

@@ -16,7 +16,7 @@ from click.testing import CliRunner
 from test_scene import FAULTS
 
 import sonify
-from sonify.__main__ import main
+from sonify.__main__ import main, start
 from sonify.files import whole
 from sonify.scene import load_scene
 from sonify.scene_keys import Key, keys, schema
@@ -66,7 +66,7 @@ def test_the_keys_of_a_scene_and_their_schema_are_printed():
 
 def test_the_command_has_a_version_and_a_name_of_its_own():
     told = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    assert pkgutil.resolve_name(told["scripts"]["sonify"]) is main
+    assert pkgutil.resolve_name(told["scripts"]["sonify"]) is start
     assert ask("--version").stdout.strip() == sonify.__version__
     assert f"version: {sonify.__version__}\n" in (ROOT / "CITATION.cff").read_text(encoding="utf-8")
 

@@ -157,3 +157,18 @@ def test_results_that_a_full_disk_does_not_take_are_missed():
         )
     assert done.returncode == 1
     assert b"No space left on device" in done.stderr
+
+
+@POSIX
+def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path):
+    """As some modules do, this one takes whatever happens while it is imported for a dependency that is missing."""
+    (tmp_path / "swallows.py").write_text(
+        "import time\nprint('importing', flush=True)\ntry:\n    time.sleep(0.5)\nexcept BaseException:\n    pass\n"
+    )
+    code = COMMAND.replace("with whole(sys.argv[1])", "import swallows\n    with whole(sys.argv[1])")
+    call = [sys.executable, "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n{code}", str(tmp_path / "x.wav")]
+    process = subprocess.Popen(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout.readline() == "importing\n"
+    process.send_signal(signal.SIGTERM)
+    assert process.communicate(timeout=30)[1] == "sonify: interrupted\n"
+    assert process.returncode == 143
