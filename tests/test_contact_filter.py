@@ -149,23 +149,21 @@ def test_predicted_rms():
 
 
 def test_the_carrier_is_in_the_force_and_rises(motion):
-    """Over the run the peak of the force is that of the spectrum expected along the motion, and rises, within 2 %."""
-    rate, rough = 96e3, Roughness(rms=1e-8)
-    profiles, peaks = (table_profile(rough), edge_profile(rough, RADIUS)), []
-    for start in (1.0, 10.0, 17.5):
+    """Over the run the force of three surfaces has the carrier expected along the motion within 2 %, and it rises."""
+    rate, rough, peaks = 96e3, [Roughness(rms=1e-8, seed=seed) for seed in range(3)], []
+    surfaces = [(table_profile(r), edge_profile(r, RADIUS)) for r in rough]
+    for start in (1.0, 3.0, 10.0, 17.5):
         blocks = list(along(motion, rate, start, start + 0.5))
-        force = np.concatenate(list(respond(TABLE, blocks, rate, profiles)))[:, 1]
+        force = np.hstack([np.concatenate(list(respond(TABLE, blocks, rate, s)))[:, 1] for s in surfaces])
         f, power = welch(force, rate, nperseg=1024)
-        knots = [
-            (b.inclination[i], b.load[i], np.gradient(b.path, b.t)[i])
-            for b in blocks
-            for i in range(0, len(b.t) - 1, 30)
-        ]
-        expected = np.mean([predicted_spectrum(TABLE, rough, *knot, f[1:]) for knot in knots], axis=0)
+        rows = [zip(b.inclination, b.load, np.gradient(b.path, b.t), b.rolls, strict=True) for b in blocks]
+        knots = [knot for row in rows for knot in row][::30]
+        expected = np.mean([predicted_spectrum(TABLE, rough[0], *k[:3], f[1:], rolls=k[3]) for k in knots], axis=0)
         peaks.append([middle(f[1:], p) for p in (power[1:], expected)])
     found, theory = np.transpose(peaks)
+    print(found / theory)
     assert found == pytest.approx(theory, rel=0.02)
-    assert (np.diff(found) > 0.1 * found[:-1]).all()
+    assert found[-1] > 2 * found[0]
 
 
 def middle(f, power):
@@ -176,7 +174,14 @@ def middle(f, power):
 
 def test_too_stiff_for_the_rate():
     with pytest.raises(ValueError, match="at least"):
-        next(respond(TABLE, steady(0.1, 8e3, 0.1), 8e3))
+        next(respond(TABLE, steady(0.1, 6e3, 0.1), 6e3))
+
+
+def test_a_motion_is_followed_while_its_contact_is_an_ellipse(motion):
+    """At 96 kHz down to 5e-8 rad, but for the last knot before it, and every force is a number."""
+    *_, last = along(motion, 96e3, 19.2)
+    assert 5e-8 <= last.inclination[-1] < 1e-5
+    assert all(np.isfinite(force).all() for force in respond(TABLE, along(motion, 96e3, 19.2), 96e3))
 
 
 def test_paths_of_a_motion(motion):

@@ -1,1 +1,6 @@
-"""The disk on an elastic, rough contact: law of the contact, its resonances, roughness, and the motions with both."""
+"""The disk on an elastic, rough contact.
+
+contact, creep, table -- the law of the contact as data; resonance -- the disk on its springs; roughness, profile --
+heights of table and edge; filter -- the force of a contact that is kept, along a rigid motion; full -- the compliant
+motion, of the steps in march, normal, tangential and gap on the array of state, entered and read by handover.
+"""

@@ -11,6 +11,7 @@ from scipy.integrate import trapezoid
 
 from . import profile
 from .compiled import fingerprint, kernel, outermost
+from .contact import LEAST_INCLINATION
 from .profile import SMOOTH, height
 from .resonance import linear
 from .roughness import Roughness, density, window
@@ -21,7 +22,7 @@ EVERY = 16
 BLOCK = 2048
 """Knots that are handled together."""
 PART = [1, 2, 4, 5]
-TERMS, LARGEST = 16, 1.0
+TERMS, LARGEST = 20, 2.0
 """Terms of a propagator, exact to rounding where the fastest resonance turns by no more radians in a step."""
 AUDIBLE = 200.0
 """The force above this frequency [Hz] is the contact's, below it the motion's."""
@@ -42,16 +43,17 @@ class Along(NamedTuple):
     jumps: np.ndarray
 
 
-def along(motion, rate: float, start: float = 0.0, stop: float | None = None):
+def along(motion, rate: float, start: float = 0.0, stop: float | None = None, last: float = LEAST_INCLINATION):
     """Yield the motion block by block, each as Along; the last knot of a block is the first of the next.
 
     `rate` [1/s] is that of the samples, EVERY to a knot. The contact advances by the edge's R d(spin) and the slip.
+    Below the inclination `last` [rad] it is no ellipse: the motion is followed until then.
     """
-    stop = motion.t[-1] if stop is None else stop
-    last, path = int(np.floor((stop - start) * rate / EVERY)), 0.0
+    valid = motion.t[np.flatnonzero(motion.state[:, 1] >= last)[-1]]
+    knots, path = int(np.floor((min(valid, valid if stop is None else stop) - start) * rate / EVERY)), 0.0
     jumps = motion.jumps
-    for first in range(0, last, BLOCK):
-        t = start + np.arange(first, min(first + BLOCK, last) + 1) * (EVERY / rate)
+    for first in range(0, knots, BLOCK):
+        t = start + np.arange(first, min(first + BLOCK, knots) + 1) * (EVERY / rate)
         state, force = motion.at_and_force(t)
         edge, slip = -motion.disk.radius * state[:, 2], state[:, 8]
         slid = np.append(0.0, np.cumsum((slip[1:] + slip[:-1]) / 2)) * (EVERY / rate)
@@ -116,9 +118,12 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
     return np.sqrt(square)
 
 
-def predicted_spectrum(table: LawTable, roughness: Roughness, inclination, load, speed, frequency, impedance=np.inf):
+def predicted_spectrum(
+    table: LawTable, roughness: Roughness, inclination, load, speed, frequency, impedance=np.inf, rolls=True
+):
     """Return the power spectral density [N^2/Hz] of the force at frequencies (f,) [Hz] in one steady motion."""
     springs, a, c = table.springs(np.array([inclination]), np.array([load]))
+    springs = springs._replace(k2=springs.k2 * bool(rolls))
     system = linear(table.law.disk, inclination, springs, speed, c, impedance)
     k = 2 * np.pi * frequency / abs(speed)
     heights = np.interp(k, *density(roughness), left=0.0, right=0.0) * window(k * a) ** 2

@@ -1,7 +1,8 @@
 """The full compliant motion: a rigid disk on an elastic, rough contact with creep, slip and loss of contact.
 
 Valid from upright down to LEAST_INCLINATION, where one ellipse no longer is the contact, and while the roughness under
-the ellipse makes one contact (roughness.several_below).
+the ellipse makes one contact (roughness.shift_of_contact below 1). The normal force follows the gap at every step; the
+tangential springs and the length of the ellipse are those under the weight, at the inclination of the step.
 """
 
 from collections.abc import Iterator
