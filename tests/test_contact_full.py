@@ -220,6 +220,7 @@ def waves(profile, length, step, start):
     return k, 2 * np.abs(np.fft.rfft(z - z.mean()))[1 : n // 4] / n / window(k * step)
 
 
+@pytest.mark.slow
 def test_vanishing_roughness_is_smooth():
     """What roughness adds falls with it, so long as nothing slips."""
     differences = []
