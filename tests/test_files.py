@@ -17,7 +17,9 @@ from sonify.files import HIDDEN, OutputError, claim, whole
 
 ROOT = Path(__file__).parent.parent
 COMMAND = """
-import sys, time, click
+import signal, sys, time, click
+for name in {"SIGINT", "SIGTERM", "SIGHUP"} & set(dir(signal)):  # who started the tests may have told them to ignore it
+    signal.signal(getattr(signal, name), signal.default_int_handler if name == "SIGINT" else signal.SIG_DFL)
 from sonify.__main__ import main
 from sonify.files import whole
 

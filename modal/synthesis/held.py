@@ -73,7 +73,7 @@ def estimates(patch, free, square, tractions, limit):
     grid = np.arange(len(work)).reshape(len(patch.held), around, -1)
     fewer = [some.ravel() for some in (grid[:, : around - (around + 1) // 3], grid[:, :, :-1])]
     lower = [coupled(values, work[i], rest[:, i[:, None], i], limit)[0][: len(square)] for i in fewer]
-    change = [1 - np.sqrt(low / square) for low in lower]
+    change = [1 - np.sqrt(np.maximum(low / square, 0)) for low in lower]  # a square below 0 is round-off: all is wrong
     return SHARES @ [*change, np.einsum("pm,pq,qm->m", tractions, rest[2], tractions) / (2 * square)]
 
 
