@@ -76,9 +76,20 @@ def describe(y) -> str:
 class Flow:
     """The flow of every branch, for the kind of scalar that `sin`, `cos`, `sqrt`, `power` act on."""
 
+    FUNCTIONS, SIZE = ("sin", "cos", "sqrt", "pow"), DISSIPATED + 1
+    """What the flow is made with, and the length of a state."""
+
     def __init__(self, sin, cos, sqrt, power):
         self.sin, self.cos, self.sqrt, self.power = sin, cos, sqrt, power
         self.solve = balance(sin, cos)
+
+    def speed(self, y):
+        """Return the slip speed over r."""
+        return self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
+
+    def grip(self, y):
+        """Return the guard of a slide that comes to rest."""
+        return self.speed(y) - STOP_SPEED
 
     def contact(self, y, branch: Branch, senses, law: Law) -> Contact:
         """Solve the balance laws at state y; the slip direction is that of y."""
@@ -87,7 +98,7 @@ class Flow:
         if branch.sliding:
             u1, u2 = r * y[V1], r * y[V2]
             if branch.can_grip:  # without friction the direction has no meaning at rest
-                speed = self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
+                speed = self.speed(y)
                 c, s = y[V1] / speed, y[V2] / speed
         return self.contact_along(y, (u1, u2), (c, s), branch, senses, law)
 
@@ -147,7 +158,7 @@ class Flow:
             elif branch.resisted[i]:
                 named[f"{AXES[i]} reverses"] = senses[i] * turns[i]
         if branch.sliding and branch.can_grip:
-            named["grip"] = self.sqrt(y[V1] * y[V1] + y[V2] * y[V2]) - STOP_SPEED
+            named["grip"] = self.grip(y)
         elif not branch.sliding and branch.can_slip:
             cone = law.mu_static * contact.Phi
             named["slip"] = cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2

@@ -11,20 +11,24 @@ from .equations import Law
 from .first_root import first_fall
 from .hybrid import Arc, Switch
 from .regime import AXES, FLOAT, PRECESSION, SPIN, STOP_SPEED, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
-from .switching import ImpossibleContactError, follow, slide_to_rest
+from .switching import GRAZING, ImpossibleContactError, follow, slide_to_rest
 
 ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
 
 
 @dataclass(frozen=True)
 class RollingDisk:
-    """Law and loads of a scene, the sqrt(inclination) at which the motion counts as over, and the integrator to use."""
+    """Law and loads of a scene, the sqrt(inclination) at which the motion counts as over, and the integrator to use.
+
+    `announce(what)` is called before each slide so slow that the compiler may be asked for its flow.
+    """
 
     law: Law
     loads: OwnLaw | Resistance | None
     r_end: float
     integrate: Callable
     tolerance: float
+    announce: Callable = lambda what: None
 
     def begin(self, y) -> Switch:
         """Decide the regime of a disk released with its contact at rest."""
@@ -39,7 +43,10 @@ class RollingDisk:
         """Integrate within `regime`; precession and quadratures restart near zero so that they keep their digits."""
         turned = math.remainder(y[PRECESSION], 2 * math.pi)
         local, offset = [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
-        flow = collocation.advance if self._is_stiff(y, regime) else self.integrate
+        stiff = self._is_stiff(y, regime)
+        if stiff:
+            self.announce("slow slide")
+        flow = collocation.advance if stiff else self.integrate
         arc = flow(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
         arc.coefficients[:, 0, PRECESSION:] += offset
         end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], offset)]
@@ -59,6 +66,8 @@ class RollingDisk:
             raise ImpossibleContactError(f"{describe(y)}: the slide jams, no normal force solves the balance laws")
         held = {i + 1 for i in range(3) if regime.stuck[i]} | (set() if regime.sliding else {0})
         if guard == "slip":
+            if self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic:
+                self.announce("slow slide")
             return self._follow(y, held, fired={0}, senses=regime.senses)
         if guard == "grip":
             last, stops = slide_to_rest(y, regime, self.law, self.loads)

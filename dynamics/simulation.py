@@ -61,22 +61,27 @@ def simulate(
     """
     prepare(scene, loads)
     disk, system = scene.disk, system_of(scene, loads)
-    known, now = set(), 0.0
+    known, now, inclination = set(), 0.0, math.radians(scene.release.inclination_deg)
+
+    def announce(what):
+        if what not in known:
+            known.add(what)
+            watch(now, inclination, f"compiling the flow of '{what}'")
 
     def integrate(y, regime, *rest):
-        if (kind := regime[:2]) not in known:
-            known.add(kind)
-            watch(now, y[R] ** 2, f"compiling the flow of '{regime}'")
+        announce(str(regime))
         return system.integrate(y, regime, *rest)
 
     def watched(tau, y):
-        nonlocal now
-        now = tau * disk.time_unit
-        watch(now, y[R] ** 2, "")
+        nonlocal now, inclination
+        now, inclination = tau * disk.time_unit, y[R] ** 2
+        watch(now, inclination, "")
 
     span = scene.numerics.time_limit / disk.time_unit
     try:
-        path, guard = drive(replace(system, integrate=integrate), released(disk, scene.release), span, watched)
+        path, guard = drive(
+            replace(system, integrate=integrate, announce=announce), released(disk, scene.release), span, watched
+        )
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
     return _motion(disk, system, path, OUTCOMES[guard], integrator_of(scene.numerics.integrator))

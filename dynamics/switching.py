@@ -159,7 +159,7 @@ def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
         if _consistent(y, first, regime, law, at_zero):
             push = math.hypot(first.du1, first.du2)
             if push < GRAZING * law.mu_dynamic * first.Phi:
-                step = grazing_step(y, nu, first, regime, branch, law)
+                step = grazing_step(y, nu, first, regime, law, branch.loads)
             else:
                 step = _trapezoidal_step(y, nu, first, regime, branch, law)
             if step:

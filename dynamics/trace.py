@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from numba import njit, types
 
-from .regime import DISSIPATED, Branch, Flow
+from .regime import Branch, Flow
 from .symbolic import formulas
 
 ROW = types.float64[::1]
@@ -74,19 +74,22 @@ class Compiled(NamedTuple):
 
 
 @functools.lru_cache(64)
-def compiled(branch: Branch) -> Compiled:
-    """Compile the `shape` of a branch; the constants of a scene are arguments. Safe to share between threads."""
-    source, names = program_of(branch)
-    scope = {name: getattr(math, name) for name in ("sin", "cos", "sqrt", "pow")}
+def compiled(branch: Branch, kind=Flow) -> Compiled:
+    """Compile the `shape` of a branch for a kind of flow; the constants of a scene are arguments.
+
+    Safe to share between threads.
+    """
+    source, names = program_of(branch, kind)
+    scope = {name: getattr(math, name) for name in kind.FUNCTIONS}
     exec(source, scope)
     return Compiled(njit(FLOW, error_model="numpy")(scope["flow"]), names)
 
 
-def program_of(branch: Branch) -> tuple[str, tuple[str, ...]]:
+def program_of(branch: Branch, kind=Flow) -> tuple[str, tuple[str, ...]]:
     """Return the source of the function (FLOW) of one branch, and the names of its guards."""
     program = Program()
-    flow = Flow(*(program.call(name) for name in ("sin", "cos", "sqrt", "pow")))
-    y = [program.note(f"y[{i}]") for i in range(DISSIPATED + 1)]
+    flow = kind(*(program.call(name) for name in kind.FUNCTIONS))
+    y = [program.note(f"y[{i}]") for i in range(kind.SIZE)]
     rates, guards = formulas(flow, y, branch, lambda i: program.note(f"p[{i}]"))
     ends = [f"rates[{i}] = {value}" for i, value in enumerate(rates)]
     ends += [f"guards[{i}] = {value}" for i, value in enumerate(guards.values())]
