@@ -1,7 +1,8 @@
 """The whole published run to inclination 1e-9, warm: python tests/benchmarks/motion_speed.py
 
 Prints the time and the processor time of our Taylor series and of the same event-driven model on scipy's solve_ivp with
-DOP853, and when each run ends. After tau = 150 the motion amplifies rounding, so that only the ends can be compared.
+DOP853, and when each run ends; then the Taylor series where static friction is nearly or just the dynamic one. After
+tau = 150 the motion amplifies rounding, so that only the ends can be compared.
 """
 
 from time import perf_counter, process_time
@@ -20,12 +21,18 @@ RUNS = {
 }
 
 
-def timed(integrate, tolerance):
+def timed(integrate, tolerance, law=PUBLISHED):
     """Return time, processor time and end of one run."""
-    system = RollingDisk(PUBLISHED, None, 1e-9**0.5, integrate, tolerance)
+    system = RollingDisk(law, None, 1e-9**0.5, integrate, tolerance)
     began, busy = perf_counter(), process_time()
     path, ended = drive(system, scaled(RELEASED), 1000.0)
-    return perf_counter() - began, process_time() - busy, f"{ended} at tau = {path.t:.3f}"
+    end = f"{ended} at tau = {path.t:.3f}, {len(path.crossings)} changes"
+    return perf_counter() - began, process_time() - busy, end
+
+
+def nearly_equal(ratio):
+    """Return the law in which static friction is so many times the dynamic one."""
+    return PUBLISHED._replace(mu_static=ratio * PUBLISHED.mu_dynamic)
 
 
 if __name__ == "__main__":
@@ -36,3 +43,8 @@ if __name__ == "__main__":
         elapsed, busy, end = timed(integrate, tolerance)
         first = first or busy
         print(f"{name:28} {elapsed:8.3f} s, processor {busy:8.3f} s ({busy / first:.1f} times), {end}", flush=True)
+    for ratio in (1.1, 1.03, 1.0):
+        for _ in range(2):  # the first asks the compiler
+            elapsed, busy, end = timed(*RUNS["Taylor (heyoka), tol 1e-16"], nearly_equal(ratio))
+        name = f"friction {ratio} times"
+        print(f"{name:28} {elapsed:8.3f} s, processor {busy:8.3f} s ({busy / first:.1f} times), {end}")
