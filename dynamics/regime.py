@@ -150,7 +150,7 @@ class Flow:
         if branch.sliding and branch.can_grip and not branch.stuck[0]:
             named["jams"] = contact.inertia
         if branch.loads and branch.loads.is_singular:
-            named["precession stops"] = y[W3] * y[W3] - STOP_SPEED * STOP_SPEED
+            named["precession stops"] = self.sqrt(y[W3] * y[W3]) - STOP_SPEED  # whose series falls on through zero
         for i in range(3):
             if branch.stuck[i]:
                 limit = arms[i] * contact.Phi

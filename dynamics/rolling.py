@@ -32,6 +32,8 @@ class RollingDisk:
 
     def begin(self, y) -> Switch:
         """Decide the regime of a disk released with its contact at rest."""
+        if self.loads and self.loads.is_singular and abs(y[W3]) <= STOP_SPEED:
+            raise ImpossibleContactError(f"{describe(y)}: without precession the law of dissipation has no direction")
         turns = turnings(y)
         at_zero = {0} | {i + 1 for i in range(3) if abs(turns[i]) < 1e-14}
         start = self._follow(y, at_zero)

@@ -17,7 +17,8 @@ from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describ
 
 ROUND_OFF = 1e-12
 START = 3e-6
-"""Length of the first step of a slide in units of r: its error is START cubed, below round-off."""
+"""What changes at most in the first step of a slide, and its length in units of r: its error is START cubed, below
+round-off."""
 PASSING = 0.01
 """Part of the time in which friction could stop a slip, for a step that leaves behind the guard that has fallen."""
 
@@ -26,7 +27,8 @@ GRAZING = 0.05
 
 
 class ImpossibleContactError(ValueError):
-    """No choice of rolling, sliding and sticking satisfies the balance laws with a pressing contact (Painleve)."""
+    """No choice of rolling, sliding and sticking satisfies the balance laws with a pressing contact (Painleve);
+    or they are undefined at the release."""
 
 
 def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0)) -> tuple[Regime, Step | None]:
@@ -172,8 +174,8 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
 
     That direction is the direction of the mean slip acceleration. Raises StalledError where none is within a radian.
     """
-    dt = START * y[R]
     slope = FLOAT.rates(y, first, branch, law)
+    dt = _short(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
 
     def cross(angle):
@@ -187,10 +189,15 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
     return _parabola(regime, dt, y, slope, FLOAT.rates(ahead, last, branch, law))
 
 
-def _step_off(y, first, regime, branch, law, length=START) -> Step:
-    """Take one step of Heun of `length` r: a turning that stops sticking starts at its guard's zero, without push."""
-    dt = length * y[R]
+def _short(y, slope) -> float:
+    """Return the length of a step of START r, or of less where a state y changes faster at its rates `slope`."""
+    return START / max(1 / y[R], *(abs(b) / (1 + abs(a)) for a, b in zip(y, slope, strict=True)))
+
+
+def _step_off(y, first, regime, branch, law, length=None) -> Step:
+    """Take one step of Heun: a turning that stops sticking starts at its guard's zero, without push."""
     slope = FLOAT.rates(y, first, branch, law)
+    dt = length or _short(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
     after = FLOAT.rates(ahead, FLOAT.contact(ahead, branch, regime.senses, law), branch, law)
     return _parabola(regime, dt, y, slope, after)
@@ -228,4 +235,4 @@ def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
         slope = FLOAT.rates(y, _along(y, angle, regime, branch, law), branch, law)
         return Step(regime, -speed / gain_and_cross(angle)[0], [list(y), slope]), True
     here = FLOAT.contact(y, branch, regime.senses, law)
-    return _step_off(y, here, regime, branch, law, PASSING * speed / (law.mu_dynamic * here.Phi)), False
+    return _step_off(y, here, regime, branch, law, PASSING * speed * y[R] / (law.mu_dynamic * here.Phi)), False

@@ -12,7 +12,7 @@ import pytest
 from arithmetic import gamma
 from scenes import scene, whirling
 
-from dynamics import Outcome, simulate
+from dynamics import ImpossibleContactError, Outcome, simulate
 from dynamics.disk import GRAVITY
 from dynamics.dissipation import Dissipation, power_laws
 
@@ -94,8 +94,24 @@ def test_a_power_law_can_end_in_a_fall_with_energy_left():
 
 
 def test_contour_friction_that_stops_the_precession_has_a_name():
+    """Nothing is followed through the stop: there the moment would drive."""
     motion = simulate(whirling(0.1, dissipation={"contour_moment": 1e-4}))
     assert motion.outcome is Outcome.PRECESSION_STOPPED
+    assert motion.largest_regain() == 0
+
+
+def test_contour_friction_has_no_direction_without_precession():
+    with pytest.raises(ImpossibleContactError, match="without precession"):
+        simulate(scene(release={"omega": (1.0, 0.0, 0.0)}, dissipation={"contour_moment": 1e-4}))
+
+
+@pytest.mark.parametrize("integrator", ["auto", "dop853"])
+def test_energy_and_work_add_up_while_a_law_takes_all_speed_at_once(integrator):
+    """In less time than the first step of a slide lasts where only friction acts."""
+    release, law = {"inclination_deg": 0.02, "omega": (0.0, 0.0, 0.5)}, {"air_viscosity": 0.18}
+    motion = simulate(scene({"integrator": integrator}, release=release, dissipation=law))
+    total = motion.energy(motion.t) + motion.state[:, 10]
+    assert np.ptp(total) < 1e-11 * total[0]
 
 
 def test_laws_add_up():

@@ -1,0 +1,123 @@
+"""Claim: whatever legal scene is drawn, its motion comes to an end that has a name and passes every check of a run, or
+is refused by name at the first instant; nothing crashes, hangs or becomes a number that is none.
+
+Source: sections 3 and 4 of the paper; sonify/claims/checks.py.
+Oracle: balances and inequalities that hold for every solution.
+"""
+
+from collections import Counter
+from math import exp, inf, log, pi, radians, sin, sqrt
+from time import process_time
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import strategies as st
+from scenes import scene
+
+from dynamics import ImpossibleContactError, Outcome, simulate
+from dynamics.steady import flat_square
+from sonify.claims.checks import dissipation_never_falls, energy_balance, friction_cone, pushing_contact
+
+SCENES, MOST_SECONDS = 300, 60.0
+TURNS, UNITS = 300.0, 50.0
+"""What a motion is given: so many turns of the contact at the first inclination, but at most so many units chi."""
+
+
+def decades(random, low, high):
+    """Draw a number whose logarithm is uniform."""
+    return exp(random.uniform(log(low), log(high)))
+
+
+def any_disk(random):
+    """Draw a disk, from a millimetre to metres and from paper to pipe."""
+    radius = decades(random, 1e-3, 10)
+    thickness, mass = radius * decades(random, 1e-3, 4), decades(random, 1e-6, 1e4)
+    return {"radius": radius, "thickness": thickness, "mass": mass, "shape": random.choice(["solid", "shell"])}
+
+
+def any_friction(random):
+    """Draw coefficients, often nearly equal ones, at times none or infinite ones; and arms over the radius."""
+    mu = random.choice([decades(random, 0.01, 2)] * 8 + [0.0, inf])
+    ratio = random.choice([1.0, 1.001, 1.01, random.uniform(1, 4)])
+    resisted = random.choice([(0, 0, 0), (1, 1, 1), (1, 1, 1), (0, 0, 1)])
+    arms = {f"k{i}": arm * decades(random, 1e-7, 0.03) for i, arm in enumerate(resisted, 1)}
+    return {"mu_static": ratio * mu, "mu_dynamic": mu, **arms}
+
+
+def any_dissipation(random, disk):
+    """Draw a further law of dissipation, or none."""
+    strength, b = decades(random, 1e-7, 1e-2), random.choice([2.5, 4.0])
+    chi, inertia = disk.time_unit, strength * disk.mass * disk.radius**2
+    laws = [
+        {"viscous_moment": inertia / chi, "viscous_force": strength * disk.mass / chi},
+        {"contour_moment": inertia / chi**2},
+        {"power_coefficient": inertia * chi ** (b - 3), "power_exponent": b},
+    ]
+    return random.choice([None] * 3 + laws)
+
+
+@st.composite
+def scenes(draw):
+    """Draw a scene, released at rest, anyhow or near a steady motion, from a hundredth of a degree to 80."""
+    random = draw(st.randoms(use_true_random=True))  # hypothesis' own numbers would come as small changes of a few
+    shape = any_disk(random)
+    disk = scene(disk=shape).disk
+    inclination_deg, chi = decades(random, 0.01, 80), disk.time_unit
+    beta = radians(inclination_deg)
+    fastest = sqrt(flat_square(disk.aspect, disk.gyration) / beta) / chi
+    spread = random.choice([0.0, 0.01, 0.1, 1.0]) * fastest * sin(beta)
+    whirl = random.choice([0, 1, 1, -1]) * fastest * sin(beta)
+    omega = [random.gauss(mean, spread) for mean in (0, disk.aspect * whirl, whirl)]
+    numerics = {
+        "integrator": random.choice(["auto"] * 9 + ["dop853"]),
+        "accuracy": random.choice(["draft", "standard"]),
+        "time_limit": min(UNITS * chi, TURNS * 2 * pi / fastest),
+    }
+    release = {"inclination_deg": inclination_deg, "omega": tuple(omega)}
+    return scene(numerics, shape, release, any_dissipation(random, disk), **any_friction(random))
+
+
+def solved(wanted):
+    """Return the motion of a scene, None where it is refused at the first instant; AssertionError where it hangs."""
+    started = process_time()
+
+    def watch(t, inclination, doing):
+        assert process_time() - started < MOST_SECONDS, f"hangs at t = {t} s"
+
+    try:
+        return simulate(wanted, watch)
+    except ImpossibleContactError as refusal:
+        assert str(refusal).startswith("at t = 0 s: ")  # noqa: PT017
+        return None
+
+
+@pytest.mark.slow
+@pytest.mark.filterwarnings("error")
+def test_every_scene_ends_with_a_name_and_passes_its_checks():
+    ends = Counter()
+
+    @settings(
+        max_examples=SCENES,
+        deadline=None,
+        database=None,
+        derandomize=True,
+        phases=[Phase.generate],
+        suppress_health_check=list(HealthCheck),
+    )
+    @given(scenes())
+    def judge(wanted):
+        motion = solved(wanted)
+        ends[motion and motion.outcome] += 1
+        if motion:
+            assert np.isfinite(motion.state).all()
+            assert np.isfinite(motion.force(motion.t)).all()
+            checks = energy_balance, dissipation_never_falls, pushing_contact
+            checked = [check(motion) for check in checks] + [friction_cone(motion, wanted.friction)]
+            assert all(check.passed for check in checked), checked
+
+    judge()
+    assert ends.total() == SCENES
+    assert ends[None] <= 0.1 * SCENES  # released so fast that the disk leaves the table, or no contact is possible
+    assert ends[Outcome.STALLED] + ends[Outcome.CASCADE] <= 0.01 * SCENES
+    assert {*Outcome} - {Outcome.STALLED, Outcome.CASCADE} <= {*ends}
