@@ -9,10 +9,12 @@ from . import collocation
 from .dissipation import OwnLaw, Resistance
 from .equations import Law
 from .first_root import first_fall
-from .hybrid import Arc, Switch
+from .hybrid import Arc, StalledError, Switch
 from .regime import AXES, FLOAT, PRECESSION, SPIN, STOP_SPEED, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 from .switching import GRAZING, ImpossibleContactError, follow, slide_to_rest
 
+CRAWL, MANY = 1e-5, 1000
+"""A motion is too stiff to be followed where as MANY steps as this are on the mean shorter than CRAWL r."""
 ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
 
 
@@ -42,7 +44,10 @@ class RollingDisk:
         return start
 
     def advance(self, y, regime: Regime, span: float) -> Arc:
-        """Integrate within `regime`; precession and quadratures restart near zero so that they keep their digits."""
+        """Integrate within `regime`; precession and quadratures restart near zero so that they keep their digits.
+
+        Raises StalledError where steps of no reasonable length suffice.
+        """
         turned = math.remainder(y[PRECESSION], 2 * math.pi)
         local, offset = [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
         stiff = self._is_stiff(y, regime)
@@ -50,6 +55,8 @@ class RollingDisk:
             self.announce("slow slide")
         flow = collocation.advance if stiff else self.integrate
         arc = flow(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
+        if arc.guard is None and len(arc.times) >= MANY and arc.times[-1] < min(CRAWL * y[R] * len(arc.times), span):
+            raise StalledError(f"{describe(y)}: every step is too short in {regime}")
         arc.coefficients[:, 0, PRECESSION:] += offset
         end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], offset)]
         return Arc(arc.times, arc.coefficients, end, arc.guard)

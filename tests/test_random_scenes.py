@@ -20,7 +20,7 @@ from dynamics.steady import flat_square
 from sonify.claims.checks import dissipation_never_falls, energy_balance, friction_cone, pushing_contact
 
 SCENES, MOST_SECONDS = 300, 60.0
-TURNS, UNITS = 300.0, 50.0
+TURNS, UNITS = 200.0, 30.0
 """What a motion is given: so many turns of the contact at the first inclination, but at most so many units chi."""
 
 
