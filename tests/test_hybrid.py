@@ -1,11 +1,13 @@
 """Claim: the event-driven driver, which knows no mechanics, finds every event of a system in its order, at its time.
 
-Source: the bouncing ball, Goebel, Sanfelice & Teel (2012), example 1.1. Oracle: its closed form: impacts at geometric
-intervals, which pile up at a finite time.
+Source: the bouncing ball, Goebel, Sanfelice & Teel (2012), example 1.1; the rimless wheel, McGeer (1990), section 2.
+Oracle: closed forms. The ball's impacts come at geometric intervals, which pile up at a finite time; the wheel's speed
+after each step follows a linear map, whose fixed point it reaches.
 """
 
 import numpy as np
 import pytest
+from scipy.integrate import quad, solve_ivp
 
 from dynamics.hybrid import CASCADE, Arc, Switch, drive
 
@@ -53,3 +55,61 @@ def test_where_impacts_pile_up_time_stands_still_and_the_end_has_a_name():
     assert ended == CASCADE
     assert path.t == pytest.approx(np.sqrt(2 * HEIGHT) * (1 + RESTITUTION) / (1 - RESTITUTION), rel=1e-14)
     assert [event.t for event in path.crossings][:40] == pytest.approx(impacts(40), rel=1e-14)
+
+
+HALF_ANGLE, SLOPE = 0.3, 0.08
+"""Half the angle between two spokes of the wheel, and the slope it walks down [rad]."""
+
+
+class Wheel:
+    """A rimless wheel: a pendulum, theta'' = sin(theta), on the spoke that stands; states (theta, its rate)."""
+
+    def begin(self, y):
+        return Switch("stance", y)
+
+    def advance(self, y, regime, span):
+        def falls(t, y):
+            return SLOPE + HALF_ANGLE - y[0]
+
+        falls.terminal = True
+        rates = lambda t, y: [y[1], np.sin(y[0])]  # noqa: E731
+        solved = solve_ivp(rates, (0, span), y, "DOP853", events=falls, rtol=1e-13, atol=1e-13)
+        theta, rate = solved.y[:, :-1]
+        series = np.array([[theta, rate], [rate, np.sin(theta)]]).transpose(2, 0, 1)
+        return Arc(solved.t[1:], series, list(solved.y[:, -1]), "spoke falls" if solved.status == 1 else None)
+
+    def switch(self, y, regime, guard):
+        assert guard == "spoke falls"
+        return Switch(regime, [SLOPE - HALF_ANGLE, np.cos(2 * HALF_ANGLE) * y[1]])
+
+
+def rates_after(rate, n):
+    """Return the rates after the first n steps: an impact keeps cos(2 alpha), a step gains 4 sin(alpha) sin(gamma)."""
+    rates = []
+    for _ in range(n):
+        rate = np.cos(2 * HALF_ANGLE) * np.sqrt(rate**2 + 4 * np.sin(HALF_ANGLE) * np.sin(SLOPE))
+        rates.append(rate)
+    return np.array(rates)
+
+
+def stance(rate):
+    """Return how long the wheel stands on a spoke that it meets at `rate`."""
+    first = SLOPE - HALF_ANGLE
+    return quad(lambda a: (rate**2 + 2 * (np.cos(first) - np.cos(a))) ** -0.5, first, SLOPE + HALF_ANGLE, epsabs=1e-13)[
+        0
+    ]
+
+
+def test_a_rimless_wheel_steps_as_its_map_says_and_reaches_the_cycle():
+    start, n = 0.9, 30
+    path, ended = drive(Wheel(), [SLOPE - HALF_ANGLE, start], 40.0)
+    assert ended is None
+    assert len(path.crossings) >= n
+    after = [block[0, 0, 1] for block in path.coefficients[1:]]
+    rates = rates_after(start, len(after))
+    assert after == pytest.approx(rates, rel=1e-11)
+    times = np.cumsum([stance(rate) for rate in [start, *rates[:-1]]])
+    assert [event.t for event in path.crossings] == pytest.approx(times, rel=1e-11)
+    cycle = 2 * np.sqrt(np.sin(HALF_ANGLE) * np.sin(SLOPE)) / np.tan(2 * HALF_ANGLE)
+    left = np.cos(2 * HALF_ANGLE) ** (2 * len(after)) * abs(start**2 - cycle**2)
+    assert after[-1] ** 2 == pytest.approx(cycle**2, abs=2 * left + 1e-10)
