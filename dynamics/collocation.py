@@ -5,18 +5,16 @@ after a start without acceleration (mu_dynamic = mu_static), explicit steps of a
 The slow solution is smooth through rest, if beyond it the speed counts as negative: so the end of a slide is found.
 """
 
-import functools
 import math
 
 import numpy as np
-from numba import njit
 
 from .hybrid import Arc, StalledError, Step
 from .implicit_steps import FORWARD, LENGTH, NODES, ORDER, SHORTEST, STEP, STEPS, collocate, integrate, is_slow
 from .regime import FLOAT, STOP_SPEED, V1, V2, Branch, Flow, R, describe
 from .runge_kutta import GUARDS
 from .symbolic import constants, shape
-from .trace import compiled
+from .trace import compiled, machine
 
 REST = 1e-13
 """Slip speed over r at which a slow slide is at rest: there it is too slow for a last step along its tangent."""
@@ -46,12 +44,6 @@ def is_stiff(y, contact, law) -> bool:
     return is_slow(math.hypot(y[V1], y[V2]), product, law.mu_dynamic * contact.Phi)
 
 
-@functools.cache
-def _machine(function, signature):
-    """Compile a function when the first slow slide asks for it; a machine does so once."""
-    return njit(signature, cache=True, error_model="numpy")(function)
-
-
 def _prepared(regime, law, loads, r_end):
     """Return the compiled flow of a slow slide, the names of its guards, and its constants (n,)."""
     flow, names = compiled(shape(regime, law, loads), Onward)
@@ -70,7 +62,7 @@ def grazing_step(y, nu, first, regime, law, loads) -> Step | None:
     while dt > SHORTEST * y[R]:
         guards = np.ones((ORDER + 1, GUARDS))
         guess = _at_rest(start, first, regime, law, loads, dt)
-        c, error = _machine(collocate.py_func, STEP)(flow, parameters, guess, start, dt, guards)
+        c, error = machine(collocate.py_func, STEP)(flow, parameters, guess, start, dt, guards)
         if error < 1 and guards[:, others].min() > 0 and guards[:, grip].min() > -REST:
             powers = c[:, :FORWARD] / dt ** np.arange(ORDER + 1.0)[:, None]
             return Step(regime, dt, powers) if guards[-1, grip] > STOP_SPEED else None
@@ -99,7 +91,7 @@ def advance(y, regime, law, loads, r_end, span, tolerance) -> Arc:
     """
     flow, names, parameters = _prepared(regime, law, loads, r_end)
     start, of = np.array([*y, y[V1], y[V2]]), (names.index("grip"), names.index("lift-off"))
-    times, powers, end, fired = _machine(integrate, STEPS)(
+    times, powers, end, fired = machine(integrate, STEPS)(
         flow, start, parameters, len(names), *of, law.mu_dynamic, span
     )
     if not len(times):

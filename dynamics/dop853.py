@@ -5,9 +5,9 @@ import numpy as np
 from .equations import Law
 from .hybrid import Arc, StalledError
 from .regime import Regime, describe
-from .runge_kutta import integrate
+from .runge_kutta import STEPS, integrate
 from .symbolic import constants, shape
-from .trace import compiled
+from .trace import compiled, machine
 
 FINEST = 1e-15
 
@@ -19,7 +19,9 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     """
     flow, names = compiled(shape(regime, law, loads))
     start, parameters = np.array(y, float), np.array(constants(regime, law, loads, r_end))
-    times, coefficients, end, fired = integrate(flow, start, parameters, len(names), span, max(tolerance, FINEST))
+    times, coefficients, end, fired = machine(integrate, STEPS)(
+        flow, start, parameters, len(names), span, max(tolerance, FINEST)
+    )
     if not len(times):
         raise StalledError(f"{describe(y)}: no step is short enough in {regime}")
     return Arc(times, coefficients, end.tolist(), names[fired] if fired >= 0 else None)

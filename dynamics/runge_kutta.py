@@ -108,14 +108,11 @@ def first_fall(flow, p, c, count, before):
     return place, fired
 
 
-STEPS = types.Tuple((ROW, types.float64[:, :, ::1], ROW, types.int64))
+FOUND = types.Tuple((ROW, types.float64[:, :, ::1], ROW, types.int64))
+STEPS = FOUND(types.FunctionType(FLOW), ROW, ROW, types.int64, types.float64, types.float64)
+"""The type of `integrate`."""
 
 
-@njit(
-    STEPS(types.FunctionType(FLOW), ROW, ROW, types.int64, types.float64, types.float64),
-    cache=True,
-    error_model="numpy",
-)
 def integrate(flow, y, p, count, span, tolerance):
     """Integrate from y (k,) for `span`, for MOST_STEPS steps or until one of `count` guards falls.
 

@@ -73,6 +73,12 @@ class Compiled(NamedTuple):
     guards: tuple[str, ...]
 
 
+@functools.cache
+def machine(function, signature):
+    """Compile a function when it is first asked for, not when it is imported; numba keeps it on disk."""
+    return njit(signature, cache=True, error_model="numpy")(function)
+
+
 @functools.lru_cache(64)
 def compiled(branch: Branch, kind=Flow) -> Compiled:
     """Compile the `shape` of a branch for a kind of flow; the constants of a scene are arguments.

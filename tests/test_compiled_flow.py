@@ -16,9 +16,9 @@ from scipy.optimize import brentq
 from dynamics.dissipation import Resistance
 from dynamics.equations import Law
 from dynamics.regime import FLOAT, Branch, Flow, Regime
-from dynamics.runge_kutta import POWERS, STAGES, at, integrate
+from dynamics.runge_kutta import POWERS, STAGES, STEPS, at, integrate
 from dynamics.symbolic import constants, shape
-from dynamics.trace import compiled
+from dynamics.trace import compiled, machine
 
 LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 STATE = np.array([0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0])
@@ -78,7 +78,7 @@ def test_rates_and_guards_are_those_of_the_formulas(stuck, loads):
 
 def test_a_step_and_its_dense_output_are_those_of_scipy():
     flow, _, numbers = flow_of(sliding=True)
-    times, c, end, fired = integrate(flow, STATE, numbers, 0, 0.1, 1.0)
+    times, c, end, fired = machine(integrate, STEPS)(flow, STATE, numbers, 0, 0.1, 1.0)
     assert (times.tolist(), fired) == ([0.1], -1)
     scipys = DOP853(lambda _, y: by_formula(y, True)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1)
     scipys.step()
@@ -97,7 +97,7 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
     def end(steps):
         y = STATE
         for _ in range(steps):
-            y = integrate(flow, y, numbers, 0, span / steps, 1.0)[2]
+            y = machine(integrate, STEPS)(flow, y, numbers, 0, span / steps, 1.0)[2]
         return y
 
     exact, steps = end(256), [12, 14, 16, 18]
@@ -108,10 +108,10 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
 def test_it_stops_where_a_guard_falls_through_zero():
     """The nutation reverses: omega_1 is a guard, and zero where the integration stops."""
     flow, names, numbers = flow_of(sliding=False)
-    times, coefficients, end, fired = integrate(flow, STATE, numbers, len(names), 10.0, 1e-13)
+    times, coefficients, end, fired = machine(integrate, STEPS)(flow, STATE, numbers, len(names), 10.0, 1e-13)
     assert names[fired] == "nutation reverses"
     assert abs(end[1]) <= gamma(20) * np.abs(coefficients[-1][:, 1]).max()
-    free = integrate(flow, STATE, numbers, 0, 10.0, 1e-13)
+    free = machine(integrate, STEPS)(flow, STATE, numbers, 0, 10.0, 1e-13)
     piece = np.searchsorted(free[0], times[-1])
     start, y = free[0][piece - 1], np.empty(11)
 
