@@ -8,7 +8,7 @@ import numpy as np
 from numba import njit, types
 
 from .regime import DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, R
-from .runge_kutta import GUARDS, at, root
+from .runge_kutta import GUARDS, at, fall_between
 from .trace import FLOW, ROW
 
 ORDER = 9
@@ -139,11 +139,7 @@ def first_fall(flow, p, c, count, before, guards):
     place, fired, low = 1.0, -1, 0.0
     for look in range(ORDER + 1):
         high = NODES[look] if look < ORDER else 1.0
-        for i in range(count):
-            if before[i] > 0 >= guards[look, i]:
-                fall = root(flow, p, c, i, low, high)
-                if fired < 0 or fall < place:
-                    place, fired = fall, i
+        place, fired = fall_between(flow, p, c, count, before, guards[look], low, high)
         if fired >= 0:
             break
         low, before = high, guards[look]

@@ -86,6 +86,21 @@ def root(flow, p, c, i, low, high):
 
 
 @njit(cache=True, error_model="numpy")
+def fall_between(flow, p, c, count, before, now, low, high):
+    """Return the place of the first fall of one of `count` guards in [low, high] on the curve c, and which.
+
+    Without one these are 1, -1. `before` and `now` are the guards at both ends.
+    """
+    place, fired = 1.0, -1
+    for i in range(count):
+        if before[i] > 0 >= now[i]:
+            fall = root(flow, p, c, i, low, high)
+            if fired < 0 or fall < place:
+                place, fired = fall, i
+    return place, fired
+
+
+@njit(cache=True, error_model="numpy")
 def first_fall(flow, p, c, count, before):
     """Return the place in [0, 1] of the first fall of one of `count` guards on the curve c (8, k), and which.
 
@@ -97,11 +112,7 @@ def first_fall(flow, p, c, count, before):
     for look in range(1, LOOKS + 1):
         at(c, look / LOOKS, y)
         flow(y, p, rates, now)
-        for i in range(count):
-            if before[i] > 0 >= now[i]:
-                fall = root(flow, p, c, i, (look - 1) / LOOKS, look / LOOKS)
-                if fired < 0 or fall < place:
-                    place, fired = fall, i
+        place, fired = fall_between(flow, p, c, count, before, now, (look - 1) / LOOKS, look / LOOKS)
         before[:] = now
         if fired >= 0:
             break
