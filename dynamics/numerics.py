@@ -5,7 +5,7 @@ from importlib.util import find_spec
 from math import inf, pi
 from typing import Annotated, Literal, NamedTuple
 
-from annotated_types import Gt, Le
+from annotated_types import Ge, Gt, Le
 
 from .disk import Disk
 from .steady import flat_square
@@ -24,6 +24,7 @@ class Level(NamedTuple):
     calm           -- by how much [rad] the contact turns at most between two readings of a calm force; 0: every sample.
     range_db       -- modes further below the loudest do not sound.
     patch, free    -- how much of the estimated errors of the modes of a held, a free disk is true.
+    contact_rate   -- steps a second of an elastic contact.
     """
 
     taylor: float
@@ -33,12 +34,13 @@ class Level(NamedTuple):
     range_db: float
     patch: float
     free: float
+    contact_rate: float
 
 
 LEVELS = {
-    "draft": Level(1e-16, 1e-12, 1.0, 0.8, 40.0, 0.35, 0.35),
-    "standard": Level(1e-16, 1e-15, 10.0, 0.2, 60.0, 0.35, 0.55),
-    "reference": Level(1e-16, 1e-15, inf, 0.0, inf, 0.0, 0.0),
+    "draft": Level(1e-16, 1e-12, 1.0, 0.8, 40.0, 0.35, 0.35, 1e5),
+    "standard": Level(1e-16, 1e-15, 10.0, 0.2, 60.0, 0.35, 0.55, 4e5),
+    "reference": Level(1e-16, 1e-15, inf, 0.0, inf, 0.0, 0.0, 1.6e6),
 }
 """By name; what the reference lacks is not known from within. The shares are measured, tests/test_plan.py."""
 
@@ -55,6 +57,10 @@ class Numerics:
     """Relative tolerance of the integrator."""
     final_inclination: Annotated[float, Gt(0), Le(0.1)] | None = None
     """Inclination at which the motion counts as settled [rad]."""
+    contact: Literal["auto", "filter", "full"] = "auto"
+    """An elastic contact is a filter along the rigid motion, or moves the disk in full; auto takes what it needs."""
+    contact_rate: Annotated[float, Ge(1e3), Le(1e8)] | None = None
+    """Steps a second of the full motion on an elastic contact [1/s]."""
     time_limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
     """Time at which a motion that does not settle is ended [s]."""
 

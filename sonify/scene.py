@@ -13,6 +13,7 @@ from typing import Annotated
 from annotated_types import Ge, Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from dynamics.coupled.sections import Contact, Roughness
 from dynamics.disk import Disk, Friction, Release, Surface
 from dynamics.dissipation import Dissipation
 from dynamics.numerics import Numerics
@@ -50,6 +51,8 @@ class Scene:
     support: Support = field(default_factory=Support)
     surface: Surface = field(default_factory=Surface)
     dissipation: Dissipation = field(default_factory=Dissipation)
+    contact: Contact = field(default_factory=Contact)
+    roughness: Roughness | None = None
     audio: Audio = field(default_factory=Audio)
     numerics: Numerics = field(default_factory=Numerics)
 
@@ -59,6 +62,10 @@ class Scene:
         for key in ("arm_nutation", "arm_rolling", "arm_pivoting"):
             if (arm := getattr(self.friction, key)) > self.disk.radius:
                 raise ValueError(f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}")
+        if self.contact.law == "elastic":
+            from dynamics.coupled.from_scene import check  # SciPy, which a rigid contact does not need
+
+            check(self)
 
     @property
     def document(self) -> dict:

@@ -13,7 +13,8 @@ from scipy.signal import welch
 from dynamics.coupled.filter import BLOCK, EVERY, Along, along, gain, predicted_rms, predicted_spectrum, respond
 from dynamics.coupled.profile import SMOOTH, heights
 from dynamics.coupled.resonance import linear
-from dynamics.coupled.roughness import Roughness, edge_profile, spectrum, table_profile, window
+from dynamics.coupled.roughness import edge_profile, spectrum, table_profile, window
+from dynamics.coupled.sections import Roughness
 from dynamics.coupled.table import K1, LENGTH2, LOSS, A, K, LawTable
 
 LAW = granite()

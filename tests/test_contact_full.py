@@ -18,7 +18,8 @@ from dynamics.coupled.handover import columns, energy, inclination, release
 from dynamics.coupled.march import FLAT, GOES, UPRIGHT
 from dynamics.coupled.profile import SMOOTH, heights
 from dynamics.coupled.resonance import linear, mobility
-from dynamics.coupled.roughness import Roughness, edge_profile, table_profile, window
+from dynamics.coupled.roughness import edge_profile, table_profile, window
+from dynamics.coupled.sections import Roughness
 from dynamics.coupled.state import FORCE, GAP, LOSSES, SLIDES, WEIGHT
 from dynamics.coupled.table import K1, K2, LENGTH1, LENGTH2, LOSS, K, LawTable
 from dynamics.disk import Friction

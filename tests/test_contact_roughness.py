@@ -9,15 +9,8 @@ import pytest
 from scipy.integrate import quad
 
 from dynamics.coupled.profile import SMOOTH, heights, profile_from_csv
-from dynamics.coupled.roughness import (
-    Roughness,
-    edge_profile,
-    require_seen,
-    shift_of_contact,
-    spectrum,
-    table_profile,
-    window,
-)
+from dynamics.coupled.roughness import edge_profile, shift_of_contact, spectrum, table_profile, window
+from dynamics.coupled.sections import Roughness, require_seen
 
 ROUGH = Roughness(rms=3e-8, shortest=1e-4, longest=0.1)
 

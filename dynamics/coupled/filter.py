@@ -14,7 +14,8 @@ from .compiled import fingerprint, kernel, outermost
 from .contact import LEAST_INCLINATION
 from .profile import SMOOTH, height
 from .resonance import linear
-from .roughness import Roughness, density, window
+from .roughness import density, window
+from .sections import Roughness
 from .table import LawTable
 
 EVERY = 16
@@ -106,7 +107,7 @@ def _coefficients(table, block, rate, impedance):
 def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, speed, impedance=np.inf, above=AUDIBLE):
     """Return the rms [N] of the force above a frequency [Hz] in steady motion, (k,), from the spectrum of the heights.
 
-    Table and edge are independent and each is read at `speed` (k,) [m/s]; both are taken as endless.
+    Table and edge are read at `speed` (k,) [m/s]; both are taken as endless.
     """
     k, _ = density(roughness)
     steady = np.broadcast_arrays(inclination, load, np.abs(speed))
@@ -127,7 +128,7 @@ def predicted_spectrum(
     system = linear(table.law.disk, inclination, springs, speed, c, impedance)
     k = 2 * np.pi * frequency / abs(speed)
     heights = np.interp(k, *density(roughness), left=0.0, right=0.0) * window(k * a) ** 2
-    return 2 * heights * np.abs(gain(system, 2 * np.pi * frequency)) ** 2 * 2 * np.pi / abs(speed)
+    return heights * np.abs(gain(system, 2 * np.pi * frequency)) ** 2 * 2 * np.pi / abs(speed)
 
 
 def gain(system, omega):

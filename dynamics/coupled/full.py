@@ -17,14 +17,12 @@ from .contact import LEAST_INCLINATION
 from .handover import inclination
 from .march import FLAT, GOES, UNSOLVED, UPRIGHT, march
 from .profile import SMOOTH, Profile
-from .resonance import inertias, mobility
+from .resonance import inertias, rate_needed
 from .state import SIZE
 from .table import STEP, LawTable
 
 RATE = 400e3
 """Steps a second: safe to 1e-6 rad."""
-LARGEST, HEAVIEST = 1.0, 4.0
-"""Radians that the fastest resonance may turn in a step, under so many times the weight."""
 STEPS = 2**15
 """Steps that are taken together, or one row where it takes more."""
 ENDS = {
@@ -110,8 +108,6 @@ class Compliant:
 
     def _hold(self, y):
         """Raise ValueError where a resonance turns too far in a step."""
-        disk, beta = self.table.law.disk, inclination(y[None])
-        springs, W = self.table.springs(beta, HEAVIEST * disk.weight)[0], mobility(disk, beta)[0]
-        fastest = float(np.sqrt(springs.kn * W[2, 2] + springs.k2 * W[1, 1])[0]) / LARGEST
+        fastest = float(rate_needed(self.table.law, inclination(y[None]))[0])
         if fastest > self.rate:
             raise ValueError(f"rate = {self.rate:g}: too low for so stiff a contact, at least {fastest:.4g} 1/s needed")

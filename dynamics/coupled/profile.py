@@ -12,8 +12,7 @@ import numpy as np
 from scipy.fft import irfft, rfft
 
 from .compiled import kernel, outermost
-
-MOST_CELLS = 2**24
+from .sections import MOST_CELLS
 
 
 class Profile(NamedTuple):

@@ -11,6 +11,8 @@ from ..disk import Disk
 from .contact import ContactLaw, Springs
 
 TINY = 1e-300
+LARGEST, HEAVIEST = 1.0, 4.0
+"""Radians that the fastest resonance may turn in a step, under so many times the weight."""
 
 
 class Resonances(NamedTuple):
@@ -82,6 +84,12 @@ def damping(law: ContactLaw, inclination, load):
     """Return c [N s/m] along the normal that gives the normal resonance sqrt(kn W33) the loss factor of the law."""
     kn = law.springs(inclination, load).kn
     return law.loss_factor * np.sqrt(kn / mobility(law.disk, inclination)[:, 2, 2])
+
+
+def rate_needed(law: ContactLaw, inclination):
+    """Return the steps (k,) [1/s] in which the fastest resonance at inclinations (k,) turns by LARGEST."""
+    springs, W = law.springs(inclination, HEAVIEST * law.disk.weight), mobility(law.disk, inclination)
+    return np.sqrt(springs.kn * W[:, 2, 2] + springs.k2 * W[:, 1, 1]) / LARGEST
 
 
 def linear(disk: Disk, inclination, springs: Springs, speed=0.0, damping=0.0, impedance=np.inf) -> Linear:

@@ -4,53 +4,30 @@ A profile is periodic and known at any path length without storing a path: the t
 edge's over its circumference.
 """
 
-from dataclasses import dataclass
-from math import inf, pi
-from typing import Annotated
+from dataclasses import replace
+from math import pi
 
 import numpy as np
-from annotated_types import Ge, Gt, Lt
 from scipy.fft import next_fast_len
 from scipy.integrate import trapezoid
 
-from .profile import MOST_CELLS, Profile, spline_profile
+from .profile import SMOOTH, Profile, heights, profile_from_csv, spline_profile
+from .sections import CELLS, WAVES, Roughness
 
-CELLS = 8
-"""Cells per shortest wavelength: where a is a cell or more, every wave is then read to 3e-4 of itself."""
 TABLE_CELLS = 2**20
-WAVES = 64
-"""The table's period holds at least so many of the longest waves."""
-MOST_EXPONENT = 16.0
 
 
-@dataclass(frozen=True, kw_only=True)
-class Roughness:
-    """Gaussian heights with a power spectrum k^-exponent between two wavelengths, of table and edge each.
+def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profile]:
+    """Return the heights of the table and of the edge of a disk of that radius [m], drawn or read from files.
 
-    rms [m] of the heights before the contact averages them; shortest and longest wavelength [m].
+    Raises ValueError where a file is no profile, or where no wave fits the edge.
     """
-
-    rms: Annotated[float, Gt(0)]
-    shortest: Annotated[float, Gt(0)] = 1e-4
-    longest: Annotated[float, Gt(0), Lt(inf)] = 0.1
-    exponent: Annotated[float, Ge(0)] = 0.0
-    seed: Annotated[int, Ge(0)] = 0
-
-    def __post_init__(self):
-        for name in ("rms", "shortest"):
-            if not 0 < getattr(self, name) < inf:
-                raise ValueError(f"roughness.{name} = {getattr(self, name):g}: must be positive and finite")
-        if not self.shortest < self.longest < inf:
-            raise ValueError(
-                f"roughness.longest = {self.longest:g}: must exceed shortest = {self.shortest:g} and be finite"
-            )
-        if not 0 <= self.exponent <= MOST_EXPONENT:
-            raise ValueError(f"roughness.exponent = {self.exponent:g}: must lie in 0 to {MOST_EXPONENT:g}")
-        if CELLS * WAVES * self.longest > MOST_CELLS * self.shortest:
-            most = MOST_CELLS / (CELLS * WAVES)
-            raise ValueError(
-                f"roughness.longest = {self.longest:g}: must be at most {most:g} times shortest = {self.shortest:g}"
-            )
+    if roughness is None:
+        return SMOOTH, SMOOTH
+    table = table_profile(roughness) if roughness.profile is None else profile_from_csv(roughness.profile)
+    if roughness.profile_edge is not None:
+        return table, profile_from_csv(roughness.profile_edge, 2 * pi * radius)
+    return table, edge_profile(roughness, radius) if roughness.edge_rms > 0 else SMOOTH
 
 
 def table_profile(roughness: Roughness) -> Profile:
@@ -66,7 +43,9 @@ def edge_profile(roughness: Roughness, radius: float) -> Profile:
     Raises ValueError where no wave of the spectrum fits.
     """
     period = 2 * pi * radius
-    return _gaussian(roughness, period, next_fast_len(int(np.ceil(CELLS * period / roughness.shortest)), real=True), 1)
+    n = next_fast_len(int(np.ceil(CELLS * period / roughness.shortest)), real=True)
+    edge = replace(roughness, rms=roughness.edge_rms, rms_edge=None, profile=None, profile_edge=None)
+    return _gaussian(edge, period, n, 1)
 
 
 def spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.ndarray]:
@@ -92,19 +71,20 @@ def window(ka):
     return np.where(small, 1 - ka * ka / 10, 3 * (np.sin(x) - x * np.cos(x)) / x**3)
 
 
-def require_seen(roughness: Roughness, half_length: float) -> None:
-    """Raise ValueError where every wave is shorter than the ellipse of half-length a [m] and so averaged away."""
-    if roughness.longest <= 2 * half_length:
-        raise ValueError(
-            f"roughness.longest = {roughness.longest:g}: must exceed the contact, {2 * half_length:.3g} m long"
-        )
-
-
 def density(roughness: Roughness, waves: int = 8192) -> tuple[np.ndarray, np.ndarray]:
-    """Return wave numbers (w,) [rad/m], evenly spaced in their logarithm, and the mean square per wave number [m^3]."""
-    k = np.geomspace(2 * pi / roughness.longest, 2 * pi / roughness.shortest, waves)
-    power = k**-roughness.exponent
-    return k, power * roughness.rms**2 / trapezoid(power, k)
+    """Return wave numbers (w,) [rad/m], evenly spaced in their logarithm, and the mean square per wave number [m^3].
+
+    It is that of table and edge together, which are independent. Raises ValueError where a file is no profile.
+    """
+    files = [profile_from_csv(file) for file in (roughness.profile, roughness.profile_edge) if file is not None]
+    drawn = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2
+    longest = max([p.period for p in files] + [roughness.longest] * (drawn > 0))
+    shortest = min([2 / p.cells_per_metre for p in files] + [roughness.shortest] * (drawn > 0))
+    k = np.geomspace(2 * pi / longest, 2 * pi / shortest, waves)
+    power = k**-roughness.exponent * (2 * pi <= k * roughness.longest * (1 + 1e-9))
+    power *= k * roughness.shortest <= 2 * pi * (1 + 1e-9)
+    power *= drawn / trapezoid(power, k) if drawn else 0.0
+    return k, power + sum(_measured(profile, k) for profile in files)
 
 
 def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
@@ -114,8 +94,19 @@ def shift_of_contact(roughness: Roughness, inclination, half_length, radius: flo
     the disk touches at several places at once, and one ellipse is no more than an approximation.
     """
     k, power = density(roughness)
-    curvature = [2 * trapezoid(power * k**4 * window(k * a) ** 2, k) for a in np.atleast_1d(half_length)]
+    curvature = [trapezoid(power * k**4 * window(k * a) ** 2, k) for a in np.atleast_1d(half_length)]
     return np.sqrt(curvature) * radius / np.sin(inclination)
+
+
+def _measured(profile, k):
+    """The mean square per wave number [m^3] of the waves of a profile, each bin of k (w,) holding what lies in it."""
+    n = len(profile.coefficients) - 5
+    cell = 1 / profile.cells_per_metre
+    waves = np.fft.rfft(heights(*profile, cell * np.arange(n), np.full(n, cell)))[1:] / n
+    own = 2 * pi / profile.period * np.arange(1, len(waves) + 1)
+    below = np.append(0.0, np.cumsum(2 * np.abs(waves / window(own * cell)) ** 2))
+    edges = np.concatenate([[0.0], np.sqrt(k[1:] * k[:-1]), [own[-1]]])
+    return np.diff(np.interp(edges, np.append(0.0, own), below)) / np.diff(edges)
 
 
 def _gaussian(roughness, period, n, which):

@@ -1,0 +1,75 @@
+"""SCENE -> LAW of its elastic contact, and what is wrong with it."""
+
+from math import radians
+from typing import Protocol
+
+import numpy as np
+
+from ..disk import Disk, Friction, Release
+from ..numerics import Numerics
+from .contact import LEAST_INCLINATION, ContactLaw, Elastic
+from .resonance import rate_needed
+from .sections import Contact, Roughness, require_seen
+
+ROUNDED = 1 / 8
+"""Fillet of an edge over its thickness: 1.6 mm of the toy's 12.8 mm."""
+
+
+class ContactScene(Protocol):
+    """What an elastic contact reads of a scene."""
+
+    @property
+    def disk(self) -> Disk: ...
+    @property
+    def material(self): ...
+    @property
+    def friction(self) -> Friction: ...
+    @property
+    def release(self) -> Release: ...
+    @property
+    def contact(self) -> Contact: ...
+    @property
+    def roughness(self) -> Roughness | None: ...
+    @property
+    def numerics(self) -> Numerics: ...
+
+
+def contact_law(scene: ContactScene) -> ContactLaw:
+    """Return the law of the elastic contact of a scene. Raises ValueError where its fillet does not fit."""
+    disk, body, contact = scene.disk, scene.material, scene.contact
+    return ContactLaw(
+        disk=disk,
+        fillet=contact.fillet or min(ROUNDED * disk.thickness, disk.radius),
+        body=Elastic(body.young, body.poisson),
+        table=Elastic(contact.young, contact.poisson),
+        loss_factor=contact.loss_factor,
+    )
+
+
+def last_inclination(scene: ContactScene) -> float:
+    """Return the inclination [rad] at which the motion of a disk on its elastic contact ends."""
+    return max(scene.numerics.stopping_inclination(scene.disk), LEAST_INCLINATION)
+
+
+def step_rate(scene: ContactScene) -> float:
+    """Return the steps [1/s] of the full model: those of the accuracy, or more where the contact is stiffer."""
+    return scene.numerics.contact_rate or max(scene.numerics.level.contact_rate, stiffest(scene))
+
+
+def stiffest(scene: ContactScene) -> float:
+    """Return the least steps [1/s] that the full model can take down to its last inclination."""
+    return float(rate_needed(contact_law(scene), np.array([last_inclination(scene)]))[0])
+
+
+def check(scene: ContactScene) -> None:
+    """Raise ValueError, in one line, where the elastic contact of a scene cannot be solved."""
+    law, beta = contact_law(scene), radians(scene.release.inclination_deg)
+    if scene.roughness is not None:
+        require_seen(scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0]))
+    if beta <= last_inclination(scene):
+        raise ValueError(f"release.inclination_deg = {scene.release.inclination_deg:g}: ends before it begins")
+    rate = scene.numerics.contact_rate
+    if rate is not None and rate < (least := stiffest(scene)):
+        raise ValueError(
+            f"numerics.contact_rate = {rate:g}: too low for so stiff a contact, must be at least {least:.4g} 1/s"
+        )

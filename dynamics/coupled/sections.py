@@ -1,0 +1,91 @@
+"""The sections of a scene on the contact of the edge. SI units; [ ] holds the unit of a key."""
+
+from dataclasses import dataclass
+from math import inf
+from typing import Annotated, Literal
+
+from annotated_types import Ge, Gt, Le, Lt
+
+MOST_CELLS = 2**24
+"""A profile is not resolved into more cells."""
+CELLS = 8
+"""Cells per shortest wavelength: where a is a cell or more, every wave is then read to 3e-4 of itself."""
+WAVES = 64
+"""The table's period holds at least so many of the longest waves."""
+MOST_EXPONENT = 16.0
+Length = Annotated[float, Gt(0), Le(100)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contact:
+    """How the edge of the disk touches the table: rigid, or both half spaces that yield (Hertz, Mindlin, Kalker)."""
+
+    law: Literal["rigid", "elastic"] = "rigid"
+    """A rigid contact is solved event by event; an elastic one has resonances, and may be lost."""
+    fillet: Length | None = None
+    """Radius to which the edge is rounded [m], at most half the thickness; an eighth of it unless given."""
+    loss_factor: Annotated[float, Ge(0), Lt(1)] = 0.02
+    """Loss of energy per radian over the energy of the contact's normal resonance."""
+    young: Annotated[float, Ge(1), Le(1e15)] = 60e9
+    """Young's modulus of the table where the disk touches it [Pa]; that of granite unless given."""
+    poisson: Annotated[float, Gt(-1), Lt(0.5)] = 0.2
+    """Poisson's ratio of the table."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Roughness:
+    """Gaussian heights with a power spectrum k^-exponent between two wavelengths, or measured ones, of table and edge.
+
+    An elastic contact reads them, averaged over its ellipse; on a rigid one they have no effect.
+    """
+
+    rms: Annotated[float, Gt(0), Le(1)] | None = None
+    """Root mean square of the heights of the table, before the contact averages them [m]."""
+    rms_edge: Annotated[float, Ge(0), Le(1)] | None = None
+    """That of the edge [m], 0 where it is smooth; the table's unless given."""
+    shortest: Length = 1e-4
+    """Shortest wavelength [m]."""
+    longest: Length = 0.1
+    """Longest wavelength [m]."""
+    exponent: Annotated[float, Ge(0), Le(MOST_EXPONENT)] = 0.0
+    """Exponent of the fall of the power spectrum over the wave number."""
+    seed: Annotated[int, Ge(0), Le(10**9)] = 0
+    """Seed of the heights: the same one gives the same heights."""
+    profile: str | None = None
+    """Path of a CSV file of heights against length [m] measured on the table, in place of rms."""
+    profile_edge: str | None = None
+    """Path of such a file measured along the edge, in place of rms_edge."""
+
+    def __post_init__(self):
+        if self.rms is None and self.profile is None:
+            raise ValueError("give either rms or profile")
+        if self.rms is not None and self.profile is not None:
+            raise ValueError("give either rms or profile, not both; the edge's are rms_edge and profile_edge")
+        if self.rms is not None and not 0 < self.rms < inf:
+            raise ValueError(f"roughness.rms = {self.rms:g}: must be positive and finite")
+        if self.profile_edge is not None and self.rms_edge is not None:
+            raise ValueError("give either rms_edge or profile_edge")
+        if not 0 < self.shortest < inf:
+            raise ValueError(f"roughness.shortest = {self.shortest:g}: must be positive and finite")
+        if not self.shortest < self.longest < inf:
+            raise ValueError(f"longest = {self.longest:g}: must exceed shortest = {self.shortest:g} and be finite")
+        if not 0 <= self.exponent <= MOST_EXPONENT:
+            raise ValueError(f"roughness.exponent = {self.exponent:g}: must lie in 0 to {MOST_EXPONENT:g}")
+        if CELLS * WAVES * self.longest > MOST_CELLS * self.shortest:
+            most = MOST_CELLS / (CELLS * WAVES)
+            raise ValueError(f"longest = {self.longest:g}: must be at most {most:g} times shortest = {self.shortest:g}")
+
+    @property
+    def edge_rms(self) -> float:
+        """Root mean square of the heights of the edge [m], 0 where it is smooth or measured."""
+        if self.profile_edge is not None:
+            return 0.0
+        return (self.rms or 0.0) if self.rms_edge is None else self.rms_edge
+
+
+def require_seen(roughness: Roughness, half_length: float) -> None:
+    """Raise ValueError where every wave is shorter than the ellipse of half-length a [m] and so averaged away."""
+    if roughness.longest <= 2 * half_length:
+        raise ValueError(
+            f"roughness.longest = {roughness.longest:g}: must exceed the contact, {2 * half_length:.3g} m long"
+        )
