@@ -199,6 +199,32 @@ def test_a_motion_may_carry_its_own_modes(scene, short, modes):
     assert other[inside, SMOOTH] == pytest.approx(expected[inside], abs=1e-9 * np.abs(expected).max())
 
 
+def test_a_scene_may_have_any_causes_of_sound(scene, short, modes, tmp_path):
+    """One more source, which radiates its channel: its stem is that of the sampler, the others are what they were."""
+
+    class Weight:
+        names, ends, lasting = ("weight",), np.zeros((1, 2)), 0.0
+
+        def channels(self, force, state):
+            return force[:, 2:] * np.cos(state[:, 1:2])
+
+        def from_rest(self, first, note):
+            return lambda force: force.samples[:-1]
+
+    class More(Renderer):
+        def _sources(self):
+            return [*super()._sources(), Weight()]
+
+    few, more = Renderer(scene, short, modes).sound(), More(scene, short, modes).sound()
+    assert more.names == (*STEMS, "weight")
+    assert all(np.array_equal(few.track(name).read(), more.track(name).read()) for name in STEMS)
+    assert more.stem_peak["weight"] == pytest.approx(scene.disk.weight, rel=0.5)
+    write_sound(more, tmp_path)
+    assert (tmp_path / "stems" / "weight.wav").exists()
+    total = np.sum([track.read().astype(float) for track in more.stems.values()], axis=0)
+    assert np.array_equal(more.pressure.read(), total.astype(np.float32))
+
+
 def test_the_two_contact_models_differ_and_both_sound(scene, short):
     free = scene.replace("support.kind=free")
     sounds = [np.vstack(list(Renderer(s, short, eigenmodes(s, below=20e3)).blocks())) for s in (scene, free)]

@@ -18,7 +18,7 @@ from sonify.hearing.loudness import (
 )
 from sonify.hearing.recording import Heard, RecordingError, listen
 from sonify.hearing.spectrogram import spectrogram
-from sonify.sound.pressure import Sound
+from sonify.sound.pressure import STEMS, Sound
 
 LAST = 1.0
 """The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
@@ -154,7 +154,7 @@ def modes_carry_the_end(sound: Sound, error: float = 0.0) -> Finding:
 
     What differs by the relative `error` in quadratic mean has an energy within a factor of (1 + error)^2.
     """
-    heave, tilt, smooth, jumps = (_weighted_power(sound, stem) for stem in sound.stems.values())
+    heave, tilt, smooth, jumps = (_weighted_power(sound, sound.track(name)) for name in STEMS)
     return Finding(
         key="modes_carry_the_end",
         claim="The vibration of the modes is what is heard in the last second",

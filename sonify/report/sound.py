@@ -1,5 +1,7 @@
 """SOUND -> PICTURES: spectrograms with the solved lines over them, and the causes of sound against hearing."""
 
+from itertools import cycle
+
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.patheffects import withStroke
@@ -14,7 +16,7 @@ from sonify.hearing.loudness import audibility
 from sonify.hearing.recording import Heard
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
 from sonify.report.figure import figure_at
-from sonify.sound.pressure import STEMS, Sound
+from sonify.sound.pressure import Sound
 
 RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
 """The band of the contact rates [Hz], and the window it is seen through [s]."""
@@ -28,6 +30,8 @@ STEM_STYLES = (
     ("#000000", "-."),
     ("#56b4e9", (0, (8, 1))),
     ("#009e73", (0, (1, 1))),
+    ("#cc79a7", (0, (5, 1, 1, 1, 1, 1))),
+    ("#e69f00", (0, (3, 2))),
 )
 """Colours told apart by the colour-blind, with dashes told apart in grey print."""
 EDGE = [withStroke(linewidth=2.5, foreground="k")]
@@ -134,8 +138,8 @@ def _mode_lines(axes, frequencies, span):
 def draw_stems(sound: Sound, path):
     """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing."""
     with figure_at(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
-        for name, (color, style) in zip(STEMS, STEM_STYLES, strict=False):
-            heard = audibility(sound.stems[name])
+        for (name, stem), (color, style) in zip(sound.stems.items(), cycle(STEM_STYLES)):
+            heard = audibility(stem)
             options = {"color": color, "ls": style, "lw": 1.4, "label": name.replace("_", " ")}
             weighted.plot(heard.time, heard.a_weighted, **options)
             above.plot(heard.time, heard.above_threshold, **options)

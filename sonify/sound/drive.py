@@ -48,8 +48,7 @@ def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
 
     The patch lies a quarter turn ahead of the precession, along a_2; the free body turns by the spin more.
     """
-    precession, _, spin = np.asarray(attitude).T
-    return -(precession + np.pi / 2 + (spin if turning_with_body else 0.0))
+    return -(attitude[:, 0] + np.pi / 2 + (attitude[:, 2] if turning_with_body else 0.0))
 
 
 def modal_drive(modes: Modes, scene: Scene):

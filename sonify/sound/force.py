@@ -57,21 +57,20 @@ class ContactForce:
         )
 
 
-def in_newton(force, attitude):
+def in_newton(force, state):
     """The channels that are the force itself: along a_1, a_2 and the normal [N]."""
     return force
 
 
 class ForceSampler:
-    """Samples channels(force (k, 3) [N], attitude (k, 3) [rad]) -> (k, c) of a motion at start + n / sample_rate [s].
+    """Samples channels(force (k, 3) [N], state (k, 11)) -> (k, c) of a motion at start + n / sample_rate [s].
 
-    The attitude is precession, inclination, spin. A channel may turn with the attitude, but at a jump of the force it
-    must be linear in it. Before the motion the channels have their first values. After it they keep the mean over the
-    last turns of the contact, so that the end is no blow: what is left of the self-similar end after the solution stops
-    is far above hearing. `rest` (c,) overrides the mean where it is not NaN. A motion that breaks off has no such
-    turns: there each channel goes to its mean, or its rest, over the last `fade` (c,) [s], and keeps its last value
-    where that is 0. Where the force holds more than the sample rate can (`Motion.bandwidth`), the samples are those of
-    the low-passed channels.
+    A channel may turn with the state, but at a jump of the force it must be linear in the force. Before the motion the
+    channels have their first values. After it they keep the mean over the last turns of the contact, so that the end is
+    no blow: what is left of the self-similar end after the solution stops is far above hearing. `rest` (c,) overrides
+    the mean where it is not NaN. A motion that breaks off has no such turns: there each channel goes to its mean, or
+    its rest, over the last `fade` (c,) [s], and keeps its last value where that is 0. Where the force holds more than
+    the sample rate can (`Motion.bandwidth`), the samples are those of the low-passed channels.
 
     Where no jump is near and the force holds no more than HARMONICS turns of the contact by `calm` [rad] in STRIDE
     samples, the channels are read that often only, and interpolated; never with calm = 0. `read` counts the instants at
@@ -148,8 +147,8 @@ class ForceSampler:
 
     def _prepare_jumps(self, jumps):
         self.jump_time = np.asarray(jumps.t)
-        attitude = self.motion.at(self.jump_time)[:, :3]
-        before, after = (self.channels(np.asarray(force), attitude) for force in (jumps.before, jumps.after))
+        state = self.motion.at(self.jump_time)
+        before, after = (self.channels(np.asarray(force), state) for force in (jumps.before, jumps.after))
         self.jump = self._faded(self.jump_time) * (after - before)
         self._levels = np.vstack([np.zeros_like(self.rest), np.cumsum(self.jump, axis=0)])
         self._left = self._fading(self.jump_time, before) - self._levels[:-1]
@@ -167,7 +166,7 @@ class ForceSampler:
         """The states (k, 11) and the channels (k, c) at t (k,), or at the end of the motion that is nearer."""
         self.read += len(t)
         state, force = self.motion.at_and_force(self._within(t))
-        return state, self.channels(force, state[:, :3])
+        return state, self.channels(force, state)
 
     def _continuous(self, t):
         """The states (k, 11) and the continuous part (k, c) at t (k,)."""

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from tempfile import TemporaryFile
 
 import numpy as np
@@ -10,7 +11,8 @@ import numpy as np
 from sonify.sound.listening import Copy, audible, energy_below
 
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
-"""The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring after its jumps."""
+"""The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring after its jumps. These
+sound in every scene; a scene may have more."""
 COLUMNS = ("pressure", *STEMS)
 LISTENING_PEAK_DB = -1.0
 """Peak of sound.wav relative to full scale [dB]."""
@@ -27,9 +29,10 @@ class Track:
     sample_rate: int
     columns: object
     column: int
+    name: str = "pressure"
 
     def __repr__(self):
-        return f"Track({COLUMNS[self.column]}, {self.frames} samples at {self.sample_rate} Hz)"
+        return f"Track({self.name}, {self.frames} samples at {self.sample_rate} Hz)"
 
     @property
     def frames(self) -> int:
@@ -50,7 +53,8 @@ class Track:
 class Sound:
     """What is heard of the scene `name`, as rendered.
 
-    `columns` (n, 5) [Pa], float32, are the COLUMNS, the pressure and its causes; they are read by slices of rows.
+    `columns` (n, 1 + s) [Pa], float32, are the pressure and its causes, of these `names` (s,); they are read by slices
+    of rows.
     `modes_heard` is the number of modes that sound; `source_end` [s] is when the end of the motion reaches the
     listener. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time of the motion.
     """
@@ -62,6 +66,7 @@ class Sound:
     source_end: float
     energy_time: np.ndarray
     energy: np.ndarray
+    names: tuple[str, ...] = STEMS
 
     @property
     def pressure(self) -> Track:
@@ -71,13 +76,13 @@ class Sound:
     @property
     def stems(self) -> dict[str, Track]:
         """The causes of the pressure [Pa], by name; they add up to it."""
-        return {name: self.track(name) for name in STEMS}
+        return {name: self.track(name) for name in self.names}
 
     def track(self, name: str) -> Track:
-        """Return one of the COLUMNS by its name. Raises ValueError for another one."""
-        if name not in COLUMNS:
-            raise ValueError(f"there is no track {name!r}: it is one of {', '.join(COLUMNS)}")
-        return Track(sample_rate=self.sample_rate, columns=self.columns, column=COLUMNS.index(name))
+        """Return the pressure or one of its causes by its name. Raises ValueError for another one."""
+        if name not in (tracks := ("pressure", *self.names)):
+            raise ValueError(f"there is no track {name!r}: it is one of {', '.join(tracks)}")
+        return Track(name=name, sample_rate=self.sample_rate, columns=self.columns, column=tracks.index(name))
 
     @property
     def samples(self) -> int:
@@ -102,7 +107,7 @@ class Sound:
     @property
     def stem_peak(self) -> dict[str, float]:
         """The greatest pressure of each cause [Pa]."""
-        return dict(zip(STEMS, self._peaks[1:].tolist(), strict=True))
+        return dict(zip(self.names, self._peaks[1:].tolist(), strict=True))
 
     @property
     def finite(self) -> bool:
@@ -141,13 +146,13 @@ class Sound:
 
 
 class Scratch:
-    """Rows of COLUMNS in a nameless file that goes with the last reader; scratch[first:last] reads them, (k, 5)."""
+    """Rows (n, width) in a nameless file that goes with the last reader; scratch[first:last] reads them."""
 
-    def __init__(self):
-        self._file, self._rows = TemporaryFile(), 0  # noqa: SIM115, it closes with the last reader
+    def __init__(self, width: int):
+        self._file, self._rows, self._width = TemporaryFile(), 0, width  # noqa: SIM115, it closes with the last reader
 
     def append(self, rows):
-        """Write rows (k, 5), float32. Raises OSError when the disk is full."""
+        """Write rows (k, width), float32. Raises OSError when the disk is full."""
         self._file.write(rows.tobytes())
         self._file.flush()  # what is read is the file
         self._rows += len(rows)
@@ -157,23 +162,25 @@ class Scratch:
 
     def __getitem__(self, rows: slice):
         first, last, _ = rows.indices(self._rows)
-        width, count = len(COLUMNS), max(last - first, 0)
+        width, count = self._width, max(last - first, 0)
         if not count:
             return np.empty((0, width), np.float32)
         return np.memmap(self._file, np.float32, "r", offset=4 * width * first, shape=(count, width))
 
 
 def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
-    """Return `count` rows of COLUMNS that come in blocks (k, 5): as an array, or on disk where they are too many."""
-    if 4 * len(COLUMNS) * count <= MOST_IN_MEMORY:
-        return np.concatenate(list(rows))
-    scratch = Scratch()
-    for block in rows:
+    """Return `count` rows that come in blocks (k, width), float32: as an array, or on disk where they are too many."""
+    first = next(rows)
+    if first.itemsize * first.shape[1] * count <= MOST_IN_MEMORY:
+        return np.concatenate([first, *rows])
+    scratch = Scratch(first.shape[1])
+    for block in chain([first], rows):
         scratch.append(block)
     return scratch
 
 
 def with_sum(stems) -> np.ndarray:
-    """Return the COLUMNS (k, 5), float32, of STEMS (k, 4) [Pa]: rounded, their sum in double precision and rounded."""
+    """Return pressure and stems (k, 1 + s), float32, of stems (k, s) [Pa]: rounded, their sum in double precision and
+    rounded."""
     stems = stems.astype(np.float32)
     return np.column_stack([stems.astype(float).sum(axis=1).astype(np.float32), stems])

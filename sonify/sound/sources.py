@@ -1,0 +1,100 @@
+"""SOURCES: what turns the contact force into stems of pressure, block after block."""
+
+from typing import Protocol
+
+import numpy as np
+
+from sonify.sound.audible_modes import ring_down
+from sonify.sound.drive import listener_azimuth, modal_drive, rigid_sources
+from sonify.sound.radiation import Listener
+from sonify.sound.radiators import ElasticFace, RigidFace
+from sonify.sound.response import Carried, Driven, Vibrating
+
+FADE_IN, FADE_OUT = 0.02, 0.05
+"""Raised cosines [s] at the ends: what held the disk before the release is not modelled, nor what follows the last
+sample, nor how a rigid disk comes to rest from a motion that breaks off."""
+FADE_FALL = 0.005
+"""What drives the modes goes to its mean over the last of this time [s] of a motion that breaks off: a fall ends with
+many times the weight within microseconds, with which the impact begins that is left out."""
+ENERGY_WINDOW = 0.002
+"""The energy of the modes is noted so often [s]: a swing of the lowest of them."""
+
+
+class Source(Protocol):
+    """A cause of sound, or several, each a stem of its `names`.
+
+    It asks the ForceSampler for channels, whose rest and fade are `ends` (c, 2); it is heard for `lasting` [s] after
+    the motion. All sources radiate as late as each other.
+    """
+
+    names: tuple[str, ...]
+    ends: np.ndarray
+    lasting: float
+
+    def channels(self, force: np.ndarray, state: np.ndarray) -> np.ndarray:
+        """Return what drives the source, (k, c), of contact forces (k, 3) [N] and states (k, 11) of the motion."""
+        ...
+
+    def from_rest(self, first: np.ndarray, note):
+        """Return advance(ContactForce of these channels) -> stems (k, s) [Pa] of the blocks that follow on channels
+        `first` (c,); `note(t (e,) [s], energy (e,) [J])` may be told the energy that it holds."""
+        ...
+
+
+class RigidDisk:
+    """The disk moves up and down as a whole, and it tilts."""
+
+    names = ("heave", "tilt")
+    lasting = 2 * FADE_OUT
+
+    def __init__(self, scene, face: RigidFace):
+        self._disk, self._face = scene.disk, face
+        self.ends = np.array([[0.0, FADE_OUT]] * 2)
+
+    def channels(self, force, state):
+        """Return the heave and the tilt towards the listener, (k, 2) [m/s^2]."""
+        return rigid_sources(force, state, self._disk)
+
+    def from_rest(self, first, note):
+        """Return what radiates the blocks that follow on accelerations `first` (2,)."""
+        return self._face.from_rest(first)
+
+
+class ElasticDisk:
+    """The modes follow the smooth force, and ring after its jumps; or the motion carries them, if it is Vibrating."""
+
+    names = ("ringing_smooth", "ringing_jumps")
+
+    def __init__(self, scene, motion, modes, chosen, listener: Listener, reach: int):
+        self._scene, self._motion, self._modes, self._chosen = scene, motion, modes, chosen
+        self._face = ElasticFace(modes, listener, scene.audio.sample_rate, reach)
+        self._drive = modal_drive(modes, scene)
+        self.ends = np.array([[np.nan, 0.0]] * 2 + [[np.nan, FADE_FALL]] * len(modes))
+        self.lasting = ring_down(modes, scene)
+
+    def channels(self, force, state):
+        """Return cosine and sine of the listener's azimuth, and the force on each mode: (k, 2 + m)."""
+        azimuth = listener_azimuth(state, turning_with_body=self._scene.support.kind == "free")
+        return np.column_stack([np.cos(azimuth), np.sin(azimuth), self._drive(force, state)])
+
+    def from_rest(self, first, note):
+        """Return what radiates the blocks that follow on `first` (2 + m,), and notes the energy of the modes."""
+        radiated, response = self._face.from_rest(first[:2]), self._response(first[2:])
+
+        def advance(force):
+            ringing = response.advance(force.channels(slice(2, None)))
+            note(*self._energy(force.t, ringing.sum(axis=0)))
+            return radiated(ringing, force.samples[:-1, :2])
+
+        return advance
+
+    def _response(self, settled):
+        if isinstance(self._motion, Vibrating):
+            return Carried(self._modes, self._motion, self._chosen)
+        return Driven(self._modes, self._scene.audio.sample_rate, settled)
+
+    def _energy(self, t, acceleration):
+        """The greatest energy of the modes in each ENERGY_WINDOW: q''^2/(2 w^2) at the turn of a swing, mass 1."""
+        energy = np.square(acceleration / (2 * np.pi * self._modes.frequency)).sum(axis=1) / 2
+        starts = np.arange(0, len(energy), max(int(ENERGY_WINDOW * self._scene.audio.sample_rate), 1))
+        return t[starts], np.maximum.reduceat(energy, starts)
