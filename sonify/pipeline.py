@@ -1,9 +1,11 @@
 """SCENE -> PLAN -> MODES -> MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one screen."""
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 from dynamics.simulation import prepare
+from modal import Modes, eigenmodes
 from modal.one_thread import one_blas_thread
 from sonify.claims.checks import all_checks
 from sonify.claims.motion import all_findings
@@ -24,15 +26,21 @@ RECORDS = ("run.json", "report.html")
 
 
 @one_blas_thread
-def solve(scene: Scene | str | Path, accuracy: str | None = None, stages: Stages | None = None) -> Result:
+def solve(
+    scene: Scene | str | Path,
+    accuracy: str | None = None,
+    stages: Stages | None = None,
+    eigenmodes: Callable[..., Modes] = eigenmodes,
+) -> Result:
     """Return everything that a run of a scene, or of what `load_scene` takes, finds; no file is written.
 
-    `accuracy` (draft, standard, reference) replaces the scene's. Raises SceneError where the scene cannot be solved.
+    `accuracy` (draft, standard, reference) replaces the scene's; `eigenmodes` finds the modes. Raises SceneError where
+    the scene cannot be solved.
     """
     scene, stages = solvable(scene, accuracy), stages or Stages()
     prepare(scene)
     with stages.stage("modes"):
-        plan, modes = planned(scene)
+        plan, modes = planned(scene, eigenmodes)
     with stages.stage("motion") as watch:
         motion = solve_motion(
             scene, lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")

@@ -149,15 +149,17 @@ def no_sample_clipped(sound: Sound) -> Check:
     )
 
 
+def motion_checks(scene: Scene, motion: Motion) -> list[Check]:
+    """Every check of a motion."""
+    balance = [energy_balance(motion), dissipation_never_falls(motion)]
+    return [*balance, friction_cone(motion, scene.friction), pushing_contact(motion)]
+
+
+def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
+    """Every check of the modes."""
+    return [mode_residuals(modes), mode_errors(modes), discrete_mass(modes, scene.disk)]
+
+
 def all_checks(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Check]:
     """Every check of a run."""
-    return [
-        energy_balance(motion),
-        dissipation_never_falls(motion),
-        friction_cone(motion, scene.friction),
-        pushing_contact(motion),
-        mode_residuals(modes),
-        mode_errors(modes),
-        discrete_mass(modes, scene.disk),
-        no_sample_clipped(sound),
-    ]
+    return [*motion_checks(scene, motion), *mode_checks(scene, modes), no_sample_clipped(sound)]

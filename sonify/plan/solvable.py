@@ -1,5 +1,6 @@
 """SCENE -> PLAN, MODES, MOTION, or one line that says why it has none."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from dynamics import ImpossibleContactError, Motion, simulate
@@ -25,10 +26,10 @@ def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     return scene
 
 
-def planned(scene: Scene) -> tuple[Plan, Modes]:
-    """Return what is to be computed, and the modes, which the plan needs to say which of them sound. Raises SceneError
-    where there are too many modes, where the patch is lost in round-off, and where decay rates are given for more modes
-    than there are."""
+def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tuple[Plan, Modes]:
+    """Return what is to be computed, and the modes, which the plan needs to say which of them sound; `eigenmodes` finds
+    these. Raises SceneError where there are too many modes, where the patch is lost in round-off, and where decay rates
+    are given for more modes than there are."""
     plan = plan_of(scene)
     try:
         elastic = eigenmodes(scene, below=plan.highest_mode)

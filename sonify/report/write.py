@@ -13,6 +13,8 @@ import numpy as np
 from dynamics import Motion
 from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
+from sonify.claims.checks import Check
+from sonify.claims.motion import Finding
 from sonify.files import whole
 from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
 from sonify.progress import Stages
@@ -95,11 +97,22 @@ def summary(result: "Result") -> dict[str, Any]:
     row = {"outcome": result.motion.outcome.name, "t_end": float(result.motion.t[-1]), "passed": result.passed}
     row |= {"sound_seconds": result.sound.duration, "peak_pascal": result.sound.peak}
     row |= dict(zip(("energy_below_100_hz", "energy_below_300_hz"), result.sound.low_share, strict=True))
-    for finding in result.findings:
+    return row | judged(result.findings, result.checks) | timed(result.seconds)
+
+
+def judged(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
+    """Return of each finding and check, by its key, the value and whether it holds or passed."""
+    row: dict[str, Any] = {}
+    for finding in findings:
         row |= {finding.key: finding.value, f"{finding.key}_holds": finding.holds}
-    for check in result.checks:
+    for check in checks:
         row |= {check.key: check.value, f"{check.key}_passed": check.passed}
-    return row | {f"seconds_{name.replace(' ', '_')}": seconds for name, seconds in result.seconds.items()}
+    return row
+
+
+def timed(seconds: dict[str, float]) -> dict[str, float]:
+    """Return the seconds of each stage as scalars of a row."""
+    return {f"seconds_{name.replace(' ', '_')}": spent for name, spent in seconds.items()}
 
 
 def loudness(sound) -> float | str:
