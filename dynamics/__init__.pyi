@@ -1,3 +1,4 @@
+from .air import Air as Air
 from .disk import Disk as Disk
 from .disk import Friction as Friction
 from .disk import Release as Release

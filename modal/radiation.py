@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from math import pi
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from scipy.special import jv
@@ -12,13 +13,32 @@ AIR_DENSITY = 1.204
 """Dry air at 20 degrees and 101325 Pa [kg/m^3]."""
 SOUND_SPEED = 343.2
 """In the same air [m/s]."""
+
+
+class Air(Protocol):
+    """What radiation asks of the air: density [kg/m^3] and speed of sound [m/s]."""
+
+    @property
+    def density(self) -> float: ...
+    @property
+    def sound_speed(self) -> float: ...
+
+
+class StandardAir(NamedTuple):
+    """The air that is meant where none is given."""
+
+    density: float = AIR_DENSITY
+    sound_speed: float = SOUND_SPEED
+
+
+STANDARD_AIR = StandardAir()
 BOTTOM, TOP = 0, 1
 """The faces, as in `Modes.face_shape`."""
 DIRECTIONS = 24
 """Gauss points of the direction cosine in a half space: enough for a disk some five wavelengths across."""
 
 
-def directivity(modes: Modes, sine) -> np.ndarray:
+def directivity(modes: Modes, sine, air: Air = STANDARD_AIR) -> np.ndarray:
     """Amplitudes (2, n, m, 2, c) [m^2 kg^-1/2] of Rayleigh's integral of the axial motion, D = int w exp(i k . x) dA.
 
     At azimuth phi it is sum_n i^n (A_n cos n phi + B_n sin n phi), with the Hankel transform A_n = 2 pi int w_n(r)
@@ -33,7 +53,7 @@ def directivity(modes: Modes, sine) -> np.ndarray:
     wave[..., 1:] *= 2
     wave[2 * modes.order >= count] = 0
     order = np.arange(wave.shape[3])
-    k = 2 * pi * modes.frequency / SOUND_SPEED
+    k = 2 * pi * modes.frequency / air.sound_speed
     strong = (np.abs(wave) > 1e-6 * np.abs(wave).max(initial=0.0)).any(axis=(1, 2))
     bessel = np.zeros((len(order), len(modes), len(sine), len(modes.face_radius)))
     for i, n in np.argwhere(strong):
@@ -42,7 +62,7 @@ def directivity(modes: Modes, sine) -> np.ndarray:
     return 2 * pi * np.einsum("pmfrn,nmcr,r->pnmfc", parts, bessel, modes.face_weight, optimize=True)
 
 
-def radiation_decay(modes: Modes, faces: Sequence[int] = (BOTTOM, TOP)) -> np.ndarray:
+def radiation_decay(modes: Modes, faces: Sequence[int] = (BOTTOM, TOP), air: Air = STANDARD_AIR) -> np.ndarray:
     """Decay rate (m,) [1/s] by radiation of `faces`: radiated power over twice the energy of a mode of modal mass 1.
 
     Rayleigh (1896), sections 278 and 302: |p| = rho w |v D|/(2 pi R) with velocity amplitude v = w q, so that
@@ -54,12 +74,12 @@ def radiation_decay(modes: Modes, faces: Sequence[int] = (BOTTOM, TOP)) -> np.nd
     see `directivity`.
     """
     cosine, weight = np.polynomial.legendre.leggauss(DIRECTIONS)
-    square = directivity(modes, np.sqrt(1 - ((cosine + 1) / 2) ** 2))[:, :, :, list(faces)] ** 2
+    square = directivity(modes, np.sqrt(1 - ((cosine + 1) / 2) ** 2), air)[:, :, :, list(faces)] ** 2
     around = np.where(np.arange(square.shape[1]) == 0, 2 * pi, pi)
     power = np.einsum("pnmfc,n,c->m", square, around, weight / 2)
-    return AIR_DENSITY * (2 * pi * modes.frequency) ** 2 / (8 * pi**2 * SOUND_SPEED) * power
+    return air.density * (2 * pi * modes.frequency) ** 2 / (8 * pi**2 * air.sound_speed) * power
 
 
-def with_radiation(modes: Modes, faces: Sequence[int] = (BOTTOM, TOP)) -> Modes:
+def with_radiation(modes: Modes, faces: Sequence[int] = (BOTTOM, TOP), air: Air = STANDARD_AIR) -> Modes:
     """The modes with the decay by radiation of `faces` added to their material one."""
-    return modes.with_decay(modes.decay_rate + radiation_decay(modes, faces))
+    return modes.with_decay(modes.decay_rate + radiation_decay(modes, faces, air))

@@ -13,6 +13,7 @@ from typing import Annotated
 from annotated_types import Ge, Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from dynamics.air import Air, dry
 from dynamics.coupled.sections import Contact, Roughness
 from dynamics.disk import Disk, Friction, Release, Surface
 from dynamics.dissipation import Dissipation
@@ -53,6 +54,7 @@ class Scene:
     dissipation: Dissipation = field(default_factory=Dissipation)
     contact: Contact = field(default_factory=Contact)
     roughness: Roughness | None = None
+    air: Air = field(default_factory=Air)
     audio: Audio = field(default_factory=Audio)
     numerics: Numerics = field(default_factory=Numerics)
 
@@ -140,6 +142,9 @@ def _document(sections):
     document = _given(sections)
     if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
+    air = document.get("air", {})
+    if "density" in air and air["density"] == dry(air["pressure"], air["temperature"]):
+        del air["density"]  # it follows from pressure and temperature
     return document
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from modal import eigenmodes
 from sonify.scene import load_scene
 from sonify.sound.oscillators import Knots
-from sonify.sound.radiation import Listener, directions
+from sonify.sound.radiation import directions, listener_of
 
 RATE = 48000
 NUTATION = 36.0
@@ -77,7 +77,7 @@ def sound_case(name: str, duration: float, with_jumps: bool) -> SoundCase:
     """Return the case: the modes of the published scene below half of RATE, the listener straight above the rim."""
     scene = load_scene("published")
     modes = eigenmodes(scene, below=0.45 * RATE)
-    listener = Listener(distance=scene.audio.distance, elevation=np.radians(scene.audio.elevation_deg))
+    listener = listener_of(scene)
     swing = np.arange(int(duration * NUTATION))
     return SoundCase(
         name=name,

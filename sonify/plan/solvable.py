@@ -35,7 +35,7 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
         elastic = eigenmodes(scene, below=plan.highest_mode)
     except UnsolvableError as error:
         raise SceneError(str(error)) from None
-    modes = damped(with_radiation(elastic, (TOP,)), scene.material.decay_rates)
+    modes = damped(with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates)
     return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
 
 

@@ -6,7 +6,7 @@ from modal import Modes
 from sonify.hearing.loudness import a_weighting_db
 from sonify.scene import Scene
 from sonify.sound.drive import drive_per_newton
-from sonify.sound.radiation import Listener, directions
+from sonify.sound.radiation import directions, listener_of
 
 VIEWS = 64
 """Azimuths over which the radiation of a mode is averaged."""
@@ -29,7 +29,7 @@ def after_a_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.ndarray]:
     root mean square of Rayleigh's integral round the axis. A nutation that sweeps through the modes excites them in the
     same proportion: at the rate w^2/k it leaves q'' = g sqrt(pi k/2).
     """
-    listener = Listener(distance=scene.audio.distance, elevation=np.radians(scene.audio.elevation_deg))
+    listener = listener_of(scene)
     g2 = np.square(drive_per_newton(modes, scene)).sum(axis=0)
     heard2 = np.mean(np.abs(directions(modes, listener, count=VIEWS)) ** 2, axis=0)
     weight = 10 ** (a_weighting_db(modes.frequency) / 10)

@@ -11,7 +11,8 @@ import numpy as np
 from scipy.signal import resample
 
 from modal import Modes
-from modal.radiation import AIR_DENSITY, SOUND_SPEED
+from modal.radiation import AIR_DENSITY, STANDARD_AIR, Air
+from modal.radiation import SOUND_SPEED as SOUND_SPEED
 
 AZIMUTHS = 512
 """Directions at which the radiation of a mode is tabulated; between them it is taken linear."""
@@ -24,23 +25,30 @@ goes as its inverse, and at half the sample rate it would be infinite. 0.06 is r
 
 @dataclass(frozen=True, kw_only=True)
 class Listener:
-    """Distance [m] from the centre of the disk and elevation [rad] above the table; azimuth 0 is the x axis of the
-    table."""
+    """Distance [m] from the centre of the disk and elevation [rad] above the table, in air; azimuth 0 is the table's x
+    axis."""
 
     distance: float
     elevation: float
+    air: Air = STANDARD_AIR
 
     @property
     def delay(self) -> float:
         """Time from the centre of the disk to the listener [s]."""
-        return self.distance / SOUND_SPEED
+        return self.distance / self.air.sound_speed
 
     def transit(self, radius: float) -> float:
         """Half the time that a plane wave to the listener needs across the disk [s]."""
-        return radius * np.cos(self.elevation) / SOUND_SPEED
+        return radius * np.cos(self.elevation) / self.air.sound_speed
 
 
-def rayleigh(face, points, weights, wavenumber, listener_at) -> np.ndarray:
+def listener_of(scene) -> Listener:
+    """Return the listener of a scene, in its air."""
+    audio = scene.audio
+    return Listener(distance=audio.distance, elevation=np.radians(audio.elevation_deg), air=scene.air)
+
+
+def rayleigh(face, points, weights, wavenumber, listener_at, density=AIR_DENSITY) -> np.ndarray:
     """Return the pressure [Pa] per unit modal acceleration, at `listener_at` (3,) [m], retarded to the disk's centre.
 
     `face` (m, p) is the normal shape, `points` (p, 2) [m] and `weights` (p,) [m^2] integrate over it, `wavenumber` (m,)
@@ -48,7 +56,7 @@ def rayleigh(face, points, weights, wavenumber, listener_at) -> np.ndarray:
     """
     way = np.linalg.norm(listener_at - np.column_stack([points, np.zeros(len(points))]), axis=1)
     wave = np.exp(-1j * np.outer(wavenumber, way - np.linalg.norm(listener_at))) / way
-    return AIR_DENSITY / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
+    return density / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
 
 
 def directions(modes: Modes, listener: Listener, still: bool = False, count: int = AZIMUTHS) -> np.ndarray:
@@ -61,10 +69,11 @@ def directions(modes: Modes, listener: Listener, still: bool = False, count: int
     points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
     weights = np.repeat(modes.face_weight, len(modes.face_angle)) * 2 * np.pi / len(modes.face_angle)
     face = modes.face_shape[:, 1].reshape(len(modes.frequency), radius.size)
-    k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / SOUND_SPEED
+    k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / listener.air.sound_speed
     waves = len(modes.face_angle) // 4 + int(k.max(initial=0.0) * modes.face_radius.max()) + SPARE_WAVES
     azimuth = 2 * np.pi * np.arange(min(2 * waves, count)) / min(2 * waves, count)
-    found = np.array([rayleigh(face, points, weights, k, _position(listener, a)) for a in azimuth])
+    density = listener.air.density
+    found = np.array([rayleigh(face, points, weights, k, _position(listener, a), density) for a in azimuth])
     return resample(found, count, axis=0) if len(found) < count else found
 
 
@@ -103,7 +112,7 @@ def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
         transit = listener.transit(r)
         far_step, far_taps = _kernel(transit, h, _tilt_far)
         near_step, near_taps = _kernel(transit, h, _tilt_near)
-        late, close = transit / max(transit, h), transit * SOUND_SPEED / listener.distance
+        late, close = transit / max(transit, h), transit * listener.air.sound_speed / listener.distance
         return lambda t: late * far_step(t) + close * near_step(t), late * far_taps + close * near_taps
 
     return _without(whole, radius, hole, (hole / radius) ** 3)
@@ -150,9 +159,9 @@ def _tilt_near(s):
     return 2 / np.pi * once, 2 / np.pi * twice
 
 
-def piston_strength(radius: float, distance: float) -> float:
+def piston_strength(radius: float, distance: float, density: float = AIR_DENSITY) -> float:
     """Pressure [Pa] of a small disk per unit acceleration [m/s^2], rho R^2/(2 r): the monopole on a baffle."""
-    return AIR_DENSITY * radius**2 / (2 * distance)
+    return density * radius**2 / (2 * distance)
 
 
 def _position(listener, azimuth):

@@ -14,7 +14,7 @@ class RigidFace:
         kernels = [kernel(listener, disk.radius, h, disk.inner_radius) for kernel in (heave_kernel, tilt_kernel)]
         self._steps, self._taps = zip(*kernels, strict=True)
         self.h, self.reach = h, len(self._taps[0]) // 2
-        self._strength = piston_strength(disk.radius, listener.distance)
+        self._strength = piston_strength(disk.radius, listener.distance, listener.air.density)
 
     def from_rest(self, first):
         """Return advance(force) -> pressure (k, 2) [Pa] of the blocks that follow on accelerations `first` (2,)."""

@@ -8,7 +8,7 @@ import numpy as np
 from sonify.sound.audible_modes import sounding
 from sonify.sound.force import ForceSampler
 from sonify.sound.pressure import Sound, kept, with_sum
-from sonify.sound.radiation import Listener
+from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import RigidFace
 from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk
 
@@ -27,7 +27,7 @@ class Renderer:
 
     def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0):
         self.scene, self.motion, self.sample_rate = scene, motion, scene.audio.sample_rate
-        self.listener = Listener(distance=scene.audio.distance, elevation=np.radians(scene.audio.elevation_deg))
+        self.listener = listener_of(scene)
         self.chosen = sounding(modes, self.sample_rate, wanted)
         self.modes = modes.select(self.chosen)
         self._rigid = RigidFace(scene.disk, self.listener, 1 / self.sample_rate)

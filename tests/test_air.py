@@ -1,0 +1,48 @@
+"""Claim: one air carries the sound and slows the disk; what cannot be is said in one line.
+
+Source: the ideal gas; kinetic theory for the mean free path. Oracle: tabled values of dry air at 20 degrees.
+"""
+
+import pytest
+
+from dynamics import Air
+from modal.radiation import STANDARD_AIR
+from sonify import SceneError, load_scene
+from sonify.sound.radiation import listener_of
+
+
+def test_the_standard_air_is_one():
+    air = Air()
+    assert (air.density, air.sound_speed) == tuple(STANDARD_AIR)
+    assert air.mean_free_path == pytest.approx(66e-9, rel=0.02)
+
+
+def test_density_follows_pressure_and_temperature_unless_it_is_given():
+    thin = load_scene("published").replace("air.pressure=10132.5")
+    assert thin.air.density == pytest.approx(0.1204)
+    assert thin.replace("air.density=0.118").air.density == 0.118
+    assert thin.replace("air.temperature=586.3").air.density == pytest.approx(0.0602)
+    assert thin.replace("air.temperature=586.3").air.sound_speed == pytest.approx(343.2 * 2**0.5)
+
+
+def test_the_listener_hears_through_the_air_of_the_scene():
+    scene = load_scene("published").replace("air.temperature=400", "air.pressure=2e5")
+    assert listener_of(scene).delay == pytest.approx(0.5 / scene.air.sound_speed)
+    assert listener_of(scene).air.density == scene.air.density
+
+
+@pytest.mark.parametrize(
+    ("changes", "told"),
+    [
+        (["air.viscosity=0"], "air.viscosity = 0"),
+        (["air.viscosity=-1e-5"], "air.viscosity = -1e-05"),
+        (["air.pressure=0", "air.film=acts"], "a vacuum, pressure = 0, has no film"),
+        (["air.pressure=-1"], "air.pressure = -1"),
+        (["air.film=thick"], "air.film"),
+    ],
+)
+def test_an_air_that_cannot_be_is_refused_in_one_line(changes, told):
+    with pytest.raises(SceneError) as refused:
+        load_scene("published").replace(*changes)
+    assert told in str(refused.value)
+    assert "\n" not in str(refused.value)
