@@ -2,7 +2,6 @@ from .air import Air as Air
 from .disk import Disk as Disk
 from .disk import Friction as Friction
 from .disk import Release as Release
-from .disk import Surface as Surface
 from .dissipation import Dissipation as Dissipation
 from .dissipation import OwnLaw as OwnLaw
 from .equations import Loads as Loads
@@ -12,4 +11,10 @@ from .motion import Transition as Transition
 from .numerics import Numerics as Numerics
 from .rigid_motion import RigidMotion as RigidMotion
 from .simulation import simulate as simulate
+from .surface import InfiniteSurface as InfiniteSurface
+from .surface import MeshSurface as MeshSurface
+from .surface import ModesSurface as ModesSurface
+from .surface import PlateSurface as PlateSurface
+from .surface import Surface as Surface
+from .surface import SurfaceMode as SurfaceMode
 from .switching import ImpossibleContactError as ImpossibleContactError

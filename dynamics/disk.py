@@ -106,11 +106,3 @@ class Release:
     """Inclination of the disk to the table [degrees]."""
     omega: tuple[Rate, Rate, Rate]
     """Angular velocity along e_1 (nutation), e_2 (the disk's axis) and e_3 (in its plane) [rad/s]."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Surface:
-    """What the disk stands on."""
-
-    kind: Literal["rigid"] = "rigid"
-    """A rigid table neither moves nor sounds."""

@@ -15,9 +15,10 @@ from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from dynamics.air import Air, dry
 from dynamics.coupled.sections import Contact, Roughness
-from dynamics.disk import Disk, Friction, Release, Surface
+from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
 from dynamics.numerics import Numerics
+from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.modes import Material, Support
 from sonify.scene_errors import SceneError, explain
 
@@ -50,7 +51,7 @@ class Scene:
     friction: Friction
     release: Release
     support: Support = field(default_factory=Support)
-    surface: Surface = field(default_factory=Surface)
+    surface: Annotated[AnySurface, Field(discriminator="kind")] = field(default_factory=Surface)
     dissipation: Dissipation = field(default_factory=Dissipation)
     contact: Contact = field(default_factory=Contact)
     roughness: Roughness | None = None
@@ -68,6 +69,8 @@ class Scene:
             from dynamics.coupled.from_scene import check  # SciPy, which a rigid contact does not need
 
             check(self)
+        if isinstance(self.surface, PlateSurface) and self.surface.radius < self.disk.radius:
+            raise ValueError(f"surface.radius = {self.surface.radius:g}: must be at least disk.radius")
 
     @property
     def document(self) -> dict:
@@ -159,8 +162,13 @@ def _recorded(record):
 
 def _given(section):
     """A section without the keys that are None, tuples as lists."""
-    plain = {key: list(value) if isinstance(value, tuple) else value for key, value in section.items()}
-    return {key: _given(v) if isinstance(v, dict) else v for key, v in plain.items() if v is not None}
+    return {key: _plain(value) for key, value in section.items() if value is not None}
+
+
+def _plain(value):
+    if isinstance(value, tuple):
+        return list(map(_plain, value))
+    return _given(value) if isinstance(value, dict) else value
 
 
 def _find(source):

@@ -2,15 +2,19 @@
 
 from dataclasses import fields, is_dataclass
 from types import UnionType
-from typing import get_args, get_origin
+from typing import Annotated, get_args, get_origin
 
 UNKNOWN = {"unexpected_keyword_argument", "extra_forbidden"}
 SENTENCES = {
     "missing": "missing",
     "value_error": "{error}",
     "dataclass_type": "must be a section, with keys of its own",
+    "dict_type": "must be a section, with keys of its own",
+    "union_tag_not_found": "missing",
+    "union_tag_invalid": "must be one of {expected_tags}",
     "tuple_type": "must be a list, as [1.0, 2.0]",
     "too_long": "must have at most {max_length} values",
+    "too_short": "must have at least {min_length} values",
     "float_type": "must be a valid number",
     "int_type": "must be a whole number",
     "string_type": "must be text in quotes",
@@ -35,24 +39,37 @@ class SceneError(InputError):
 def explain(error, schema: type) -> str:
     """Return one line on the first fault of a pydantic ValidationError; an unknown key comes before what it caused."""
     faults = sorted(error.errors(include_url=False), key=lambda fault: fault["type"] not in UNKNOWN)
-    fault = faults[0]
-    path = ".".join(map(str, fault["loc"]))
+    fault, context = faults[0], faults[0].get("ctx", {})
+    steps, sections = _walked(schema, fault["loc"])
+    value, kind = fault["input"], "discriminator" in context
+    if kind:
+        steps, value = [*steps, context["discriminator"].strip("'")], context.get("tag")
+    path = ".".join(map(str, steps))
     if fault["type"] in UNKNOWN:
-        return f"{path}: unknown key; known: {', '.join(_known_keys(schema, fault['loc'][:-1]))}"
-    sentence = SENTENCES.get(fault["type"], fault["msg"]).format(**fault.get("ctx", {}))
-    if fault["type"] in {"missing", "value_error"}:
+        return f"{path}: unknown key; known: {', '.join(f.name for f in fields(_options(sections[-2])[0]))}"
+    sentence = SENTENCES.get(fault["type"], fault["msg"]).format(**context)
+    if fault["type"] in {"missing", "value_error", "union_tag_not_found"}:
         return f"{path}: {sentence}".removeprefix(": ")
-    return f"{path} = {fault['input']!r}: {sentence}"
+    return f"{path} = {value!r}: {sentence}"
 
 
-def _known_keys(schema, path):
-    for step in path:
-        kinds = {f.name: f.type for f in fields(schema)} if is_dataclass(schema) else {}
-        schema = _section(kinds.get(step, schema))
-    return [f.name for f in fields(schema)]
+def _walked(schema, location):
+    """The steps of a location without the tags of sections of several kinds, and the types that they lead to."""
+    steps, kinds = [], [schema]
+    for step in location:
+        options = _options(kinds[-1])
+        if len(options) > 1:  # the step is the tag
+            kinds[-1] = next((o for o in options if step in get_args(o.__dataclass_fields__["kind"].type)), kinds[-1])
+            continue
+        inner = {f.name: f.type for f in fields(options[0])} if options else {}
+        steps.append(step)
+        kinds.append(inner.get(step, kinds[-1]))
+    return steps, kinds
 
 
-def _section(kind):
-    """The dataclass in `Section | None` or `list[Section]`."""
-    options = get_args(kind) if get_origin(kind) in (UnionType, list, tuple) else (kind,)
-    return next((option for option in options if is_dataclass(option)), kind)
+def _options(kind):
+    """The dataclasses in `Section`, `Section | None`, `Annotated[A | B, ...]`, `list[Section]`."""
+    if get_origin(kind) is Annotated:
+        return _options(get_args(kind)[0])
+    inside = get_args(kind) if get_origin(kind) in (UnionType, list, tuple) else (kind,)
+    return [option for option in inside if is_dataclass(option)]

@@ -49,14 +49,28 @@ def as_table() -> str:
 
 def _keys(section, sections, path):
     for name, key in section["properties"].items():
-        options = [option for option in key.get("anyOf", [key]) if option.get("type") != "null"]
+        options = [option for option in key.get("anyOf") or key.get("oneOf", [key]) if option.get("type") != "null"]
         inner = [sections[option["$ref"].rpartition("/")[2]] for option in options if "$ref" in option]
-        for own in inner:
-            yield from _keys(own, sections, f"{path}{name}.")
-        if not inner:
+        if inner:
+            yield from _of_all_kinds([list(_keys(own, sections, f"{path}{name}.")) for own in inner])
+        else:
             meaning, unit = _apart(key["description"])
             span = " or ".join(map(_range, options))
             yield Key(f"{path}{name}", unit, span, _default(name, key, section), meaning)
+
+
+def _of_all_kinds(sections):
+    """The keys of a section, or of all its kinds: each once, with the kinds that have it."""
+    if len(sections) == 1:
+        return sections[0]
+    kinds = [kind.range for kind, *_ in sections]
+    holders = {
+        key: [kind for kind, own in zip(kinds, sections, strict=True) if key in own]
+        for own in sections
+        for key in own[1:]
+    }
+    kind = sections[0][0]._replace(range=", ".join(kinds), default="required")
+    return [kind, *(key._replace(meaning=f"{key.meaning[:-1]} ({', '.join(of)}).") for key, of in holders.items())]
 
 
 def _apart(description):
@@ -69,6 +83,8 @@ def _range(key):
     """What is allowed, in words, by a type of JSON schema."""
     if "enum" in key or "const" in key:
         return ", ".join(map(str, key.get("enum", [key.get("const")])))
+    if "$ref" in key:
+        return "sections"
     if key["type"] == "array":
         parts = key.get("prefixItems") or [key["items"]]
         return f"list of {len(parts) if 'prefixItems' in key else 'any length'}: {_range(parts[0])}"

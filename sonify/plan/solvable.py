@@ -18,6 +18,8 @@ def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     cannot be solved."""
     scene = scene if isinstance(scene, Scene) else load_scene(scene)
     scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
+    if scene.surface.kind != "rigid":
+        raise SceneError(f"surface.kind = {scene.surface.kind!r}: is not solved yet, only 'rigid' is")
     try:
         check(scene.disk, scene.support)
         chosen_integrator(scene.numerics.integrator)
