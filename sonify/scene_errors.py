@@ -46,7 +46,7 @@ def explain(error, schema: type) -> str:
         steps, value = [*steps, context["discriminator"].strip("'")], context.get("tag")
     path = ".".join(map(str, steps))
     if fault["type"] in UNKNOWN:
-        return f"{path}: unknown key; known: {', '.join(f.name for f in fields(_options(sections[-2])[0]))}"
+        return f"{path}: unknown key; known: {', '.join(f.name for f in fields(sections_of(sections[-2])[0]))}"
     sentence = SENTENCES.get(fault["type"], fault["msg"]).format(**context)
     if fault["type"] in {"missing", "value_error", "union_tag_not_found"}:
         return f"{path}: {sentence}".removeprefix(": ")
@@ -57,7 +57,7 @@ def _walked(schema, location):
     """The steps of a location without the tags of sections of several kinds, and the types that they lead to."""
     steps, kinds = [], [schema]
     for step in location:
-        options = _options(kinds[-1])
+        options = sections_of(kinds[-1])
         if len(options) > 1:  # the step is the tag
             kinds[-1] = next((o for o in options if step in get_args(o.__dataclass_fields__["kind"].type)), kinds[-1])
             continue
@@ -67,9 +67,9 @@ def _walked(schema, location):
     return steps, kinds
 
 
-def _options(kind):
+def sections_of(kind):
     """The dataclasses in `Section`, `Section | None`, `Annotated[A | B, ...]`, `list[Section]`."""
     if get_origin(kind) is Annotated:
-        return _options(get_args(kind)[0])
+        return sections_of(get_args(kind)[0])
     inside = get_args(kind) if get_origin(kind) in (UnionType, list, tuple) else (kind,)
     return [option for option in inside if is_dataclass(option)]

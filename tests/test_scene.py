@@ -6,21 +6,19 @@ key that each document is made wrong in.
 
 import json
 import math
-from dataclasses import asdict, fields, is_dataclass, replace
+from dataclasses import asdict, fields, replace
 from pathlib import Path
-from typing import get_args
 
 import jsonschema
 import pytest
 from arithmetic import gamma
 from pydantic import ValidationError
 
-from dynamics.surface import AnySurface
 from sonify import SceneError, load_scene, run
 from sonify.plan.solvable import solvable
 from sonify.report.write import finite
 from sonify.scene import Scene, adapter, from_document, shipped_scenes
-from sonify.scene_errors import SENTENCES, _section
+from sonify.scene_errors import SENTENCES, sections_of
 from sonify.scene_keys import keys, schema
 
 PLATE = "{kind='plate', radius=0.15, thickness=0.006, young=70e9, poisson=0.22, density=2500.0}"
@@ -332,9 +330,8 @@ def test_every_fault_that_pydantic_finds_is_said_in_a_sentence_of_ours(published
 
 
 def test_the_reference_lists_every_key_with_unit_and_meaning():
-    sections = {field.name: _section(field.type) for field in fields(Scene) if is_dataclass(_section(field.type))}
-    named = {f"{name}.{field.name}" for name, section in sections.items() for field in fields(section)}
-    named |= {f"surface.{field.name}" for kind in get_args(AnySurface) for field in fields(kind)}
+    sections = [(field.name, kind) for field in fields(Scene) for kind in sections_of(field.type)]
+    named = {f"{name}.{field.name}" for name, section in sections for field in fields(section)}
     listed = {key.name: key for key in keys()}
     assert set(listed) == named | {"name"}
     for key in listed.values():
