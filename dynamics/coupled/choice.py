@@ -1,0 +1,101 @@
+"""SCENE -> which model of its elastic contact it needs: the filter along the rigid motion, or the full one."""
+
+from math import radians
+from typing import NamedTuple
+
+import numpy as np
+
+from ..dissipation import resistance
+from ..regime import FLOAT, Branch
+from ..rolling import RollingDisk
+from ..steady import steady_precession
+from ..switching import ImpossibleContactError
+from .filter import predicted_rms
+from .from_scene import ContactScene, contact_law, last_inclination
+from .table import LawTable
+
+SHAKEN = 0.3
+"""From this rms of N' over the weight on contact is lost: the force of a Gaussian vibration is then at times 0."""
+NEAR_SLIP = 0.8
+"""From this share of the static friction at the release on, the nutation is taken to make the disk slide."""
+PLACES = 16
+"""Inclinations at which the force is predicted."""
+
+
+class Choice(NamedTuple):
+    """`kind` is 'rigid', 'filter' or 'full', with the reason in words; `predicted` is the greatest rms(N') expected of
+    the filter, over the weight, and `lost_below` [rad] where it passes SHAKEN, 0 where it does not."""
+
+    kind: str
+    reason: str
+    predicted: float
+    lost_below: float
+
+
+def choice(scene: ContactScene) -> Choice:
+    """Return which model solves the contact of a scene: `numerics.contact`, and what 'auto' takes."""
+    if scene.contact.law == "rigid":
+        return Choice("rigid", "contact.law = 'rigid'", 0.0, 0.0)
+    beta, share = shaken(scene)
+    above, predicted = share > SHAKEN, float(share.max(initial=0.0))
+    below = float(beta[above].max(initial=0.0))
+    expected = f"rms(N') of {predicted:.2g} of the weight is predicted" if predicted else "table and edge are smooth"
+    if scene.numerics.contact != "auto":
+        asked = f"numerics.contact = '{scene.numerics.contact}'; {expected}"
+        return Choice(scene.numerics.contact, asked, predicted, below)
+    if below:
+        reason = f"{expected}, more than {SHAKEN:g} from {below:.2g} rad on, so that contact is lost"
+        return Choice("full", reason, predicted, below)
+    used = friction_used(scene)
+    if used > NEAR_SLIP:
+        reason = f"{expected}, but {used:.0%} of the static friction is used at the release: slides ring the contact"
+        return Choice("full", reason, predicted, below)
+    less = f", less than {SHAKEN:g}" * bool(predicted)
+    return Choice("filter", f"{expected}{less}, and no slide is expected", predicted, below)
+
+
+def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
+    """Return inclinations (k,) [rad] from the release to the end, and the rms of N' over the weight (k,) in the steady
+    motion there."""
+    disk, first = scene.disk, radians(scene.release.inclination_deg)
+    beta = np.geomspace(first, last_inclination(scene), PLACES)
+    if scene.roughness is None:
+        return beta, np.zeros(PLACES)
+    speed = np.array([disk.radius * steady_rate(disk, b) * (np.cos(b) - disk.aspect * np.sin(b)) for b in beta])
+    return beta, predicted_rms(
+        LawTable(law=contact_law(scene)), scene.roughness, beta, disk.weight, speed
+    ) / disk.weight
+
+
+def steady_rate(disk, beta: float) -> float:
+    """Return the precession rate [rad/s] of the steady motion at an inclination, or of the flat limit if none is."""
+    try:
+        return steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit
+    except (ValueError, ZeroDivisionError):
+        return (4.0 / np.sin(beta)) ** 0.5 / disk.time_unit
+
+
+def friction_used(scene: ContactScene) -> float:
+    """Return |F|/(mu_s N) at the release, at least 1 where the disk slides at once; 0 without friction."""
+    f1, f2, N = first_force(scene)
+    most = scene.friction.mu_static * N
+    return float(np.hypot(f1, f2) / most) if most > 0 else 0.0
+
+
+def first_force(scene: ContactScene) -> np.ndarray:
+    """Return the force (3,) [N] along a_1, a_2 and the normal on the rigid disk at its release.
+
+    It is the weight where no contact force satisfies the balance laws.
+    """
+    from ..simulation import law_of, released
+
+    disk = scene.disk
+    law, loads = law_of(disk, scene.friction), resistance(getattr(scene, "dissipation", None), disk)
+    system = RollingDisk(law=law, loads=loads, r_end=0.0, integrate=lambda *arguments: None, tolerance=0.0)
+    try:
+        start = system.begin(released(disk, scene.release))
+    except ImpossibleContactError:
+        return np.array([0.0, 0.0, disk.weight])
+    branch = Branch.of(start.regime, law, loads)
+    contact = FLOAT.contact(start.state, branch, start.regime.senses, law)
+    return np.array([contact.F1, contact.F2, contact.Phi]) * disk.mass * disk.radius / disk.time_unit**2
