@@ -5,7 +5,6 @@ each frame of a spectrogram; those of other tones and of noise are far from the 
 """
 
 import numpy as np
-from numba import njit
 
 from sonify.hearing.log_spectrogram import HOP
 
@@ -95,22 +94,19 @@ def _around(peaks, curve):
     return np.column_stack([end[i], exponent[j], scale[i, j] + np.round(middle - scale[i, j])])
 
 
-@njit(cache=True)
 def _count(peaks, end, exponent):
     """How many peaks (e, p) the richest curve of every end and exponent has, and its log2 scale (e, p) in an octave."""
-    count, scale = np.zeros((len(end), len(exponent))), np.zeros((len(end), len(exponent)))
+    count, scale = np.empty((2, len(end), len(exponent)))
+    rows = BINS * np.arange(len(exponent))[:, None]
     for i in range(len(end)):
-        bins = np.zeros((len(exponent), BINS))
-        for n in range(peaks.shape[1]):
-            left = end[i] - peaks[0, n]
-            if TIME_LEFT[0] < left < TIME_LEFT[1]:
-                logarithm = np.log2(left)
-                for j in range(len(exponent)):
-                    place = peaks[1, n] + exponent[j] * logarithm
-                    bins[j, int((place - np.floor(place)) * BINS) % BINS] += 1 / left
-        for j in range(len(exponent)):
-            pairs = bins[j] + np.roll(bins[j], -1)
-            count[i, j], scale[i, j] = pairs.max(), (np.argmax(pairs) + 1) / BINS
+        left = end[i] - peaks[0]
+        inside = (left > TIME_LEFT[0]) & (left < TIME_LEFT[1])
+        place = BINS * (peaks[1, inside] + np.outer(exponent, np.log2(left[inside])))
+        bins = np.floor(place, out=place).astype(int) % BINS + rows
+        weight = np.tile(1 / left[inside], len(exponent))
+        bins = np.bincount(bins.ravel(), weight, rows.size * BINS).reshape(-1, BINS)
+        pairs = bins + np.roll(bins, -1, axis=1)
+        count[i], scale[i] = pairs.max(axis=1), (pairs.argmax(axis=1) + 1) / BINS
     return count, scale
 
 

@@ -3,13 +3,14 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numba import njit
 
 from sonify.hearing.hum import vertex
 from sonify.hearing.log_spectrogram import HOP, STEPS_PER_OCTAVE, log_map
 from sonify.hearing.power_law import TIME_LEFT, best_curve, octaves, ridge
 
 EXPONENTS = np.arange(0.15, 1.66, 0.05)
+EARLIEST, EVERY = 60, 6
+"""The first end that is tried, and from one to the next [frames]."""
 LOWEST = 4
 """So many octaves below the lowest bin may the tone begin: it is heard later on."""
 STAND_OUT_DB = 6.0
@@ -104,39 +105,28 @@ def _search(seen):
     """For every exponent the (end, exponent, log2 scale) whose curve has the highest mean level, every other bin being
     tried as its beginning."""
     left, last = _left(), len(seen.time)
-    shape = np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE
-    ends = np.arange(int(0.3 / HOP), last + int(0.2 / HOP), 6)
-    below = LOWEST * STEPS_PER_OCTAVE
-    level = np.pad(seen.contrast[:, : len(seen.frequency) // 2 * 2], ((0, 0), (below, 0)))
-    halves = np.round(8 * level).astype(np.int16).reshape(last, -1, 2).transpose(2, 0, 1).copy()
-    i, k = _best(halves, ends, np.round(left / HOP).astype(int), np.round(shape).astype(int))
+    back, below = np.round(left / HOP).astype(int), LOWEST * STEPS_PER_OCTAVE
+    shape = np.round(np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE).astype(int)
+    ends = np.arange(EARLIEST, last + int(0.2 / HOP), EVERY)
+    before = -(-back.max() // EVERY) * EVERY
+    level = np.round(8 * seen.contrast[:, : len(seen.frequency) // 2 * 2]).astype(np.int16)
+    level = np.pad(level, ((before, ends[-1] + EVERY - last), (below, 0)))
+    grid = level.reshape(-1, EVERY, level.shape[1] // 2, 2).transpose(3, 1, 2, 0).copy()
+    i, k = np.transpose([_best(grid, before + EARLIEST - back, curve, len(ends)) for curve in shape])
     beginning = np.log2(seen.frequency[0]) + (2 * k - below) / STEPS_PER_OCTAVE
     return np.column_stack([ends[i] * HOP, EXPONENTS, beginning + EXPONENTS * np.log2(TIME_LEFT[1])])
 
 
-@njit(cache=True)
-def _best(halves, ends, left, shape):
-    """Where (end, beginning), for every exponent, the mean level on the curves is highest.
-
-    `halves` (2, frames, bins / 2) are the even and the odd bins of the map, `ends` frames.
-    """
-    _, frames, beginnings = halves.shape
-    best = np.zeros((2, len(shape)), np.int64)
-    for j in range(len(shape)):
-        highest = -30000
-        for i in range(len(ends)):
-            score = np.zeros(beginnings, np.int16)
-            for l in range(len(left)):
-                row = ends[i] - left[l]
-                if 0 <= row < frames:
-                    bins = halves[shape[j, l] % 2, row, shape[j, l] // 2 :]
-                    for k in range(len(bins)):
-                        score[k] += bins[k]
-            k = np.argmax(score)
-            if score[k] > highest:
-                highest = score[k]
-                best[:, j] = i, k
-    return best
+def _best(grid, frames, curve, ends):
+    """Where (end, beginning) the mean level on a curve (l,) is highest, its points being at `frames` (l,) for the first
+    of the `ends`; `grid` (2, EVERY, bins / 2, frames / EVERY) has beside each other what is added for one after the
+    other of them."""
+    score = np.zeros((grid.shape[2], ends), np.int16)
+    for frame, down in zip(frames.tolist(), curve.tolist(), strict=True):
+        row, first = frame % EVERY, frame // EVERY
+        found = grid[down % 2, row, down // 2 :, first : first + ends]
+        score[: len(found)] += found
+    return np.unravel_index(np.argmax(score.T), score.T.shape)
 
 
 def _strength(seen, guess):
