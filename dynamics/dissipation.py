@@ -7,8 +7,10 @@ motion. In the quasi-steady range it makes the energy fall as (t0 - t)^(2/(b + 2
 from collections.abc import Iterable
 from copy import copy
 from dataclasses import dataclass
+from functools import reduce
 from itertools import chain, repeat
 from math import pi
+from operator import add
 from typing import Annotated, NamedTuple
 
 from annotated_types import Ge, Le
@@ -69,6 +71,7 @@ class Resistance(NamedTuple):
     viscous_moment: float
     viscous_force: float
     is_singular: bool
+    carries = False
 
     def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
         """Return the loads at inclination beta, angular velocity omega and slip velocity, for the scalars of `flow`."""
@@ -110,6 +113,7 @@ class OwnLaw:
     """
 
     is_singular = False
+    carries = False
 
     def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
         """Return the loads as `Resistance` does."""
@@ -131,6 +135,47 @@ class OwnLaw:
         for name, value in vars(self).items():
             object.__setattr__(law, name, next(left) if value is None or isinstance(value, float) else value)
         return law
+
+
+class Together(NamedTuple):
+    """Several laws at once, whose loads add up."""
+
+    laws: tuple
+
+    def __call__(self, *state) -> Loads:
+        """Return the loads as each of the laws does."""
+        return Loads(*(reduce(add, parts) for parts in zip(*(law(*state) for law in self.laws), strict=True)))
+
+    @property
+    def is_singular(self) -> bool:
+        """Whether one of them is not smooth where the precession stops."""
+        return any(law.is_singular for law in self.laws)
+
+    @property
+    def carries(self) -> bool:
+        """Whether one of them keeps a falling disk off the table."""
+        return any(law.carries for law in self.laws)
+
+    @property
+    def shape(self) -> "Together":
+        """What a compiled flow depends on."""
+        return Together(tuple(law.shape for law in self.laws))
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """The numbers (n,) that `shape` leaves out."""
+        return tuple(chain(*(law.numbers for law in self.laws)))
+
+    def filled(self, numbers: Iterable) -> "Together":
+        """Return the laws with `numbers` (n,), of any kind."""
+        left = iter(numbers)
+        return Together(tuple(law.filled(left) for law in self.laws))
+
+
+def together(*laws):
+    """Return what acts of `laws`, of which some may be None, as one law; None where none acts."""
+    acting = tuple(law for law in laws if law)
+    return Together(acting) if len(acting) > 1 else acting[0] if acting else None
 
 
 def resistance(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:

@@ -22,14 +22,21 @@ class Law(NamedTuple):
     k3: float
 
 
+def law_of(disk, friction) -> Law:
+    """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
+    arms = (friction.arm_nutation, friction.arm_rolling, friction.arm_pivoting)
+    return Law(disk.aspect, disk.gyration, friction.mu_static, friction.mu_dynamic, *(a / disk.radius for a in arms))
+
+
 class Loads(NamedTuple):
-    """What else acts on the disk: a force on its centre along a_1, a_2 and a moment along e_1, e_2, e_3."""
+    """What else acts on the disk: a force on its centre along a_1, a_2, a_3 and a moment along e_1, e_2, e_3."""
 
     G1: float = 0.0
     G2: float = 0.0
     M1: float = 0.0
     M2: float = 0.0
     M3: float = 0.0
+    G3: float = 0.0
 
 
 class Contact(NamedTuple):
@@ -72,9 +79,9 @@ def balance(sin, cos):
         rate = precession_rate(w3, cos_a)
         v1, v2 = centre_velocity((u1, u2), (w1, w2, w3), e, h)
 
-        # About e_1: J1 w1' = gyro + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6).
+        # About e_1: J1 w1' = gyro + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less the load G3.
         gyro = J2 * w2 * w3 - J1 * rate * sin_a * w3 + loads.M1
-        Phi0 = weight - e * w1 * w1
+        Phi0 = weight - e * w1 * w1 - loads.G3
         if sliding:  # F2 = -mu s Phi
             drag, F20, F21 = law.mu_dynamic * s, 0.0, 0.0
         else:  # F2 = F20 + F21 w1' keeps u2 at rest
@@ -133,7 +140,7 @@ def separation(beta, w1, w2, w3, law, loads=UNLOADED) -> float:
     e, f = arms(sin_a, cos_a, law.h)
     J1, J2 = law.K / 4 + law.h**2 / 3, law.K / 2
     free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
-    return e * w1 * w1 - f * free - (law.K + 4) / 4
+    return e * w1 * w1 - f * free - (law.K + 4) / 4 + loads.G3
 
 
 solve = balance(math.sin, math.cos)

@@ -21,7 +21,8 @@ STOP_SPEED = 1e-9
 """Slip speed over r at which the rest of a slide is taken in one tangent step; its effect is of the second order."""
 
 FALLING = 10.0
-"""omega_1 over sqrt(inclination), at most one on the way to rest, above which the disk falls flat with energy left."""
+"""omega_1 over sqrt(inclination), at most one on the way to rest, above which the disk falls flat with energy left;
+a film of air would stop it."""
 
 
 class Regime(NamedTuple):
@@ -115,7 +116,8 @@ class Flow:
         beta, omega = r * r, (r * y[W1], r * y[W2], r * y[W3])
         sin_a, cos_a = self.cos(beta), self.sin(beta)
         slip = (r * y[V1], r * y[V2]) if branch.sliding else (0.0, 0.0)
-        v1, v2 = centre_velocity(slip, omega, arms(sin_a, cos_a, law.h)[0], law.h)
+        e, f = arms(sin_a, cos_a, law.h)
+        v1, v2 = centre_velocity(slip, omega, e, law.h)
         rate = precession_rate(omega[2], cos_a)
         ct, st = self.cos(y[PRECESSION]), self.sin(y[PRECESSION])
         turns = projections(beta, *omega, self.sin, self.cos)
@@ -124,7 +126,7 @@ class Flow:
             power = power - contact.F1 * slip[0] - contact.F2 * slip[1]
         if branch.loads:
             loads = branch.loads(beta, omega, slip, law, self)
-            power = power - loads.G1 * v1 - loads.G2 * v2
+            power = power - loads.G1 * v1 - loads.G2 * v2 - loads.G3 * f * omega[0]
             power = power - loads.M1 * omega[0] - loads.M2 * omega[1] - loads.M3 * omega[2]
         half = 0.5 * w1  # r' = -w1/2, so (omega/r)' = (omega' + omega w1 / (2 r)) / r
         return [
@@ -145,7 +147,9 @@ class Flow:
         """Return the guards of a branch by name: each is positive while the regime is valid and falls through zero."""
         turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
         arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
-        named = {"flat": y[R] - r_end, "falls": FALLING - y[W1], "upright": self.cos(y[R] * y[R])}
+        named = {"flat": y[R] - r_end, "upright": self.cos(y[R] * y[R])}
+        if not (branch.loads and branch.loads.carries):
+            named["falls"] = FALLING - y[W1]
         named["lift-off"] = contact.Phi
         if branch.sliding and branch.can_grip and not branch.stuck[0]:
             named["jams"] = contact.inertia

@@ -11,12 +11,13 @@ import numpy as np
 from scipy.interpolate import PPoly
 
 from .disk import Disk, Friction, Release
-from .dissipation import OwnLaw, resistance
-from .equations import Law
+from .dissipation import OwnLaw, resistance, together
+from .equations import law_of
+from .film.acting import film_of
 from .hybrid import CASCADE, STALLED, StalledError, drive
 from .motion import Outcome, Transition
 from .numerics import Numerics, integrator_of
-from .regime import R, Regime
+from .regime import FLOAT, V1, V2, W1, W3, R, Regime
 from .rigid_motion import RigidMotion, read_only
 from .rolling import RollingDisk
 from .switching import ImpossibleContactError
@@ -31,6 +32,10 @@ OUTCOMES = {
     STALLED: Outcome.STALLED,
     None: Outcome.TIME_LIMIT,
 }
+
+
+CARRIES = 0.01
+"""Part of the weight that a film bears at least where it, and not the turning of the disk, takes the contact force."""
 
 
 class MotionScene(Protocol):
@@ -61,7 +66,7 @@ def simulate(
     """
     prepare(scene, loads)
     disk, system = scene.disk, system_of(scene, loads)
-    known, now, inclination = set(), 0.0, math.radians(scene.release.inclination_deg)
+    known, now, inclination, last = set(), 0.0, math.radians(scene.release.inclination_deg), None
 
     def announce(what):
         if what not in known:
@@ -73,8 +78,8 @@ def simulate(
         return system.integrate(y, regime, *rest)
 
     def watched(tau, y):
-        nonlocal now, inclination
-        now, inclination = tau * disk.time_unit, y[R] ** 2
+        nonlocal now, inclination, last
+        now, inclination, last = tau * disk.time_unit, y[R] ** 2, y
         watch(now, inclination, "")
 
     span = scene.numerics.time_limit / disk.time_unit
@@ -84,7 +89,20 @@ def simulate(
         )
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
-    return _motion(disk, system, path, OUTCOMES[guard], integrator_of(scene.numerics.integrator))
+    return _motion(disk, system, path, outcome_of(guard, last, system), integrator_of(scene.numerics.integrator))
+
+
+def outcome_of(guard: str | None, y, system: RollingDisk) -> Outcome:
+    """Return how a motion ended whose last guard, at state y, was `guard`.
+
+    Where the contact force is gone and a film bears more than CARRIES of the weight, the air carries the disk.
+    """
+    if guard == "lift-off" and system.loads:
+        r = y[R]
+        state = r * r, tuple(r * w for w in y[W1 : W3 + 1]), (r * y[V1], r * y[V2])
+        if system.loads(*state, system.law, FLOAT).G3 > CARRIES * (system.law.K + 4) / 4:
+            return Outcome.AIRBORNE
+    return OUTCOMES[guard]
 
 
 def prepare(scene: MotionScene, loads: OwnLaw | None = None) -> None:
@@ -102,7 +120,7 @@ def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
     disk, numerics = scene.disk, scene.numerics
     return RollingDisk(
         law=law_of(disk, scene.friction),
-        loads=loads or resistance(getattr(scene, "dissipation", None), disk),
+        loads=together(loads or resistance(getattr(scene, "dissipation", None), disk), film_of(scene).film),
         r_end=math.sqrt(numerics.stopping_inclination(disk)),
         integrate=chosen_integrator(numerics.integrator)[1],
         tolerance=numerics.chosen_tolerance,
@@ -144,12 +162,6 @@ def _motion(disk, system, path, outcome, name) -> RigidMotion:
         outcome=outcome,
         integrator=name,
     )
-
-
-def law_of(disk: Disk, friction: Friction) -> Law:
-    """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
-    arms = (friction.arm_nutation, friction.arm_rolling, friction.arm_pivoting)
-    return Law(disk.aspect, disk.gyration, friction.mu_static, friction.mu_dynamic, *(a / disk.radius for a in arms))
 
 
 def released(disk: Disk, release) -> list:

@@ -4,8 +4,8 @@ from math import copysign, log, sin, sqrt
 
 from .disk import Disk, Friction
 from .dissipation import Dissipation, resistance
+from .equations import law_of
 from .regime import DISSIPATED, FLOAT, Branch, Regime, turnings
-from .simulation import law_of
 from .steady import steady_precession
 
 
@@ -18,7 +18,7 @@ def time_left(beta: float, disk: Disk, friction: Friction, dissipation: Dissipat
     """
     law = law_of(disk, friction)
     loads = resistance(dissipation, disk)
-    power, lower = (_power(b, law, loads) for b in (beta, beta / 2))
+    power, lower = (steady_power(b, law, loads) for b in (beta, beta / 2))
     if not power > 0:
         return float("inf")
     exponent = log(power / lower) / log(2)
@@ -27,8 +27,8 @@ def time_left(beta: float, disk: Disk, friction: Friction, dissipation: Dissipat
     return 3 / 2 * (law.K + 4) / 4 * beta / power / (1 - exponent) * disk.time_unit
 
 
-def _power(beta, law, loads):
-    """The rate at which rolling in steady motion dissipates, dimensionless."""
+def steady_power(beta: float, law, loads) -> float:
+    """Return the rate at which rolling in steady motion at inclination `beta` [rad] dissipates, dimensionless."""
     w3, r = steady_precession(beta, law.h, law.K) * sin(beta), sqrt(beta)
     y = [r, 0.0, law.h * w3 / r, w3 / r, *[0.0] * 7]
     regime = Regime(False, (False,) * 3, tuple(copysign(1.0, turning) for turning in turnings(y)))

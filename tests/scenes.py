@@ -6,6 +6,7 @@ from math import degrees, inf, pi, sin, sqrt
 import pytest
 
 from dynamics import Outcome
+from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
 from dynamics.numerics import Numerics
@@ -24,9 +25,10 @@ class Scene:
     release: Release
     numerics: Numerics
     dissipation: Dissipation | None = None
+    air: Air | None = None
 
 
-def scene(numerics=None, disk=None, release=None, dissipation=None, **friction) -> Scene:
+def scene(numerics=None, disk=None, release=None, dissipation=None, air=None, **friction) -> Scene:
     """Return the published scene (7.1), (7.3), (7.4) with changes; `k1`, `k2`, `k3` are arms over the radius."""
     body = Disk(**{"radius": RADIUS, "thickness": 0.0128, "mass": 0.4387} | (disk or {}))
     law = {"mu_static": 0.5, "mu_dynamic": 0.3, "k1": 1e-4, "k2": 8e-4, "k3": 8e-3} | friction
@@ -39,6 +41,7 @@ def scene(numerics=None, disk=None, release=None, dissipation=None, **friction) 
         release=Release(**start),
         numerics=Numerics(**(numerics or {})),
         dissipation=Dissipation(**dissipation) if dissipation else None,
+        air=air,
     )
 
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from dynamics import ImpossibleContactError, Motion, simulate
+from dynamics.film.acting import film_of
 from dynamics.simulation import chosen_integrator
 from modal import Modes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP
@@ -23,6 +24,7 @@ def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     try:
         check(scene.disk, scene.support)
         chosen_integrator(scene.numerics.integrator)
+        film_of(scene)
     except ValueError as error:
         raise SceneError(str(error)) from None
     return scene
