@@ -6,6 +6,7 @@ from math import ceil
 import numpy as np
 
 from sonify.sound.audible_modes import sounding
+from sonify.sound.contact import contact_of
 from sonify.sound.force import ForceSampler
 from sonify.sound.pressure import Sound, kept, with_sum
 from sonify.sound.radiation import listener_of
@@ -31,22 +32,23 @@ class Renderer:
         self.chosen = sounding(modes, self.sample_rate, wanted)
         self.modes = modes.select(self.chosen)
         self._rigid = RigidFace(scene.disk, self.listener, 1 / self.sample_rate)
+        self.start = self._rigid.reach / self.sample_rate - self.listener.delay
         self.sources = self._sources()
         self.names = tuple(name for source in self.sources for name in source.names)
         bounds = np.cumsum([0, *(len(source.ends) for source in self.sources)])
         self._parts = [slice(*pair) for pair in pairwise(bounds)]
-        start = self._rigid.reach / self.sample_rate - self.listener.delay
         rest, fade = np.vstack([source.ends for source in self.sources]).T
-        self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest, calm, fade)
+        self.sampler = ForceSampler(motion, self.sample_rate, self.start, self._channels, rest, calm, fade)
         self.source_end = self.sampler.end + self.listener.delay
         self.samples = ceil((self.source_end + max(s.lasting for s in self.sources)) * self.sample_rate)
 
     def _sources(self):
         """What sounds in this scene; every cause of sound has its line."""
-        return [
-            RigidDisk(self.scene, self._rigid),
-            ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach),
-        ]
+        rigid = RigidDisk(self.scene, self._rigid)
+        elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
+        yields = self.scene.contact.law == "elastic"
+        contact = [contact_of(self.scene, self.motion, self.start, rigid, elastic)] if yields else []
+        return [rigid, elastic, *contact]
 
     def blocks(self, size: int = BLOCK, note=lambda t, energy: None):
         """Yield (k, s) [Pa]: the stems at the next k <= size samples, from the first to the last; every call anew.
