@@ -38,8 +38,10 @@ class Material:
 class Support:
     """How the disk is held; on patches below the bounds the lowest modes are lost in round-off."""
 
-    kind: Literal["patch", "free"] = "patch"
-    """By an arc of its lateral surface, centred at angle 0, or not at all."""
+    kind: Literal["patch", "free", "contact"] = "patch"
+    """By an arc of its lateral surface, centred at angle 0; not at all; or by the springs of its elastic contact."""
+    inclination_deg: Annotated[float, Ge(1e-5), Lt(90)] | None = None
+    """Inclination at which the disk stands on its contact [degrees], that of the release unless given."""
     half_angle_deg: Annotated[float, Ge(0.01), Le(180)] = 5.0
     """How far the patch reaches to either side [degrees]."""
     height: Annotated[float, Ge(1e-5), Le(100)] | None = None

@@ -1,9 +1,9 @@
 """DISK -> MODES: `eigenmodes(scene)`, which chooses the method that suits the support."""
 
-from math import pi
+from math import pi, radians
 from typing import Any, Protocol
 
-from modal import held
+from modal import held, on_contact
 from modal.elements.elastic import mode_count
 from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_held
@@ -41,12 +41,12 @@ def inner_radius(disk: Any) -> float:
 
 def check(disk: Any, support: Support):
     """ValueError if the disk has no volume or is a rod, if the patch does not fit on it or leaves a rigid body free to
-    move, or if it is to hold a shell."""
+    move, or if it is a shell that is not to be free."""
     inner_radius(disk)
     if disk.thickness > LONGEST * disk.radius:
         raise ValueError(f"disk.thickness = {disk.thickness:g} must not exceed {LONGEST} times disk.radius")
-    if support.kind == "patch" and disk.shape != "solid":
-        raise ValueError(f"support.kind = 'patch': a disk of disk.shape = {disk.shape!r} must be 'free'")
+    if support.kind != "free" and disk.shape != "solid":
+        raise ValueError(f"support.kind = {support.kind!r}: a disk of disk.shape = {disk.shape!r} must be 'free'")
     if support.kind == "patch" and (support.height or 0) > disk.thickness:
         raise ValueError(f"support.height = {support.height:g} must not exceed disk.thickness = {disk.thickness:g}")
     if support.kind == "patch":
@@ -55,7 +55,8 @@ def check(disk: Any, support: Support):
 
 class ElasticScene(Protocol):
     """What `eigenmodes` reads of a scene, besides its numerics.accuracy ("draft", "standard" or "reference") where it
-    has one. The disk has radius, thickness [m], mass [kg], shape and, of a shell, the wall [m]."""
+    has one, and of a disk on its contact the sections `contact` and `release`. The disk has radius, thickness [m], mass
+    [kg], shape and, of a shell, the wall [m]."""
 
     @property
     def disk(self) -> Any: ...
@@ -71,8 +72,8 @@ def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | Non
     given: with Support(kind="free") those of the free disk, which a contact that moves along its rim drives.
 
     Raises ValueError if the patch is taller than the disk or leaves a rigid body free to move, if a shell has no wall
-    or is held, or if `below` is not positive; UnsolvableError if there are more than about MOST modes, or if the patch
-    is lost in round-off.
+    or is held, or if `below` is not positive; UnsolvableError if there are more than about MOST modes, if the patch is
+    lost in round-off, or if the disk has no elastic contact to stand on.
     """
     support = support or scene.support
     if not below > 0:
@@ -86,7 +87,20 @@ def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | Non
             f"no more than {MOST} can be sought"
         )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
+    size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
+    plate = Plate(**size, material=scene.material, density=rho)
     if support.kind == "free":
-        size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
-        return axisymmetric.plate_modes(Plate(**size, material=scene.material, density=rho), below, accuracy)
+        return axisymmetric.plate_modes(plate, below, accuracy)
+    if support.kind == "contact":
+        inclination, suspension = standing(scene, support)
+        return on_contact.contact_modes(plate, suspension, inclination, below, accuracy)
     return held.held_modes(disk, scene.material, support, rho, below, accuracy)
+
+
+def standing(scene: Any, support: Support) -> tuple[float, on_contact.Suspension]:
+    """The inclination [rad] at which a disk stands on its contact, and the springs there. UnsolvableError if none."""
+    inclination = radians(support.inclination_deg or scene.release.inclination_deg)
+    try:
+        return inclination, scene.contact.suspension(scene, inclination)
+    except ValueError as error:
+        raise UnsolvableError(f"support.kind = 'contact': {error}") from None

@@ -7,12 +7,9 @@ import numpy as np
 
 from ..disk import Disk, Friction, Release
 from ..numerics import Numerics
-from .contact import LEAST_INCLINATION, ContactLaw, Elastic
+from .contact import LEAST_INCLINATION, ContactLaw
 from .resonance import rate_needed
 from .sections import Contact, Roughness, require_seen
-
-ROUNDED = 1 / 8
-"""Fillet of an edge over its thickness: 1.6 mm of the toy's 12.8 mm."""
 
 
 class ContactScene(Protocol):
@@ -36,14 +33,7 @@ class ContactScene(Protocol):
 
 def contact_law(scene: ContactScene) -> ContactLaw:
     """Return the law of the elastic contact of a scene. Raises ValueError where its fillet does not fit."""
-    disk, body, contact = scene.disk, scene.material, scene.contact
-    return ContactLaw(
-        disk=disk,
-        fillet=contact.fillet or min(ROUNDED * disk.thickness, disk.radius),
-        body=Elastic(body.young, body.poisson),
-        table=Elastic(contact.young, contact.poisson),
-        loss_factor=contact.loss_factor,
-    )
+    return scene.contact.law_of(scene.disk, scene.material)
 
 
 def last_inclination(scene: ContactScene) -> float:

@@ -6,6 +6,8 @@ from typing import Annotated, Literal
 
 from annotated_types import Ge, Gt, Le, Lt
 
+ROUNDED = 1 / 8
+"""Fillet of an edge over its thickness: 1.6 mm of the toy's 12.8 mm."""
 MOST_CELLS = 2**24
 """A profile is not resolved into more cells."""
 CELLS = 8
@@ -30,6 +32,27 @@ class Contact:
     """Young's modulus of the table where the disk touches it [Pa]; that of granite unless given."""
     poisson: Annotated[float, Gt(-1), Lt(0.5)] = 0.2
     """Poisson's ratio of the table."""
+
+    def law_of(self, disk, body):
+        """Return the `ContactLaw` of a disk of an elastic material. Raises ValueError where the fillet does not fit."""
+        from .contact import ContactLaw, Elastic  # SciPy, which a section does not need
+
+        return ContactLaw(
+            disk=disk,
+            fillet=self.fillet or min(ROUNDED * disk.thickness, disk.radius),
+            body=Elastic(body.young, body.poisson),
+            table=Elastic(self.young, self.poisson),
+            loss_factor=self.loss_factor,
+        )
+
+    def suspension(self, scene, inclination: float):
+        """Return the `Suspension` on which the disk of a scene stands at an inclination [rad], whatever the law.
+
+        Raises ValueError where its fillet does not fit, and where the disk rolls in no steady motion.
+        """
+        from .suspension import suspension
+
+        return suspension(self.law_of(scene.disk, scene.material), inclination)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -109,7 +109,7 @@ def with_voices(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Pla
     """
     level = LEVELS[plan.accuracy]
     loud = loudness >= 10 ** (-level.range_db / 10) * loudness.max(initial=0.0)
-    voices = np.flatnonzero(loud | (energy >= ENERGY_SHARE * energy.sum()))
+    voices = np.flatnonzero((loud | (energy >= ENERGY_SHARE * energy.sum())) & (energy > 0))
     solver = Decision(
         subject="solver of the modes",
         choice=f"{modes.method}, {modes.unknowns} unknowns for accuracy '{plan.accuracy}'",
@@ -168,10 +168,14 @@ CONTACT = {
     "patch": "The elastic modes are those of the disk held at a patch of its rim, which travels with the contact; the "
     "contact force drives them through the rigid acceleration that it causes.",
     "free": "The elastic modes are those of the free disk; the contact force drives them where the contact is.",
+    "contact": "The elastic modes are those of the disk on the springs of its contact under its weight, at one "
+    "inclination; what keeps the contact point at rest drives them. Where the contact is elastic, the vibration of the "
+    "rigid disk on it is a stem of its own, and only the modes above sound as modes.",
 }
 SOLVER = {
     "patch": "support.kind = 'patch': the stress is singular at the edge of the patch, which the mesh follows",
     "free": "support.kind = 'free': the disk has an axis, and shapes without singularities",
+    "contact": "support.kind = 'contact': a few springs couple the modes of the free disk, at any inclination at once",
 }
 CALMLY = "every {}th sample where the contact turns by less than {:g} rad in between and no jump is near, else "
 EVERY = "every sample, and more often where the contact turns faster than samples can hold"

@@ -68,7 +68,7 @@ def predicted_sound(scene: Scene, modes: Modes, loudness) -> Prediction:
 def true_error(scene: Scene, modes: Modes) -> np.ndarray:
     """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
     level = scene.numerics.level
-    return modes.error * (level.free if scene.support.kind == "free" else level.patch)
+    return modes.error * (level.patch if scene.support.kind == "patch" else level.free)
 
 
 def measured(run, reference) -> dict[str, float]:

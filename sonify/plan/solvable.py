@@ -1,6 +1,7 @@
 """SCENE -> PLAN, MODES, MOTION, or one line that says why it has none."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from dynamics import ImpossibleContactError, Motion, simulate
@@ -10,6 +11,7 @@ from modal import Modes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP
 from modal.solve import check
 from sonify.plan.plan import Plan, plan_of, with_voices
+from sonify.plan.supports import compared
 from sonify.scene import Scene, SceneError, load_scene
 from sonify.sound.audible_modes import after_a_jump
 
@@ -40,6 +42,8 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
     except UnsolvableError as error:
         raise SceneError(str(error)) from None
     modes = damped(with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates)
+    if scene.support.kind == "contact":
+        plan = replace(plan, decisions=(*plan.decisions, compared(scene, modes, plan.highest_mode)))
     return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
 
 

@@ -23,15 +23,16 @@ SWING = 0.97
 """A mode of a held disk of which so much is motion of the stiff disk is called a swing."""
 
 
-def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None = None) -> None:
+def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None = None, moving: str = "") -> None:
     """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the whole body over it.
 
     At a slant colour is how far a point moves; from above it is axial motion, black its nodal lines, dashed the rim
     moved in its plane. All are to scale within a mode. The arc of the rim over which the patch of `support` holds it,
-    where it is given, is green. A disk without modes gives a picture that says so.
+    where it is given, is green. `moving`, lines on where the modes go, stands where the next mode would.
+    A disk without modes gives a picture that says so.
     """
     tall = SLANTED if slanted else 0.0
-    rows, high = max(1, -(-len(modes) // COLUMNS)), HEAD + tall + ABOVE
+    rows, high = max(1, -(-(len(modes) + bool(moving)) // COLUMNS)), HEAD + tall + ABOVE
     figure = Figure(figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + HEAD)), dpi=100)
     FigureCanvasAgg(figure)
     axis = figure.add_axes((0, 0, 1, 1))  # one for all: every other one would cost as much as a mode
@@ -44,7 +45,7 @@ def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None
         axis.text(
             x,
             y - 0.05,
-            caption(modes, i, bool(support) and support.kind == "patch"),
+            caption(modes, i, bool(support) and support.kind != "free"),
             fontsize=10,
             ha="center",
             va="top",
@@ -52,6 +53,9 @@ def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None
         if slanted:
             draw_solid(axis, modes, polygons, i, (x, y - HEAD - tall / 2))
         draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2), support)
+    if moving:
+        row, column = divmod(len(modes), COLUMNS)
+        axis.text(ACROSS * (column + 0.5), -high * row - 0.05, moving, fontsize=10, ha="center", va="top")
     if not len(modes):
         axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
     axis.text(ACROSS * COLUMNS / 2, HEAD / 2, LEGEND, fontsize=11, ha="center", va="center")

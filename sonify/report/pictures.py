@@ -1,12 +1,15 @@
 """PICTURES: what was solved and what is heard, each readable without colour."""
 
+from itertools import zip_longest
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING
 
+import numpy as np
 from PIL import Image
 
 from sonify.files import whole
+from sonify.plan.supports import over_the_run
 from sonify.report.mode_shapes import draw_modes
 from sonify.report.motion import draw_motion
 from sonify.report.sound import draw_spectrogram, draw_stems
@@ -38,7 +41,15 @@ def picture(result: "Result", name: str) -> Image.Image:
 def _modes(result, path):
     """The modes of a draft are seen from above only."""
     with whole(path) as temporary:
-        draw_modes(result.modes, temporary, result.plan.accuracy != "draft", result.scene.support)
+        steps = over_the_run(result.scene, result.motion, result.plan.highest_mode)
+        draw_modes(result.modes, temporary, result.plan.accuracy != "draft", result.scene.support, moving(steps))
+
+
+def moving(steps) -> str:
+    """Return a line for each mode of a disk on its contact: where its frequency goes as the disk falls."""
+    rows = zip_longest(*[[f"{f:.0f}" for f in step.modes.frequency] for step in steps], fillvalue="none")
+    at = ",\n".join(f"{step.name} {np.degrees(step.inclination):.2g}°" for step in steps)
+    return "\n".join([f"[Hz] at {at}", *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1))]) if steps else ""
 
 
 PICTURES = {

@@ -17,6 +17,7 @@ from sonify.claims.checks import Check
 from sonify.claims.motion import Finding
 from sonify.files import whole
 from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
+from sonify.plan.supports import over_the_run
 from sonify.progress import Stages
 from sonify.sound.pressure import Sound
 
@@ -33,13 +34,21 @@ def write_record(result: "Result", stages: Stages):
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
-        write_json(as_json(result.modes), result.out / "modes.json")
+        write_json(as_json(result.modes) | moved(result), result.out / "modes.json")
         with whole(result.out / "modes.vtu") as temporary:
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
         pictures.draw_all(result)
     write_json(run_record(result), result.out / "run.json")
     page.write(result, result.out / "report.html")
+
+
+def moved(result: "Result") -> dict:
+    """Return what modes.json says of the modes of a disk on its contact as the inclination [rad] falls."""
+    steps = over_the_run(result.scene, result.motion, result.plan.highest_mode)
+    columns = ("frequency", "decay_rate")
+    rows = [vars(s) | {name: getattr(s.modes, name).tolist() for name in columns} for s in steps]
+    return {"over_the_run": [{k: v for k, v in row.items() if k != "modes"} for row in rows]} if rows else {}
 
 
 def write_motion(motion: Motion, path: Path):

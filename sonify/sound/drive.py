@@ -27,9 +27,14 @@ def rigid_acceleration(push, disk: Disk) -> np.ndarray:
     published disk. So are the centrifugal and gyroscopic loads, which are slow and soon gone.
     """
     turn = np.cross([disk.radius, 0.0, -disk.thickness / 2], push)
+    return np.hstack([push, turn]) / inertia(disk)
+
+
+def inertia(disk: Disk) -> np.ndarray:
+    """Return (6,): three times the mass [kg], and the moments of inertia [kg m^2] about x, y, z of the patch; (2.4)."""
     about_diameter = disk.mass * (disk.radius**2 * disk.gyration / 4 + disk.thickness**2 / 12)
     about_axis = disk.mass * disk.radius**2 * disk.gyration / 2
-    return np.hstack([push / disk.mass, turn / [about_diameter, about_diameter, about_axis]])
+    return np.array([disk.mass] * 3 + [about_diameter, about_diameter, about_axis])
 
 
 def rigid_sources(force, attitude, disk: Disk) -> np.ndarray:
@@ -56,10 +61,10 @@ def modal_drive(modes: Modes, scene: Scene):
 
     A disk held by its `patch` moves with the contact, g = -participation . rigid acceleration, and the force does no
     work on the modes itself; on a `free` one the force acts where the contact is at the moment, g = shape . force.
+    A disk on its `contact` is driven like a held one, by what keeps the contact point at rest; but see `_on_springs`.
     """
-    disk = scene.disk
-    if scene.support.kind == "patch":
-        per_newton = _by_the_base(modes, disk)
+    if scene.support.kind != "free":
+        per_newton = drive_per_newton(modes, scene)
         return lambda force, attitude: np.einsum("kc,cm->km", in_patch_frame(force, attitude[:, 1]), per_newton)
     shape = _rim(modes)
     return lambda force, attitude: np.einsum(
@@ -69,13 +74,22 @@ def modal_drive(modes: Modes, scene: Scene):
 
 def drive_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
     """Return (3, m): what 1 N along x, y, z of the patch drives; on a free disk its root mean square round the rim."""
-    if scene.support.kind == "patch":
-        return _by_the_base(modes, scene.disk)
-    return np.sqrt(np.mean(modes.rim_shape**2, axis=1)).T
+    if scene.support.kind == "free":
+        return np.sqrt(np.mean(modes.rim_shape**2, axis=1)).T
+    by_the_base = -rigid_acceleration(np.eye(3), scene.disk) @ modes.participation.T
+    if scene.support.kind == "contact" and scene.contact.law == "elastic":
+        return _on_springs(modes, scene.disk, by_the_base)
+    return by_the_base
 
 
-def _by_the_base(modes, disk):
-    return -rigid_acceleration(np.eye(3), disk) @ modes.participation.T
+def _on_springs(modes, disk, by_the_base):
+    """(3, m): what drives the modes where a stem of its own has the vibration of the rigid disk on its contact.
+
+    The force then is that of the springs, and does work on the elastic part of a shape, all of it less the rigid part.
+    The modes that are mostly rigid are that stem, and not driven.
+    """
+    rigid = np.square(modes.participation) @ (1 / inertia(disk))
+    return (by_the_base + modes.rim_shape[:, 0].T) * (rigid < 0.5)
 
 
 def _rim(modes):

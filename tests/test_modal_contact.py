@@ -1,0 +1,256 @@
+"""Claim: the modes of a disk on its elastic contact are those of free modes and residual flexibility on its springs.
+
+Source: Hertz, Mindlin and Kalker for the springs (dynamics/coupled); MacNeal (1971), Rubin (1975) for the flexibility.
+Oracle: the rigid disk on the same springs, the free disk, finite elements of the disk with springs at its edge.
+"""
+
+from dataclasses import replace
+from math import pi
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from contact_scenes import granite, steady_speed
+from scipy.sparse.linalg import LinearOperator, eigsh, splu
+from skfem import ElementHex2
+
+from dynamics.coupled.contact import Elastic
+from dynamics.coupled.resonance import damping, linear, resonances
+from dynamics.coupled.suspension import suspension
+from modal import FreeDisk, Material, Plate, Support, UnsolvableError, eigenmodes
+from modal.elements.elastic import assemble
+from modal.elements.patch import MIDDLE
+from modal.elements.sample import quadratic, slope
+from modal.elements.unfold import FACES, rigid_fields
+from modal.mesh.sector import sector
+from modal.mesh.symmetry import Mirror, free_unknowns
+from modal.on_contact import along_the_table, contact_modes, left_out
+from modal.spectral.axisymmetric import plate_modes
+from modal.synthesis.patches import Richness
+from modal.synthesis.regular import flexibility, regular_flexibility
+from sonify import load_scene
+from sonify.plan.supports import compared, over_the_run
+from sonify.sound.drive import drive_per_newton
+
+LAW = granite()
+DISK = LAW.disk
+DENSITY = DISK.mass / (pi * DISK.radius**2 * DISK.thickness)
+PLATE = Plate(
+    radius=DISK.radius, thickness=DISK.thickness, material=Material(young=195e9, poisson=0.28), density=DENSITY
+)
+BODY = FreeDisk(plate=PLATE)
+
+
+def modes_on(springs, inclination, plate=PLATE, below=24e3):
+    return contact_modes(plate, springs, inclination, below, "standard")
+
+
+@pytest.mark.parametrize("beta", [0.57, 0.1, 0.01, 1e-4])
+def test_a_rigid_disk_has_the_resonances_of_its_contact(beta):
+    """Frequencies and losses, creep and all; what a disk a million times as stiff yields is a millionth."""
+    stiff = replace(PLATE, material=replace(PLATE.material, young=195e15))
+    modes, at, weight = modes_on(suspension(LAW, beta), beta, stiff), np.array([beta]), DISK.weight
+    system = linear(DISK, at, LAW.springs(at, weight), steady_speed(DISK, beta), damping(LAW, at, weight))
+    rigid = resonances(system)
+    assert modes.frequency == pytest.approx(rigid.frequency[0], rel=1e-6)
+    roots = np.hypot(2 * pi * modes.frequency, modes.decay_rate)
+    assert 2 * modes.decay_rate / roots == pytest.approx(rigid.loss_factor[0], rel=1e-6)
+
+
+def test_a_soft_contact_leaves_the_free_modes():
+    """First-order perturbation: what springs 1e-6 times as stiff add to w^2 is below 1e-6 of what granite's add."""
+    springs = suspension(LAW, 0.1)
+    soft = modes_on(springs._replace(stiffness=1e-6 * springs.stiffness, damping=0 * springs.damping), 0.1)
+    free = plate_modes(PLATE, 48e3)  # of the same basis
+    free = free.select(free.frequency < 24e3)
+    assert soft.frequency[-len(free) :] == pytest.approx(free.frequency, rel=1e-7)
+    assert sorted(soft.order[-len(free) :]) == sorted(free.order)
+
+
+def test_ever_stiffer_tables_have_a_limit():
+    """The disk's own half of the contact is left; the table yields as 1/E."""
+    found = []
+    for young in (1e13, 1e14, 1e15, 1e16):
+        law = granite(table=Elastic(young, 0.2))
+        springs = suspension(law, 0.1)._replace(damping=np.zeros(3), forgets=np.zeros(3))
+        found.append(modes_on(springs, 0.1).frequency)
+    steps = np.diff(found, axis=0)
+    assert (steps > 0).all()
+    assert steps[:-1] / steps[1:] == pytest.approx(np.full((2, len(found[0])), 10), rel=0.05)
+
+
+def test_small_losses_are_of_first_order():
+    """Springs stretched by x per q lose c x^2/2 of q' a second along the normal, and r k x^2/(2 w^2) by creep."""
+    springs = suspension(LAW, 0.1)
+    still = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), 0.1)
+    assert still.decay_rate == pytest.approx(0, abs=1e-6)
+    rest, _ = left_out(PLATE, 24e3, "standard", LAW.fillet)
+    turn = along_the_table(0.1)
+    yields = np.diag(1 / springs.stiffness) + turn @ rest @ turn.T
+    stretch = np.linalg.solve(yields, turn @ still.rim_shape[:, 0].T).T / springs.stiffness
+    lossy = modes_on(springs._replace(damping=1e-3 * springs.damping, forgets=np.zeros(3)), 0.1)
+    assert lossy.decay_rate == pytest.approx(1e-3 * springs.damping[2] * stretch[:, 2] ** 2 / 2, rel=1e-3, abs=1e-9)
+    creeps = modes_on(springs._replace(damping=np.zeros(3), forgets=1e-3 * springs.forgets), 0.1)
+    power = (1e-3 * springs.forgets * springs.stiffness * stretch**2).sum(axis=1)
+    assert creeps.decay_rate == pytest.approx(power / (2 * (2 * pi * still.frequency) ** 2), rel=1e-3, abs=1e-9)
+
+
+@pytest.mark.parametrize("size", [0.8e-3, 1.6e-3])
+def test_what_hertz_has_is_left_out_whatever_the_strip(size):
+    """F grows as the strip shrinks; F0, but for terms of the order 1/(E R), does not."""
+    (one, doubt), (two, _) = (regular_flexibility(BODY, s) for s in (size, 2 * size))
+    grown = flexibility(BODY, size)[0] - flexibility(BODY, 2 * size)[0]
+    assert np.abs(one - two).max() < 0.2 * np.abs(grown).max()
+    assert doubt.max() < 0.1 * one.max()
+
+
+def test_richer_bases_stay_within_the_doubt():
+    fine = FreeDisk(plate=PLATE, richness=Richness(size=(14, 10), direct=6, top=300))
+    (one, doubt), (two, less) = (regular_flexibility(disk, LAW.fillet) for disk in (BODY, fine))
+    assert (np.abs(one - two) <= np.outer(doubt, doubt) ** 0.5).all()
+    assert less.max() < doubt.max()
+
+
+def strip_quadrature(solid, size):
+    """Nodes (3, 3), place (3,) and weights (3, 3) of the functions of these nodes, at Gauss points of a strip."""
+    sides = np.concatenate([solid.cells[:, side] for pair in FACES for side in pair])
+    x, y, z = np.moveaxis(solid.points[sides], -1, 0)
+    rim = np.abs(np.hypot(x, y) - DISK.radius) < 1e-9 * DISK.radius
+    inside = (np.abs(np.arctan2(y, x)) < 0.501 * size / DISK.radius) & (z < 1.001 * size - DISK.thickness / 2)
+    at, weight = np.polynomial.legendre.leggauss(5)
+    at, weight = (at + 1) / 2, weight / 2
+    for nodes in sides[(rim & inside).all(axis=1)].reshape(-1, 3, 3):
+        corners = solid.points[nodes]
+        for i, j in np.ndindex(5, 5):
+            value = np.outer(quadratic(at[i]), quadratic(at[j]))
+            along = np.einsum("i,j,ijx", slope(at[i]), quadratic(at[j]), corners)
+            across = np.einsum("i,j,ijx", quadratic(at[i]), slope(at[j]), corners)
+            area = weight[i] * weight[j] * np.linalg.norm(np.cross(along, across))
+            yield nodes, np.einsum("ij,ijx", value, corners), value * area
+
+
+class Elements:
+    """Half the disk y >= 0 in hexahedra graded to a strip of the edge, in one symmetry class.
+
+    Means over the strip: `even`, and `low`, weighted so that its middle is the edge itself.
+    """
+
+    def __init__(self, size, parity):
+        support = Support(half_angle_deg=np.rad2deg(size / 2 / DISK.radius), height=size, position="bottom")
+        part = sector(DISK.radius, DISK.thickness, support, MIDDLE)
+        self.solid = assemble(part.mesh, ElementHex2(), PLATE.material, DENSITY, intorder=4)
+        points, mirror = self.solid.points, Mirror(y=parity, z=0)
+        self.free = free_unknowns(points, np.zeros(len(points), bool), (), mirror, DISK.radius)
+        self.K, self.M = (self.free.T @ a @ self.free for a in (self.solid.stiffness, self.solid.mass))
+        low = -DISK.thickness / 2
+        area, means = 0.0, np.zeros((2, 3, len(points), 3))
+        for nodes, place, weight in strip_quadrature(self.solid, size):
+            c, s = place[:2] / np.hypot(*place[:2])
+            up = (place[2] - low) / size
+            for row, unit in enumerate([(c, s, 0), (-s, c, 0), (0, 0, 1)]):
+                means[:, row, nodes.ravel()] += np.multiply.outer([1, 4 - 6 * up], np.outer(weight.ravel(), unit))
+            area += weight.sum()
+        self.even, self.low = (row @ self.free for row in means.reshape(2, 3, -1) / area)
+        self.which = [0, 2] if parity > 0 else [1]
+        fields = rigid_fields(points)[[0, 2, 4] if parity > 0 else [1, 3, 5]].reshape(3, -1) @ self.free
+        self.rigid = np.linalg.solve(np.linalg.cholesky(fields @ self.M @ fields.T), fields)
+        corner = rigid_fields(np.array([[DISK.radius, 0, low]]))[[0, 2, 4] if parity > 0 else [1, 3, 5], 0].T
+        self.corner = corner @ np.linalg.inv(np.linalg.cholesky(fields @ self.M @ fields.T)).T
+
+    def yields(self, spread):
+        """Elastic flexibility of the whole disk under a force so spread: on the half it is half of it."""
+        loads = spread[self.which]
+        loads = loads - loads @ self.rigid.T @ (self.rigid @ self.M)
+        solved = splu((self.K + 1e3 * self.M).tocsc()).solve(loads.T)
+        return loads @ solved / 2
+
+    def frequencies(self, yields, below):
+        """Of the disk held at its edge: as a rigid body exactly there, elastically by the strip's `low` mean."""
+        held = self.low + (self.corner - self.low @ self.rigid.T) @ (self.rigid @ self.M)
+        held, half = held[self.which], 2 * yields
+        shift = -((2 * pi * 300.0) ** 2)
+        factor = splu((self.K - shift * self.M).tocsc())
+        dense = factor.solve(held.T)
+        inner = np.linalg.inv(half + held @ dense)
+
+        def solve(load):
+            plain = factor.solve(load)
+            return plain - dense @ (inner @ (held @ plain))
+
+        inverse = LinearOperator(self.K.shape, matvec=solve, dtype=float)
+        values = eigsh(self.K, k=9, M=self.M, sigma=shift, OPinv=inverse, return_eigenvectors=False)
+        found = np.sqrt(np.maximum(np.sort(values), 0)) / (2 * pi)
+        return found[(found > 50) & (found < below)]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("beta", [0.57, 0.1, 0.001])
+def test_finite_elements_with_springs_at_their_edge_have_the_same_modes(beta):
+    """The springs of the oracle lack what its own means yield more than F0, by its own elements."""
+    springs, turn, strip = suspension(LAW, beta), along_the_table(beta), LAW.fillet
+    found, free, own = [], [], np.zeros((3, 3))
+    for parity in (1, -1):
+        here, wide = Elements(strip, parity), Elements(2 * strip, parity)
+        which = np.ix_(here.which, here.which)
+        own[which] = 2 * wide.yields(wide.even) - here.yields(here.even)
+        soft = (turn.T @ np.diag(1 / springs.stiffness) @ turn + own)[which] - here.yields(here.low)
+        found.append(here.frequencies(soft, 20e3))
+        free.append(here.frequencies(1e9 * soft, 20e3))
+    found, free = (np.sort(np.concatenate(part)) for part in (found, free))
+    modes = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), beta, below=20e3)
+    F0, _ = regular_flexibility(BODY, strip)
+    print(own * 1e9, F0 * 1e9, found, modes.frequency, free)
+    assert own == pytest.approx(F0, abs=0.03 * F0.max())
+    exact = plate_modes(PLATE, 20e3).frequency
+    assert free == pytest.approx(exact, rel=3e-3)
+    assert modes.frequency[:3] == pytest.approx(found[:3], rel=1e-3)
+    assert np.diff([exact**2, modes.frequency[3:] ** 2], axis=0) == pytest.approx(
+        np.diff([free**2, found[3:] ** 2], axis=0), rel=0.02
+    )
+
+
+def test_where_the_contact_is_elastic_its_stem_has_the_rigid_disk_and_modes_only_what_is_above():
+    """On soft springs the force drives the elastic part of a shape, which is the free disk's at the contact."""
+    scene = load_scene("published").replace("support.kind=contact")
+    elastic = scene.replace("contact.law=elastic")
+    modes = eigenmodes(scene)
+    alone, beside = (drive_per_newton(modes, s) for s in (scene, elastic))
+    assert (np.abs(alone).max(axis=0) > 0).all()
+    assert (np.abs(beside[:, :3]) == 0).all()
+    assert (np.abs(beside[:, 3:]).max(axis=0) > 0).all()
+    springs = suspension(LAW, 0.1)
+    soft = modes_on(springs._replace(stiffness=1e-6 * springs.stiffness), 0.1)
+    elastic_part = drive_per_newton(soft, elastic)[:, -5:]
+    assert elastic_part == pytest.approx(soft.rim_shape[-5:, 0].T, abs=1e-4 * np.abs(elastic_part).max())
+
+
+def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_predict():
+    scene = load_scene("published").replace("support.kind=contact", "numerics.accuracy=draft")
+    motion = SimpleNamespace(t=[0.0, 2.0], at=lambda t: np.array([[0.0, 0.5 * 10.0 ** -t[0], 0.0]]))
+    steps = over_the_run(scene, motion, 20e3)
+    assert [step.name for step in steps] == ["release", "middle", "end"]
+    assert (np.diff([step.modes.frequency for step in steps], axis=0) > 0).all()
+    said = compared(scene, steps[0].modes, 20e3).choice
+    assert all(kind in said for kind in ("contact: 7", "patch: 80", "free: 1060"))
+    assert over_the_run(load_scene("published"), motion, 20e3) == []
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        (["support.inclination_deg=75"], "no steady motion"),
+        (["contact.fillet=1e-7"], "too sharp"),
+        (["disk.shape=shell", "disk.wall=0.001"], "must be 'free'"),
+    ],
+)
+def test_what_has_no_contact_to_stand_on_is_one_line(changes, words):
+    scene = load_scene("published").replace("support.kind=contact", *changes)
+    with pytest.raises(ValueError, match=words) as raised:
+        eigenmodes(scene)
+    assert "\n" not in str(raised.value)
+
+
+def test_springs_stiffer_than_the_disk_itself_are_refused():
+    springs = suspension(LAW, 0.1)
+    with pytest.raises(UnsolvableError, match="so stiff a contact"):
+        modes_on(springs._replace(stiffness=1e6 * springs.stiffness), 0.1)
