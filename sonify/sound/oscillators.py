@@ -92,8 +92,7 @@ class OscillatorBank:
         g = np.ascontiguousarray(g, dtype=float)
         knots = knots or no_knots(g.shape[1])
         out = np.empty((len(g) - 1, len(self.omega))) if out is None else out
-        force = g[:, 0] if g.shape[1] == 1 else g
-        _advance(force, self.state, self.step, knots.interval, self._kicks(knots), out)
+        _advance(g, self.state, self.step, knots.interval, self._kicks(knots), out)
         return out
 
     def _hold(self):
@@ -131,43 +130,20 @@ class OscillatorBank:
         return self._observed(np.stack([q, v]) - self.late[:, None] * knots.jump)
 
 
-TOGETHER = 4
-"""Samples between which the state of a mode stays in registers."""
-
-
 @njit(cache=True)
 def _advance(g, state, step, interval, kicks, out):
-    start = 0
-    for j in range(len(interval)):
-        _run(g, state, step, start, interval[j] + 1, out)
-        state += kicks[:, j]
-        start = interval[j] + 1
-    _run(g, state, step, start, len(out), out)
-
-
-@njit(cache=True)
-def _run(g, state, step, start, stop, out):
     """Every sample comes from the same operations wherever a block begins: its bits do not depend on that."""
-    whole = start + (stop - start) // TOGETHER * TOGETHER
-    for n in range(start, whole, TOGETHER):
-        for m in range(out.shape[1]):
-            first, second = state[0, m], state[1, m]
-            for i in range(TOGETHER):
-                u = _at(g, n + i, m)
-                out[n + i, m] = step[0, m] * u + first
-                first, second = step[1, m] * u + (step[2, m] * first + second), step[3, m] * u + step[4, m] * first
-            state[0, m], state[1, m] = first, second
-    for n in range(whole, stop):
-        for m in range(out.shape[1]):
-            u, first, second = _at(g, n, m), state[0, m], state[1, m]
-            out[n, m] = step[0, m] * u + first
-            state[0, m] = step[1, m] * u + (step[2, m] * first + second)
-            state[1, m] = step[3, m] * u + step[4, m] * first
-
-
-@njit(cache=True)
-def _at(g, n, m):
-    """Sample n of the force on mode m, or of the one force on all; compiled for each."""
-    if g.ndim == 1:
-        return g[n]
-    return g[n, m]
+    start = 0
+    for j in range(len(interval) + 1):
+        stop = interval[j] + 1 if j < len(interval) else len(out)
+        for n in range(start, stop):
+            force = g[n]
+            for m in range(out.shape[1]):
+                u, first, second = force[m] if len(force) > 1 else force[0], state[0, m], state[1, m]
+                out[n, m] = step[0, m] * u + first
+                state[0, m] = step[1, m] * u + (step[2, m] * first + second)
+                state[1, m] = step[3, m] * u + step[4, m] * first
+        for m in range(out.shape[1] if j < len(interval) else 0):
+            state[0, m] += kicks[0, j, m]
+            state[1, m] += kicks[1, j, m]
+        start = stop

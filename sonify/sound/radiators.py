@@ -1,9 +1,11 @@
 """ACCELERATION -> PRESSURE, block after block: what has not arrived yet is kept for the next block."""
 
 import numpy as np
-from numba import njit
 
 from sonify.sound.radiation import AZIMUTHS, Listener, heave_kernel, piston_strength, taps, tilt_kernel
+
+TOGETHER = 8192
+"""Samples radiated together: few enough for the cache."""
 
 
 class RigidFace:
@@ -70,21 +72,19 @@ class ElasticFace:
         return advance
 
 
-@njit(cache=True)
 def _three_taps(ringing, where, sharpness, table, mean):
     """Sum over modes of three taps on samples n + 2, n + 1, n of ringing (s, k + reach + 1, m), at azimuths (k,).
 
     `sharpness` (k,) is 1 where the azimuth is well defined and falls to 0 where it turns too fast for the samples.
     """
-    out = np.zeros((where.shape[0], ringing.shape[0]))
-    for n in range(where.shape[0]):
-        low = int(where[n])
-        part = where[n] - low
-        here, there = table[low % table.shape[0]], table[(low + 1) % table.shape[0]]
-        for m in range(ringing.shape[2]):
-            for k in range(3):
-                tap = (1 - part) * here[m, k] + part * there[m, k]
-                tap = mean[m, k] + sharpness[n] * (tap - mean[m, k])
-                for s in range(ringing.shape[0]):
-                    out[n, s] += tap * ringing[s, n + 2 - k, m]
-    return out
+    out, low = np.zeros((len(ringing), len(where))), where.astype(int)
+    rows = np.ascontiguousarray(np.concatenate([table, table[:1]]).transpose(1, 2, 0))
+    for first in range(0, len(where), TOGETHER):
+        some = slice(first, first + TOGETHER)
+        here, part, sharp, sums = low[some] % len(table), (where - low)[some], sharpness[some], out[:, some]
+        for m, k in np.ndindex(rows.shape[:2]):
+            tap = (1 - part) * rows[m, k].take(here) + part * rows[m, k].take(here + 1)
+            tap = mean[m, k] + sharp * (tap - mean[m, k])
+            late = first + 2 - k
+            sums += tap * ringing[:, late : late + len(tap), m]
+    return out.T

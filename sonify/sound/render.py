@@ -6,11 +6,12 @@ from math import ceil
 import numpy as np
 
 from sonify.sound.audible_modes import sounding
+from sonify.sound.contact import with_contact
 from sonify.sound.force import ForceSampler
 from sonify.sound.pressure import Sound, kept, with_sum
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import RigidFace
-from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk
+from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, held_back
 
 BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
@@ -32,10 +33,11 @@ class Renderer:
         self.modes = modes.select(self.chosen)
         self._rigid = RigidFace(scene.disk, self.listener, 1 / self.sample_rate)
         self.sources = self._sources()
+        self.late = max(source.late for source in self.sources)
         self.names = tuple(name for source in self.sources for name in source.names)
         bounds = np.cumsum([0, *(len(source.ends) for source in self.sources)])
         self._parts = [slice(*pair) for pair in pairwise(bounds)]
-        start = self._rigid.reach / self.sample_rate - self.listener.delay
+        start = self.late / self.sample_rate - self.listener.delay
         rest, fade = np.vstack([source.ends for source in self.sources]).T
         self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest, calm, fade)
         self.source_end = self.sampler.end + self.listener.delay
@@ -43,10 +45,9 @@ class Renderer:
 
     def _sources(self):
         """What sounds in this scene; every cause of sound has its line."""
-        return [
-            RigidDisk(self.scene, self._rigid),
-            ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach),
-        ]
+        rigid = RigidDisk(self.scene, self._rigid)
+        elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
+        return with_contact(self.scene, self.motion, rigid, elastic)
 
     def blocks(self, size: int = BLOCK, note=lambda t, energy: None):
         """Yield (k, s) [Pa]: the stems at the next k <= size samples, from the first to the last; every call anew.
@@ -55,7 +56,8 @@ class Renderer:
         """
         first = self.sampler.block(0, 1).samples[0]
         sounding = [
-            (source.from_rest(first[part], note), part) for source, part in zip(self.sources, self._parts, strict=True)
+            (held_back(source.from_rest(first[part], note), self.late - source.late, len(source.names)), part)
+            for source, part in zip(self.sources, self._parts, strict=True)
         ]
         for n in range(0, self.samples, size):
             force = self.sampler.block(n, min(size, self.samples - n))

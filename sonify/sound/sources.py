@@ -24,12 +24,13 @@ class Source(Protocol):
     """A cause of sound, or several, each a stem of its `names`.
 
     It asks the ForceSampler for channels, whose rest and fade are `ends` (c, 2); it is heard for `lasting` [s] after
-    the motion. All sources radiate as late as each other.
+    the motion. What it returns it radiates `late` samples after the force that it was given.
     """
 
     names: tuple[str, ...]
     ends: np.ndarray
     lasting: float
+    late: int
 
     def channels(self, force: np.ndarray, state: np.ndarray) -> np.ndarray:
         """Return what drives the source, (k, c), of contact forces (k, 3) [N] and states (k, 11) of the motion."""
@@ -48,7 +49,7 @@ class RigidDisk:
     lasting = 2 * FADE_OUT
 
     def __init__(self, scene, face: RigidFace):
-        self._disk, self._face = scene.disk, face
+        self._disk, self._face, self.late = scene.disk, face, face.reach
         self.ends = np.array([[0.0, FADE_OUT]] * 2)
 
     def channels(self, force, state):
@@ -70,7 +71,7 @@ class ElasticDisk:
         self._face = ElasticFace(modes, listener, scene.audio.sample_rate, reach)
         self._drive = modal_drive(modes, scene)
         self.ends = np.array([[np.nan, 0.0]] * 2 + [[np.nan, FADE_FALL]] * len(modes))
-        self.lasting = ring_down(modes, scene)
+        self.lasting, self.late = ring_down(modes, scene), reach
 
     def channels(self, force, state):
         """Return cosine and sine of the listener's azimuth, and the force on each mode: (k, 2 + m)."""
@@ -98,3 +99,16 @@ class ElasticDisk:
         energy = np.square(acceleration / (2 * np.pi * self._modes.frequency)).sum(axis=1) / 2
         starts = np.arange(0, len(energy), max(int(ENERGY_WINDOW * self._scene.audio.sample_rate), 1))
         return t[starts], np.maximum.reduceat(energy, starts)
+
+
+def held_back(advance, samples: int, width: int):
+    """Return an advance whose stems (k, width) come so many samples later."""
+    held = np.zeros((samples, width))
+
+    def later(force):
+        nonlocal held
+        out = np.vstack([held, advance(force)])
+        out, held = np.split(out, [len(out) - samples])
+        return out
+
+    return later if samples else advance

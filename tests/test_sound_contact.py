@@ -1,0 +1,133 @@
+"""Claim: the stem of the contact is what an elastic, rough contact adds to the force, radiated by the same disk.
+
+Source: linear systems; Rayleigh's integral over a disk; the resonance of the contact (dynamics/coupled/resonance.py).
+Oracle: transfer functions in closed form, the same force put in by hand, symmetry, repetition.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from contact_scenes import steady_rate, steady_speed
+from scipy.signal import welch
+from scipy.special import jv
+
+from dynamics import Outcome, simulate
+from dynamics.coupled.filter import predicted_spectrum
+from dynamics.motion import Jumps
+from modal import eigenmodes
+from modal.radiation import SOUND_SPEED
+from sonify import load_scene
+from sonify.scene import from_document
+from sonify.sound.contact import AddedByContact, law_table, low_pass, thinned
+from sonify.sound.drive import in_patch_frame, rigid_acceleration
+from sonify.sound.radiation import piston_strength
+from sonify.sound.render import Renderer
+
+RATE = 48000
+HEARD = RATE // 2
+"""Samples of the motion."""
+
+
+@pytest.fixture(scope="module")
+def rough():
+    changes = "support.kind=free", "contact.law=elastic", "numerics.contact=filter", "numerics.time_limit=0.6"
+    return load_scene("published").replace(*changes, "roughness.rms=1e-8", "material.loss_factor=0.05")
+
+
+@pytest.fixture(scope="module")
+def moved(rough):
+    return simulate(rough), eigenmodes(rough, below=18e3)
+
+
+def rows(scene, moved, size=1 << 16, wanted=(0, 1)):
+    return np.vstack(list(Renderer(scene, *moved, wanted).blocks(size)))
+
+
+def test_the_other_stems_are_those_of_the_rigid_contact_and_the_sum_has_one_more(rough, moved):
+    rigid = rough.replace("contact.law=rigid")
+    assert Renderer(rough, *moved).names == ("heave", "tilt", "ringing_smooth", "ringing_jumps", "contact")
+    assert np.array_equal(rows(rigid, moved), rows(rough, moved)[:, :4])
+
+
+def test_the_bits_depend_on_neither_block_nor_thread(rough, moved):
+    """Of the stem, and of the force behind it."""
+    once = rows(rough, moved)[:, 4]
+    with ThreadPoolExecutor(2) as pool:
+        others = list(pool.map(lambda size: rows(rough, moved, size)[:, 4], (777, 1 << 16)))
+    assert all(np.array_equal(once, other) for other in others)
+    assert once.any()
+
+
+@pytest.mark.slow
+def test_another_seed_is_another_sound_as_loud(rough, moved):
+    """Noise a hundred hertz wide for half a second: correlations of 1/sqrt(100), levels that differ by half of it."""
+    smooth = rows(without_roughness(rough), moved)[:, 4]
+    stems = [(rows(rough.replace(f"roughness.seed={seed}"), moved)[:, 4] - smooth)[:HEARD] for seed in range(3)]
+    levels = [np.sqrt(np.mean(stem**2)) for stem in stems]
+    assert levels == pytest.approx([np.mean(levels)] * 3, rel=4 / 2 / np.sqrt(100))
+    assert abs(np.corrcoef(stems)[np.triu_indices(3, 1)]).max() < 4 / np.sqrt(100)
+
+
+def test_the_sound_is_linear_in_the_heights_and_without_them_only_slips_ring(rough, moved):
+    none = rows(without_roughness(rough), moved)[:, 4]
+    one, two = (rows(rough.replace(f"roughness.rms={rms}"), moved)[:, 4] for rms in (1e-8, 2e-8))
+    assert two - none == pytest.approx(2 * (one - none), abs=1e-9 * np.abs(two).max())
+    assert 0 < np.abs(none).max() < np.abs(one).max()
+
+
+def without_roughness(scene):
+    return from_document({key: part for key, part in scene.document.items() if key != "roughness"})
+
+
+@pytest.mark.parametrize("beta", [0.1, 0.01])
+def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(rough, beta):
+    """The spectrum of N' by the mobility and the heights, times the pressure of a disk that heaves and tilts.
+
+    A disk turning under the listener: of the tilt half the power, none together with the heave. Without modes; only the
+    table is rough, since the edge would repeat and have lines.
+    """
+    seconds, scene = 8.0, rough.replace("roughness.rms_edge=0.0")
+    disk, elevation, distance = scene.disk, np.radians(scene.audio.elevation_deg), scene.audio.distance
+    speed, none = steady_speed(disk, beta), Jumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
+
+    def at(t):
+        state = np.zeros((len(t), 11))
+        state[:, 0], state[:, 1], state[:, 2] = steady_rate(disk, beta) * t, beta, -speed / disk.radius * t
+        return state
+
+    def force(t):
+        return np.tile([0.0, 0.0, disk.weight], (len(t), 1))
+
+    motion = SimpleNamespace(
+        disk=disk, t=np.array([0.0, seconds]), state=at(np.array([0.0, seconds])), jumps=none, at=at, force=force,
+        at_and_force=lambda t: (at(t), force(t)), bandwidth=lambda state: np.full(len(state), 100.0),
+        regime=lambda t: np.full(len(t), "slide"), outcome=Outcome.TIME_LIMIT,
+    )  # fmt: skip
+    free = eigenmodes(scene, below=18e3)
+    added = AddedByContact(scene, motion, *Renderer(scene.replace("contact.law=rigid"), motion, free, []).sources)
+    n = int(seconds * RATE)
+    pressure = added.from_rest(np.zeros(0), None)(SimpleNamespace(t=np.arange(n + 1) / RATE))[RATE:, 0]
+    f, power = welch(pressure, RATE, nperseg=1 << 13)
+    x = np.maximum(2 * np.pi * f, 1.0) * disk.radius * np.cos(elevation) / SOUND_SPEED
+    turn = rigid_acceleration(in_patch_frame([[0.0, 0.0, 1.0]], np.array([beta])), disk)[0, 4]
+    near = disk.radius * np.cos(elevation) / distance * (2 * jv(2, x) / x - 2 * jv(3, x)) / x
+    heave, tilt = 2 * jv(1, x) / x / disk.mass, disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
+    theory = predicted_spectrum(law_table(scene), scene.roughness, beta, disk.weight, speed, f[1:], rolls=False)
+    expected = piston_strength(disk.radius, distance) ** 2 * (heave**2 + tilt**2 / 2)[1:] * theory
+    around = slice(f.searchsorted(300.0), f.searchsorted(6000.0))
+    assert power[1:][around].sum() == pytest.approx(expected[around].sum(), rel=0.15)
+    assert f[1:][around][power[1:][around].argmax()] == pytest.approx(
+        f[1:][around][expected[around].argmax()], rel=0.02
+    )
+
+
+def test_decimation_keeps_what_is_below_half_the_rate():
+    """A Hann window of 16 samples falls within an eighth of the rate, to -44 dB; at the instants that are said."""
+    over, weight = 3, low_pass(3)
+    t = np.arange(-len(weight) // 2 + 1, 3 * 400) / (over * RATE)
+    for tone, kept in ((4e3, 1.0), (17e3, 1.0), (31e3, 0.0), (50e3, 0.0)):
+        found = thinned(np.cos(2 * np.pi * tone * t)[:, None], weight, over)[:, 0]
+        instants = np.arange(len(found)) / RATE + t[len(weight) // 2]
+        assert found == pytest.approx(kept * np.cos(2 * np.pi * tone * instants), abs=10 ** (-44 / 20))
