@@ -141,6 +141,19 @@ def export(what, scene, form, out):
     click.echo(str(export_modes(scene, form, out)))
 
 
+@main.command()
+@click.argument("folder", default="outputs", type=click.Path())
+@click.option("--port", default=8000, show_default=True, help="Port; 0 is any that is free.")
+@click.option(
+    "--host", default="127.0.0.1", show_default=True, help="Address to listen on; by default this machine alone."
+)
+def serve(folder, port, host):
+    """Show the finished runs in FOLDER in a browser: a list, the page of each, two of them side by side."""
+    from sonify.serve import serve
+
+    serve(folder, host, port, lambda address: click.echo(f"{address} (Ctrl-C ends it)"))
+
+
 def start(name="sonify"):
     """Run the command line as a program, which, once a signal has ended it, waits for no thread that still compiles."""
     try:

@@ -8,7 +8,9 @@ import json
 import re
 import signal
 import sys
+from base64 import b64decode
 from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -27,6 +29,7 @@ from sonify.hearing import loudness as hearing
 from sonify.plan.predictions import audible_error
 from sonify.plan.solvable import planned
 from sonify.report import page as report
+from sonify.report import page_data
 from sonify.sound.render import Renderer
 
 FILES = {"sound.wav", "audible.wav", "pressure.wav", "stems", "spectrogram.png", "stems.png", "motion.png", "modes.png"}
@@ -172,19 +175,42 @@ def test_the_files_are_read_by_others(result):
 
 def test_the_page_needs_no_other_file(result):
     page = (result.out / "report.html").read_text()
-    assert re.findall(r'(?:src|href)="(?!data:)', page) == []
-    assert page.count("data:image/png") == 4
-    assert page.count("data:audio/wav") == 1
-    assert page.count("data:audio/flac") == 1
+    written = page.partition("<script>")[0]  # what the script makes, it makes of this
+    assert re.findall(r'src="(?!data:)', written) == []
+    assert all((result.out / name).is_file() for name in re.findall(r'href="(?!data:)([^"]*)"', written))
+    assert written.count("data:image/png") == 4
+    assert written.count("data:audio/flac") == 2 * len(result.sound.stems)
+    assert len(page) < 12e6
     assert all(f"{finding.claim[:30]}" in page.replace("&#39;", "'") for finding in result.findings)
 
 
 def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatch):
-    monkeypatch.setattr(report, "MOST_EMBEDDED", 1000)
+    monkeypatch.setattr(page_data, "MOST_SOUND", 1000)
     report.write(result, tmp_path / "report.html")
     page = (tmp_path / "report.html").read_text()
-    assert page.count("data:audio/wav") == 0
-    assert page.count('src="sound.wav"') == 1
+    assert page.count("data:audio") == 0
+    assert page.count('src="audible.wav"') == 1
+    assert "<script>" not in page
+
+
+def test_the_page_plays_the_stems(result):
+    """Decoded, the stems of the true scale add up to sound.wav: each is rounded once to 16 bits, and it to 24."""
+    data = page_data.page_data(result)["sounds"]["true"]
+    tracks = [soundfile.read(BytesIO(b64decode(url.partition(",")[2])))[0] for url in data["tracks"].values()]
+    whole = soundfile.read(result.out / "sound.wav")[0]
+    assert np.abs(sum(tracks) - whole).max() < (len(tracks) / 2 + 1) * 2.0**-15
+    assert data["full_scale"] == result.sound.full_scale
+
+
+def test_the_page_shows_the_motion(result):
+    """Its instants begin and end with the motion and are so dense that the contact turns by less than a fifth between
+    two of them as long as it can be heard."""
+    data = page_data.page_data(result)["motion"]
+    t, precession = (np.frombuffer(b64decode(data[name]["base64"])) for name in ("t", "precession"))
+    assert t[[0, -1]].tolist() == result.motion.t[[0, -1]].tolist()
+    assert len(t) <= page_data.MOST_INSTANTS + 2
+    heard = t[:-1] < result.motion.t[-1] - 0.01
+    assert np.abs(np.diff(precession))[heard].max() < 2 * np.pi / 5
 
 
 @pytest.mark.parametrize(

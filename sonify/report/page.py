@@ -1,14 +1,16 @@
 """RESULT -> PAGE: one self-contained HTML file with the sound, the pictures, the checks and the findings."""
 
 from base64 import b64encode
-from io import BytesIO
+from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import soundfile
 from jinja2 import Environment, PackageLoader
+from markupsafe import Markup
+from tomli_w import dumps
 
 from sonify.files import whole
+from sonify.report.page_data import compressed, page_data
 
 if TYPE_CHECKING:
     from sonify.result import Result
@@ -20,32 +22,46 @@ PICTURES = {
     "modes.png": "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines.",
 }
 MOST_EMBEDDED = 100_000_000
-"""A longer sound [bytes] is not put into the page, which refers to the file beside it."""
+"""A longer sound [bytes] is not put into a notebook."""
 
 
 def write(result: "Result", path: Path):
-    """Write the page of a result, with everything it shows inside, but not a sound of hours."""
+    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours."""
     text = (
-        _templates()
+        templates()
         .get_template("report.html")
         .render(
             result=result,
             zip=zip,
-            sound=playable(result.out / "sound.wav"),
-            audible=compressed(result.sound.audible),
+            data=page_data(result),
+            scene=dumps(result.scene.document),
+            command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[
                 (embedded(result.out / name, "image/png"), caption)
                 for name, caption in PICTURES.items()
                 if (result.out / name).exists()
             ],
+            **bundle(),
         )
     )
     with whole(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
 
 
-def _templates():
-    return Environment(loader=PackageLoader("sonify.report"), autoescape=True)
+def bundle() -> dict[str, str]:
+    """Return script, style and licences of the page, built from `web/`, as they go into its HTML."""
+    files = {"script": "page.js", "style": "page.css", "licences": "page.licenses.txt"}
+    held = {
+        name: (resources.files("sonify.report") / "templates" / file).read_text("utf-8") for name, file in files.items()
+    }
+    return held | {name: Markup(held[name].replace("</", "<\\/")) for name in ("script", "style")}
+
+
+def templates() -> Environment:
+    """Return the templates of all pages."""
+    environment = Environment(loader=PackageLoader("sonify.report"), autoescape=True)
+    environment.policies["json.dumps_kwargs"] = {"sort_keys": False}
+    return environment
 
 
 def in_words(result: "Result") -> str:
@@ -58,24 +74,13 @@ def in_words(result: "Result") -> str:
 
 def in_a_notebook(result: "Result") -> str:
     """Return a result as a piece of HTML: the sound to play, and the verdict on every claim."""
-    template = _templates().get_template("notebook.html")
-    return template.render(result=result, audible=compressed(result.sound.audible), words=in_words(result))
+    template = templates().get_template("notebook.html")
+    return template.render(result=result, audible=playable(result.sound.audible), words=in_words(result))
 
 
-def playable(path: Path) -> str:
-    """Return a WAV file as a data URL, or the name of a file too long for that."""
-    return embedded(path, "audio/wav") if path.stat().st_size <= MOST_EMBEDDED else path.name
-
-
-def compressed(source) -> str:
-    """Return a source as a data URL of FLAC, or "" if it is too long for a page."""
-    if 3 * source.frames > MOST_EMBEDDED:
-        return ""
-    held = BytesIO()
-    with soundfile.SoundFile(held, "w", source.sample_rate, 1, "PCM_16", format="FLAC") as file:
-        for block in source.blocks():
-            file.write(block)
-    return f"data:audio/flac;base64,{b64encode(held.getvalue()).decode()}"
+def playable(source) -> str:
+    """Return a source as a data URL, or "" if it is too long for a notebook."""
+    return compressed(source) if 3 * source.frames <= MOST_EMBEDDED else ""
 
 
 def embedded(path: Path, kind: str) -> str:

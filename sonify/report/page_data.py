@@ -1,0 +1,148 @@
+"""RESULT -> NUMBERS OF THE PAGE: what the player, the curves and the two views in 3-D show, as one JSON value.
+
+Arrays are base64 of little-endian floats or integers, sounds are data URLs of FLAC.
+"""
+
+from base64 import b64encode
+from io import BytesIO
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import soundfile
+from matplotlib import colormaps
+from scipy.ndimage import median_filter
+
+from dynamics import Motion
+from dynamics.rates import nutation_frequency, precession_frequency
+from modal import Modes, Support
+from sonify.report.mode_shapes import caption
+from sonify.report.solid_view import skin
+from sonify.sound.listening import Copy
+from sonify.sound.pressure import Sound
+
+if TYPE_CHECKING:
+    from sonify.result import Result
+
+MOST_INSTANTS = 40_000
+"""Instants of the motion in the page: half of them share the time evenly, the others the turning of the contact."""
+MOST_SHAPES = 24
+"""Modes in the page, the lowest."""
+MOST_SOUND = 24_000_000
+"""Bytes of FLAC in the page. A sound of more is in the files beside it."""
+PER_SAMPLE = 1.0
+"""Bytes that FLAC of 16 bits takes for a sample of a disk, or a little less."""
+COLOURS = "magma"
+
+
+def page_data(result: "Result") -> dict[str, Any]:
+    """Return the numbers of a page; `sounds` is empty where they are too long for one."""
+    sound, motion = result.sound, result.motion
+    return {
+        "name": result.scene.name,
+        "duration": sound.duration,
+        "sample_rate": sound.sample_rate,
+        "source_end": sound.source_end,
+        "delay": sound.source_end - float(motion.t[-1]),
+        "sounds": sounds(sound),
+        "lines": {"rates": rates(motion), "modes": packed(np.unique(result.modes.frequency.round(1)))},
+        "colours": packed((255 * colormaps[COLOURS](np.arange(256))[:, :3]).round().astype(np.uint8)),
+        "disk": {
+            "radius": motion.disk.radius,
+            "thickness": motion.disk.thickness,
+            "inner_radius": motion.disk.inner_radius,
+            "weight": motion.disk.weight,
+        },
+        "motion": instants(motion),
+        "shapes": shapes(result.modes, result.scene.support),
+        "seen": in_words(result),
+    }
+
+
+def sounds(sound: Sound) -> dict[str, Any]:
+    """Return every stem in two scales: A-weighted and loud, as audible.wav, and true, as sound.wav."""
+    if 2 * len(sound.stems) * sound.samples * PER_SAMPLE > MOST_SOUND:
+        return {}
+    audible, whole = sound.audible.full_scale, sound.full_scale
+    return {
+        "audible": {"full_scale": audible, "unit": "dB(A)", "tracks": tracks(sound, audible, True)},
+        "true": {"full_scale": whole, "unit": "dB", "tracks": tracks(sound, whole, False)},
+    }
+
+
+def tracks(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
+    """Return the stems over `full_scale` [Pa] by name; a stem alone may be louder than their sum, and is clipped."""
+    copies = {name: Copy(track=t, full_scale=full_scale, weighted=weighted) for name, t in sound.stems.items()}
+    return {name: compressed(copy) for name, copy in copies.items()}
+
+
+def compressed(source) -> str:
+    """Return a source as a data URL of FLAC."""
+    held = BytesIO()
+    with soundfile.SoundFile(held, "w", source.sample_rate, 1, "PCM_16", format="FLAC") as file:
+        for block in source.blocks():
+            file.write(np.clip(block, -1.0, 1.0))
+    return f"data:audio/flac;base64,{b64encode(held.getvalue()).decode()}"
+
+
+def rates(motion: Motion) -> dict[str, Any]:
+    """Return precession and nutation [Hz] at the peaks of the normal force [s]."""
+    (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
+    columns = {"t": peaks, "precession": precession, "nutation": nutation}
+    smooth = {name: median_filter(v, 5) if name != "t" else v for name, v in columns.items()}
+    return {name: packed(column) for name, column in smooth.items()}
+
+
+def instants(motion: Motion) -> dict[str, Any]:
+    """Return the time [s] and, at each, attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy [J]."""
+    t = chosen(motion)
+    state, force = motion.at(t), motion.force(t)
+    columns = dict(zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True))
+    columns |= dict(zip(("friction_1", "friction_2", "normal"), force.T, strict=True))
+    columns["energy"] = motion.energy(t)
+    whole = {"t": packed(t, float), "precession": packed(state[:, 0], float), "spin": packed(state[:, 2], float)}
+    return {"columns": list(columns), **{name: packed(c) for name, c in columns.items()}, **whole}
+
+
+def chosen(motion: Motion) -> np.ndarray:
+    """Return at most MOST_INSTANTS instants [s], from the first to the last: denser where the contact turns faster."""
+    t = motion.t[:: max(len(motion.t) // 200_000, 1)]
+    turned = np.abs(np.diff(motion.at(t)[:, 0], prepend=motion.at(t[:1])[0, 0])).cumsum()
+    progress = turned / (turned[-1] or 1.0) + (t - t[0]) / (t[-1] - t[0])
+    even = np.interp(np.linspace(0, progress[-1], MOST_INSTANTS), progress, t)
+    return np.unique(np.concatenate([t[:1], even, motion.t[-1:]]))
+
+
+def shapes(modes: Modes, support: Support) -> dict[str, Any]:
+    """Return the surface of the disk [m] and how the lowest modes move it, each over its greatest displacement."""
+    squares = skin(modes.body)
+    nodes, numbers = np.unique(squares, return_inverse=True)
+    corners = numbers.reshape(squares.shape)
+    triangles = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
+    few = range(min(len(modes), MOST_SHAPES))
+    moved = [modes.body.displacement[i][nodes] for i in few]
+    return {
+        "points": packed(modes.body.points[nodes]),
+        "triangles": packed(np.concatenate(triangles), np.uint32),
+        "captions": [caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few],
+        "shapes": [packed(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved],
+    }
+
+
+def in_words(result: "Result") -> str:
+    """Return what the spectrogram shows, for those who do not see it."""
+    tone = None if result.heard is None else result.heard.tone
+    rising = f", a tone that rises {tone.factor:.2g} times over the ridge that is heard" if tone else ""
+    carriers = [f"{c.frequency:.0f} Hz" for c in (result.heard.carriers if result.heard else [])]
+    steady = f", steady tones at {', '.join(carriers)}" if carriers else ""
+    return (
+        f"Spectrogram of {result.scene.name}, 10 Hz to {result.sound.sample_rate / 2000:g} kHz over "
+        f"{result.sound.duration:.1f} s{rising}{steady}; the motion ends at {result.sound.source_end:.2f} s."
+    )
+
+
+def packed(values, kind: Any = np.float32) -> dict[str, str]:
+    """Return an array, flat, as base64 of its little-endian bytes; integers keep their kind."""
+    values = np.asarray(values)
+    kind = np.dtype(values.dtype if values.dtype == np.uint8 else kind)
+    content = np.ascontiguousarray(values, kind.newbyteorder("<")).tobytes()
+    return {"dtype": kind.name, "base64": b64encode(content).decode()}

@@ -1,0 +1,54 @@
+// Bundles src/ and the libraries it stands on into the two files that report.html takes in, and gathers the licences.
+// `node build.mjs [folder]` writes into the folder, ../templates unless given.
+import { build } from 'esbuild'
+import { readFileSync, writeFileSync } from 'node:fs'
+import { join } from 'node:path'
+
+const out = process.argv[2] ?? join(import.meta.dirname, '..', 'templates')
+const manifest = JSON.parse(readFileSync(join(import.meta.dirname, 'package.json'), 'utf8'))
+
+// `import text from 'text:package/file'` gives the text of a file, for what runs in a thread of its own.
+const asText = {
+  name: 'text',
+  setup(building) {
+    building.onResolve({ filter: /^text:/ }, ({ path }) => ({
+      path: join(import.meta.dirname, 'node_modules', path.slice('text:'.length)),
+      namespace: 'text',
+    }))
+    building.onLoad({ filter: /.*/, namespace: 'text' }, ({ path }) => ({
+      contents: readFileSync(path, 'utf8'),
+      loader: 'text',
+    }))
+  },
+}
+
+await build({
+  absWorkingDir: import.meta.dirname,
+  entryPoints: { page: 'src/main.js' },
+  bundle: true,
+  minify: true,
+  format: 'iife',
+  target: 'es2022',
+  legalComments: 'none',
+  charset: 'ascii',
+  outdir: out,
+  plugins: [asText],
+})
+
+const licences = Object.keys(manifest.dependencies).map((name) => {
+  const folder = join(import.meta.dirname, 'node_modules', name)
+  const { version, license, author } = JSON.parse(readFileSync(join(folder, 'package.json'), 'utf8'))
+  return `${name} ${version}, ${license}, ${author?.name ?? author ?? ''}\n${text(folder)}`
+})
+writeFileSync(join(out, 'page.licenses.txt'), licences.join('\n\n'))
+
+function text(folder) {
+  for (const file of ['LICENSE', 'LICENSE.txt', 'LICENSE.md']) {
+    try {
+      return readFileSync(join(folder, file), 'utf8').trim() + '\n'
+    } catch (error) {
+      if (error.code !== 'ENOENT') throw error
+    }
+  }
+  return 'The package comes without the text of its licence.\n'
+}

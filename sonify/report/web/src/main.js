@@ -1,0 +1,235 @@
+// The page of a run: what is heard, seen over time; the disk and its modes in 3-D. Without this script the page still
+// says everything in words and pictures.
+import './page.css'
+import { clock, runs } from './data.js'
+import { Curves } from './curves.js'
+import { Disk3D } from './disk3d.js'
+import { Modes3D } from './modes3d.js'
+import { Player } from './player.js'
+import { Spectrogram } from './spectrogram.js'
+import { Timeline } from './timeline.js'
+
+const LAST = 1 // [s]: the last stretch before the end
+const QUIET = -20 // [dB SPL]: the lower end of a level meter
+const LOUD = 100
+
+const $ = (selector, parent = document) => parent.querySelector(selector)
+const still = matchMedia('(prefers-reduced-motion: reduce)')
+
+function element(tag, attributes = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), attributes)
+  made.append(...children)
+  return made
+}
+
+/** Say in words what does not work here. */
+function say(text) {
+  $('#notice').textContent = text
+  $('#notice').hidden = !text
+}
+
+async function start() {
+  const all = runs()
+  document.documentElement.classList.add('alive')
+  copies()
+  const player = new Player(all)
+  const timeline = new Timeline(player.duration, player)
+  timeline.onError = (error) => say(`No sound: ${error.message}.`)
+  window.sonify = { player, timeline, runs: all, spectrograms: [] }
+  transport(player, timeline, all)
+  const scenes = three(all)
+  const curves = motion(all, timeline)
+  timeline.keys($('#workbench'))
+  loop(() => {
+    player.tick()
+    timeline.draw()
+    meters(player)
+    $('#clock').textContent = clock(player.time, timeline.span[1] - timeline.span[0])
+    curves.forEach((one) => one.tell(player.time))
+    scenes.disks.forEach((disk) => disk.draw(player.time))
+    scenes.modes?.draw(performance.now() / 1000, still.matches || !$('#swing').checked)
+  })
+  try {
+    await spectrograms(all, player, timeline)
+  } catch (error) {
+    say(`The sound cannot be decoded by this browser (${error.message}); the WAV files beside this page can be played.`)
+  }
+}
+
+function loop(draw) {
+  const frame = () => {
+    draw()
+    requestAnimationFrame(frame)
+  }
+  requestAnimationFrame(frame)
+}
+
+function copies() {
+  for (const button of document.querySelectorAll('button[data-copy]')) {
+    button.addEventListener('click', async () => {
+      await navigator.clipboard.writeText($(button.dataset.copy).textContent.trim())
+      button.textContent = 'copied'
+    })
+  }
+}
+
+function transport(player, timeline, all) {
+  const plays = $('#play')
+  const attempt = (promise) => Promise.resolve(promise).then(() => say(''), timeline.onError)
+  plays.addEventListener('click', () => attempt(player.toggle()))
+  $('#speed').addEventListener('change', (event) => attempt(player.set({ speed: Number(event.target.value) })))
+  $('#pitch').addEventListener('change', (event) => attempt(player.set({ keepPitch: event.target.checked })))
+  $('#scale').addEventListener('change', (event) => attempt(player.set({ scale: event.target.value })))
+  $('#volume').addEventListener('input', (event) => attempt(player.set({ volume: Number(event.target.value) })))
+  $('#whole').addEventListener('click', () => timeline.show(0, player.duration))
+  $('#closer').addEventListener('click', () => timeline.zoom(0.5))
+  $('#wider').addEventListener('click', () => timeline.zoom(2))
+  $('#end').addEventListener('click', () => {
+    const end = all[player.run].source_end
+    timeline.show(end - LAST, end + LAST / 10)
+    attempt(player.seek(end - LAST))
+  })
+  timeline.onShow = (from, to) => {
+    $('#span').textContent = `${clock(from, to - from)} to ${clock(to, to - from)}`
+  }
+  timeline.show(0, player.duration)
+  if (all.length > 1) choice(player, all, attempt)
+  player.onChange(() => {
+    plays.setAttribute('aria-pressed', String(player.playing))
+    plays.textContent = player.playing ? 'Pause' : 'Play'
+  })
+  mixer(player)
+}
+
+function choice(player, all, attempt) {
+  all.forEach((run, i) => {
+    const name = 'AB'[i]
+    const radio = element('input', { type: 'radio', name: 'run', value: String(i), checked: i === 0 })
+    radio.addEventListener('change', () => attempt(player.set({ run: i }).then(() => mixer(player))))
+    $('#runs').append(element('label', {}, radio, ` ${name}: ${run.name}`))
+  })
+  $('#runs').hidden = false
+}
+
+function mixer(player) {
+  $('#mixer').replaceChildren(
+    ...player.names.map((name) => {
+      const words = name.replaceAll('_', ' ')
+      const mute = element('button', { type: 'button', textContent: 'mute', ariaPressed: 'false' })
+      const solo = element('button', { type: 'button', textContent: 'solo', ariaPressed: 'false' })
+      mute.setAttribute('aria-label', `mute ${words}`)
+      solo.setAttribute('aria-label', `solo ${words}`)
+      mute.addEventListener('click', () => player.mute(name))
+      solo.addEventListener('click', () => player.set({ solo: player.solo === name ? null : name }))
+      player.onChange(() => {
+        mute.ariaPressed = String(player.muted.has(name))
+        solo.ariaPressed = String(player.solo === name)
+      })
+      const meter = element('meter', { min: QUIET, max: LOUD, value: QUIET })
+      meter.setAttribute('aria-label', `level of ${words}`)
+      const level = element('span', { className: 'level' })
+      const row = element('div', { className: 'strip' }, element('span', { className: 'name', textContent: words }), mute, solo, meter, level)
+      row.dataset.stem = name
+      return row
+    }),
+  )
+}
+
+function meters(player) {
+  const unit = player.runs[player.run].sounds[player.scale].unit
+  for (const row of document.querySelectorAll('.strip')) {
+    const level = player.level(row.dataset.stem)
+    $('meter', row).value = Math.max(level, QUIET)
+    $('.level', row).textContent = level > QUIET ? `${level.toFixed(0)} ${unit}` : `< ${QUIET} ${unit}`
+  }
+}
+
+async function spectrograms(all, player, timeline) {
+  for (const [i, run] of all.entries()) {
+    const stems = await player.samples(i, 'true')
+    const samples = new Float32Array(stems[0].channels[0].length)
+    for (const { channels } of stems) for (let n = 0; n < samples.length; n++) samples[n] += channels[0][n]
+    const { rates, modes } = run.lines
+    const lines = [
+      { t: rates.t, f: rates.precession, colour: '#fff', dash: [] },
+      { t: rates.t, f: rates.nutation, colour: '#56b4e9', dash: [7, 4] },
+      ...[...modes].map((f) => ({ t: [0, run.motion.t.at(-1)], f: [f, f], colour: '#fff', dash: [1, 5] })),
+    ]
+    const panel = element('div', { className: 'panel spectrogram' }, element('canvas'), element('canvas', { className: 'lines' }))
+    $('#spectrograms').append(element('p', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name}` : 'Spectrogram of the true scale' }), panel)
+    panel.setAttribute('role', 'img')
+    panel.setAttribute('aria-label', run.seen)
+    const spectrogram = new Spectrogram($('canvas', panel), samples, {
+      sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay,
+    })
+    window.sonify.spectrograms.push(spectrogram)
+    timeline.add(spectrogram)
+    $('#lines').addEventListener('change', (event) => {
+      spectrogram.showLines = event.target.checked
+      spectrogram.show(...timeline.span)
+    })
+    new ResizeObserver(() => spectrogram.show(...timeline.span)).observe(panel)
+  }
+  $('#loading').hidden = true
+}
+
+function motion(all, timeline) {
+  const panel = () => {
+    const place = element('div', { className: 'panel' }, element('p', {}, element('span', { className: 'title' }), ' ', element('span', { className: 'value' })))
+    $('#curves').append(place)
+    return place
+  }
+  return all.flatMap((run, i) => {
+    const t = run.motion.t.map((time) => time + run.delay)
+    const who = all.length > 1 ? `${'AB'[i]}: ` : ''
+    const { rates } = run.lines
+    const heard = rates.t.map((time) => time + run.delay)
+    const made = [
+      new Curves(panel(), `${who}Rates [Hz]`, heard, [
+        { name: 'precession', unit: 'Hz', values: rates.precession, colour: theme('--first') },
+        { name: 'nutation', unit: 'Hz', values: rates.nutation, colour: theme('--second'), dash: [7, 4] },
+      ], { log: true }),
+      new Curves(panel(), `${who}Inclination [degrees]`, t, [{ unit: 'degrees', values: run.motion.inclination.map((b) => (b * 180) / Math.PI), colour: theme('--first') }]),
+      new Curves(panel(), `${who}Normal force [N]`, t, [{ unit: 'N', values: run.motion.normal, colour: theme('--third') }]),
+      new Curves(panel(), `${who}Energy [mJ]`, t, [{ unit: 'mJ', values: run.motion.energy.map((e) => 1e3 * e), colour: theme('--second') }]),
+    ]
+    made.forEach((one) => timeline.add(one))
+    return made
+  })
+}
+
+const theme = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim()
+
+function three(all) {
+  try {
+    const disks = all.map((run, i) => {
+      const canvas = element('canvas', { className: 'orbit', tabIndex: 0 })
+      canvas.setAttribute('role', 'img')
+      canvas.setAttribute('aria-label', `The disk ${all.length > 1 ? `of ${run.name} ` : ''}on its table at the time that is heard. Arrow keys turn the view, plus and minus bring it nearer and farther.`)
+      $('#disks').append(canvas)
+      if (all.length > 1) canvas.title = 'AB'[i]
+      return new Disk3D(canvas, run)
+    })
+    return { disks, modes: shapes(all[0].shapes) }
+  } catch (error) {
+    $('#three').classList.add('without')
+    $('#three-notice').textContent = `This browser draws no 3-D (${error.message}); the pictures below show the motion and the modes.`
+    return { disks: [] }
+  }
+}
+
+function shapes(given) {
+  if (!given || !given.shapes.length) return undefined
+  const modes = new Modes3D($('#mode-canvas'), given)
+  given.captions.forEach((caption, i) => $('#mode').append(element('option', { value: String(i), textContent: caption })))
+  $('#mode').addEventListener('change', (event) => modes.pick(Number(event.target.value)))
+  $('#exaggerated').textContent = `Exaggerated to ${Math.round(100 * 0.18)} % of the radius where it moves most; bright is far.`
+  $('#swing').checked = !still.matches
+  $('#modes3d').hidden = false
+  return modes
+}
+
+start().catch((error) => {
+  say(`The page cannot show this run interactively (${error.message}); what follows is complete without that.`)
+  throw error
+})

@@ -1,0 +1,59 @@
+// The shapes of the modes, one at a time, swinging slowly and exaggerated.
+import * as THREE from 'three'
+import { Stage, theme } from './stage.js'
+
+const SWING = 1.2 // [s] a period on the screen
+const EXAGGERATED = 0.18 // of the radius, where it moves most
+
+export class Modes3D {
+  constructor(canvas, { points, triangles, shapes }) {
+    Object.assign(this, { points, shapes })
+    this.radius = Math.max(...points)
+    this.stage = new Stage(canvas, 3.6 * this.radius)
+    const geometry = new THREE.BufferGeometry()
+    geometry.setAttribute('position', new THREE.BufferAttribute(points.slice(), 3))
+    geometry.setAttribute('color', new THREE.BufferAttribute(new Float32Array(points.length), 3))
+    geometry.setIndex(new THREE.BufferAttribute(triangles, 1))
+    const skin = new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.6, flatShading: true, side: THREE.DoubleSide })
+    this.geometry = geometry
+    this.stage.scene.add(new THREE.Mesh(geometry, skin))
+    this.pick(0)
+  }
+
+  pick(number) {
+    this.shape = this.shapes[number]
+    const most = largest(this.shape)
+    this.scale = (EXAGGERATED * this.radius) / most
+    const [still, far] = [theme('--still'), theme('--far')]
+    const colour = this.geometry.attributes.color
+    for (let i = 0; i < colour.count; i++) {
+      const size = Math.hypot(...this.shape.subarray(3 * i, 3 * i + 3)) / most
+      const mixed = still.clone().lerp(far, size)
+      colour.setXYZ(i, mixed.r, mixed.g, mixed.b)
+    }
+    colour.needsUpdate = true
+    this.moved(1)
+  }
+
+  /** The displacement of the shape [m] over that of a unit of its amplitude: what the eye is shown. */
+  moved(phase) {
+    const position = this.geometry.attributes.position
+    for (let i = 0; i < position.array.length; i++) {
+      position.array[i] = this.points[i] + phase * this.scale * this.shape[i]
+    }
+    position.needsUpdate = true
+    this.geometry.computeBoundingSphere()
+    this.stage.stale = true
+  }
+
+  draw(seconds, still) {
+    if (!still) this.moved(Math.cos((2 * Math.PI * seconds) / SWING))
+    this.stage.draw()
+  }
+}
+
+function largest(shape) {
+  let most = 0
+  for (let i = 0; i < shape.length; i += 3) most = Math.max(most, Math.hypot(shape[i], shape[i + 1], shape[i + 2]))
+  return most
+}

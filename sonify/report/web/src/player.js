@@ -1,0 +1,189 @@
+// Plays the stems of a run together: one source of as many channels as stems, so that they cannot drift apart.
+import SignalsmithStretch from 'signalsmith-stretch'
+import stretching from 'text:signalsmith-stretch/SignalsmithStretch.mjs'
+import { bytes } from './data.js'
+
+SignalsmithStretch.moduleUrl = `data:text/javascript;charset=utf-8,${encodeURIComponent(stretching)}` // a page from disk has no other
+
+const AHEAD = 0.05 // what a stretcher is told so long before it is heard starts cleanly [s]
+
+export class Player {
+  /** `runs` with sounds {scale: {full_scale, tracks: {name: data URL}}}; nothing sounds before `play`. */
+  constructor(runs) {
+    this.runs = runs
+    this.run = 0
+    this.scale = Object.keys(runs[0].sounds)[0]
+    this.speed = 1
+    this.keepPitch = false
+    this.volume = 1
+    this.muted = new Set()
+    this.solo = null
+    this.position = 0
+    this.playing = false
+    this.decoded = new Map()
+    this.listeners = []
+  }
+
+  get names() {
+    return Object.keys(this.runs[this.run].sounds[this.scale].tracks)
+  }
+
+  get duration() {
+    return Math.max(...this.runs.map((run) => run.duration))
+  }
+
+  /** The samples of every stem, decoded once: a list of {name, channels: [Float32Array]}. */
+  async samples(run = this.run, scale = this.scale) {
+    const key = `${run} ${scale}`
+    if (!this.decoded.has(key)) this.decoded.set(key, this.#decode(this.runs[run], scale))
+    return this.decoded.get(key)
+  }
+
+  async #decode(run, scale) {
+    const context = new OfflineAudioContext(1, 1, run.sample_rate)
+    const tracks = Object.entries(run.sounds[scale].tracks)
+    return Promise.all(
+      tracks.map(async ([name, url]) => {
+        const buffer = await context.decodeAudioData(bytes(url))
+        return { name, channels: Array.from({ length: buffer.numberOfChannels }, (_, c) => buffer.getChannelData(c)) }
+      }),
+    )
+  }
+
+  /** The time of the sound that is heard now [s]: that of the audio clock, less what the output takes. */
+  get time() {
+    if (!this.playing) return this.position
+    const heard = this.context.currentTime - (this.context.outputLatency || 0)
+    return Math.min(this.from + Math.max(heard - this.since, 0) * this.speed, this.duration)
+  }
+
+  async play() {
+    if (this.playing) return
+    this.context ??= new AudioContext({ sampleRate: this.runs[0].sample_rate })
+    const running = this.context.resume()
+    const patience = new Promise((_, no) => setTimeout(no, 2000, new Error('this browser does not let the page sound')))
+    await Promise.race([running, patience])
+    if (this.position >= this.duration - 1e-3) this.position = 0
+    await this.#start()
+    this.#changed()
+  }
+
+  async #start() {
+    const stems = await this.samples()
+    this.stop = this.speed !== 1 && this.keepPitch ? await this.#stretched(stems) : this.#plain(stems)
+    this.playing = true
+  }
+
+  #plain(stems) {
+    const across = stems[0].channels.length
+    const buffer = this.context.createBuffer(stems.length * across, stems[0].channels[0].length, this.runs[this.run].sample_rate)
+    stems.flatMap((stem) => stem.channels).forEach((channel, i) => buffer.copyToChannel(channel, i))
+    const source = new AudioBufferSourceNode(this.context, { buffer, playbackRate: this.speed })
+    this.#mixed(source, stems)
+    this.from = this.position
+    this.since = this.context.currentTime + 0.01
+    source.start(this.since, this.from)
+    return () => source.stop()
+  }
+
+  async #stretched(stems) {
+    const channels = stems.flatMap((stem) => stem.channels)
+    const options = { numberOfInputs: 1, numberOfOutputs: 1, outputChannelCount: [channels.length] }
+    const node = await SignalsmithStretch(this.context, options)
+    await node.addBuffers(channels.map((channel) => channel.slice()))
+    this.#mixed(node, stems)
+    this.from = this.position
+    this.since = this.context.currentTime + AHEAD + (await node.latency())
+    node.schedule({ output: this.since, outputTime: this.since, input: this.from, rate: this.speed, active: true })
+    return () => {
+      node.stop()
+      node.disconnect()
+    }
+  }
+
+  #mixed(source, stems) {
+    const across = stems[0].channels.length
+    const splitter = this.context.createChannelSplitter(stems.length * across)
+    this.master?.disconnect()
+    this.master = new GainNode(this.context, { gain: this.volume })
+    this.master.connect(this.context.destination)
+    source.connect(splitter)
+    this.strips = stems.map(({ name }, i) => {
+      const gain = new GainNode(this.context)
+      const meter = new AnalyserNode(this.context, { fftSize: 2048 })
+      const merger = this.context.createChannelMerger(across)
+      for (let c = 0; c < across; c++) splitter.connect(merger, i * across + c, c)
+      merger.connect(gain).connect(meter).connect(this.master)
+      return { name, gain, meter }
+    })
+    this.#setGains()
+  }
+
+  #setGains() {
+    for (const { name, gain } of this.strips ?? []) gain.gain.value = this.sounds(name) ? 1 : 0
+    if (this.master) this.master.gain.value = this.volume
+  }
+
+  /** Whether a stem is let through. */
+  sounds(name) {
+    return this.solo ? this.solo === name : !this.muted.has(name)
+  }
+
+  /** The level of a stem now [dB SPL]: mean square of the last 2048 samples; what is muted is at -Infinity. */
+  level(name) {
+    const strip = this.playing && this.strips.find((one) => one.name === name)
+    if (!strip) return -Infinity
+    const block = new Float32Array(strip.meter.fftSize)
+    strip.meter.getFloatTimeDomainData(block)
+    const mean = block.reduce((sum, x) => sum + x * x, 0) / block.length
+    return 20 * Math.log10((Math.sqrt(mean) * this.runs[this.run].sounds[this.scale].full_scale) / 20e-6)
+  }
+
+  pause() {
+    if (!this.playing) return
+    this.position = this.time
+    this.playing = false
+    this.stop()
+    this.#changed()
+  }
+
+  async toggle() {
+    return this.playing ? this.pause() : this.play()
+  }
+
+  /** Change what is played, or how; if it plays, it goes on from where it is. */
+  async set(change) {
+    const gains = Object.keys(change).every((key) => ['solo', 'volume'].includes(key))
+    const was = this.playing
+    if (was && !gains) this.pause()
+    Object.assign(this, change)
+    this.position = Math.min(Math.max(this.position, 0), this.duration)
+    this.#setGains()
+    if (was && !gains) await this.play()
+    this.#changed()
+  }
+
+  async seek(time) {
+    return this.set({ position: time })
+  }
+
+  mute(name) {
+    if (!this.muted.delete(name)) this.muted.add(name)
+    this.#setGains()
+    this.#changed()
+  }
+
+  /** Call `note()` whenever something changes that a control shows. */
+  onChange(note) {
+    this.listeners.push(note)
+  }
+
+  #changed() {
+    this.listeners.forEach((note) => note())
+  }
+
+  /** To be called as often as the screen is drawn: stops at the end. */
+  tick() {
+    if (this.playing && this.time >= this.duration) this.pause()
+  }
+}

@@ -1,0 +1,120 @@
+// The stretch of time that every panel shows, and what pointer and keys do to it.
+
+const SHORTEST = 1e-3 // [s]
+const DRAG = 4 // a pointer that moves less [px] has clicked
+
+export class Timeline {
+  constructor(duration, player) {
+    this.duration = duration
+    this.player = player
+    this.panels = []
+    this.span = [0, duration]
+  }
+
+  /** `panel` has `element`, the area that shows the span, and `show(from, to)`. */
+  add(panel) {
+    this.panels.push(panel)
+    const head = document.createElement('div')
+    head.className = 'playhead'
+    panel.element.append(head)
+    panel.head = head
+    this.#listen(panel.element)
+    panel.show(...this.span)
+  }
+
+  show(from, to) {
+    const width = Math.min(Math.max(to - from, SHORTEST), this.duration)
+    const start = Math.min(Math.max(from, 0), this.duration - width)
+    this.span = [start, start + width]
+    this.panels.forEach((panel) => panel.show(...this.span))
+    this.onShow?.(...this.span)
+    this.draw()
+  }
+
+  zoom(factor, about = this.player.time) {
+    const [from, to] = this.span
+    const middle = about >= from && about <= to ? about : (from + to) / 2
+    this.show(middle - (middle - from) * factor, middle + (to - middle) * factor)
+  }
+
+  /** Put the playhead of every panel where the player is; while it plays beyond the view, the view follows. */
+  draw() {
+    const [from, to] = this.span
+    const { time, playing } = this.player
+    if (playing && time > to && time < this.duration) return this.show(time, time + (to - from))
+    const share = (time - from) / (to - from)
+    for (const { head } of this.panels) {
+      head.hidden = share < 0 || share > 1
+      head.style.left = `${100 * share}%`
+    }
+  }
+
+  #time(element, event) {
+    const box = element.getBoundingClientRect()
+    const share = (event.clientX - box.left) / box.width
+    return this.span[0] + Math.min(Math.max(share, 0), 1) * (this.span[1] - this.span[0])
+  }
+
+  #listen(element) {
+    let start = null
+    const mark = document.createElement('div')
+    mark.className = 'selection'
+    mark.hidden = true
+    element.append(mark)
+    element.addEventListener('pointerdown', (event) => {
+      if (event.button === 0) start = { x: event.clientX, time: this.#time(element, event) }
+      element.setPointerCapture(event.pointerId)
+    })
+    element.addEventListener('pointermove', (event) => {
+      if (!start) return
+      const box = element.getBoundingClientRect()
+      mark.hidden = Math.abs(event.clientX - start.x) < DRAG
+      mark.style.left = `${Math.min(event.clientX, start.x) - box.left}px`
+      mark.style.width = `${Math.abs(event.clientX - start.x)}px`
+    })
+    element.addEventListener('pointerup', (event) => {
+      if (!start) return
+      const time = this.#time(element, event)
+      if (mark.hidden) this.player.seek(time)
+      else this.show(Math.min(time, start.time), Math.max(time, start.time))
+      start = null
+      mark.hidden = true
+    })
+    element.addEventListener('pointercancel', () => {
+      start = null
+      mark.hidden = true
+    })
+    element.addEventListener('dblclick', () => this.show(0, this.duration))
+    element.addEventListener(
+      'wheel',
+      (event) => {
+        if (!event.ctrlKey && !event.shiftKey) return
+        event.preventDefault()
+        this.zoom(Math.exp(event.deltaY / 300), this.#time(element, event))
+      },
+      { passive: false },
+    )
+  }
+
+  /** Keys for whatever has the focus inside `element`, but not for what is typed or chosen. */
+  keys(element) {
+    const step = () => (this.span[1] - this.span[0]) / 20
+    const does = {
+      ' ': () => this.player.toggle(),
+      ArrowLeft: () => this.player.seek(this.player.time - step()),
+      ArrowRight: () => this.player.seek(this.player.time + step()),
+      Home: () => this.player.seek(0),
+      End: () => this.player.seek(this.duration),
+      '+': () => this.zoom(0.5),
+      '=': () => this.zoom(0.5),
+      '-': () => this.zoom(2),
+      0: () => this.show(0, this.duration),
+    }
+    element.addEventListener('keydown', (event) => {
+      const busy = event.target.closest('button, select, input, canvas.orbit, a, summary')
+      if (!does[event.key] || event.ctrlKey || event.metaKey || event.altKey || busy) return
+      event.preventDefault()
+      Promise.resolve(does[event.key]()).catch((error) => this.onError?.(error))
+    })
+  }
+}

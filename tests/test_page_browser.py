@@ -1,0 +1,269 @@
+"""Claim: in a real browser the page of a run plays, seeks, zooms, mutes and turns as it says, for everyone.
+
+Source: the README's description of the page; WCAG 2.2 AA. Oracle: the samples that leave the mixer, held against those
+decoded; the pixels of the canvases; axe-core. Skipped where there is no Chromium.
+"""
+
+import shutil
+
+import pytest
+
+from sonify import load_scene, run
+
+playwright = pytest.importorskip("playwright.sync_api", reason="needs the extra `browser`")
+CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs Chromium"),
+]
+ARGUMENTS = [
+    "--no-sandbox",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-background-networking",
+]
+WIDTHS = (360, 1280, 1920)
+
+HEARD = """async () => {
+  // The last samples that left the mixer, where in the sum of the stems they are, and where the playhead says it is.
+  const { player } = sonify
+  const stems = await player.samples()
+  const sum = new Float32Array(stems[0].channels[0].length)
+  for (const { channels } of stems) channels[0].forEach((x, i) => (sum[i] += x))
+  const probe = new AnalyserNode(player.context, { fftSize: 4096 })
+  player.master.connect(probe)
+  await new Promise((done) => setTimeout(done, 400))
+  const out = new Float32Array(4096)
+  probe.getFloatTimeDomainData(out)
+  const rate = player.context.sampleRate
+  const says = Math.round((player.time + (player.context.outputLatency || 0)) * rate) - out.length
+  let [best, lag] = [-Infinity, 0]
+  for (let d = -6000; d <= 6000; d++) {
+    let [dot, power] = [0, 1e-30]
+    for (let i = 0; i < out.length; i += 3) {
+      const x = sum[says + d + i] ?? 0
+      dot += x * out[i]
+      power += x * x
+    }
+    if (dot / Math.sqrt(power) > best) [best, lag] = [dot / Math.sqrt(power), d]
+  }
+  const norm = Math.sqrt(out.reduce((s, x, i) => s + (i % 3 ? 0 : x * x), 0))
+  return { late: lag / rate, likeness: best / norm }
+}"""
+LOUDEST = """async () => {
+  const probe = new AnalyserNode(sonify.player.context, { fftSize: 4096 })
+  sonify.player.master.connect(probe)
+  await new Promise((done) => setTimeout(done, 300))
+  const out = new Float32Array(4096)
+  probe.getFloatTimeDomainData(out)
+  return Math.max(...out.map(Math.abs))
+}"""
+READY = "() => window.sonify && sonify.spectrograms.length > 0 && document.querySelector('#loading').hidden"
+PIXELS = """(canvas) => {
+  const copy = document.createElement('canvas')
+  Object.assign(copy, { width: 80, height: 60 })
+  copy.getContext('2d').drawImage(canvas, 0, 0, 80, 60)
+  return [...copy.getContext('2d').getImageData(0, 0, 80, 60).data]
+}"""
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    scene = load_scene("published").replace("numerics.accuracy=draft")
+    return run(scene, tmp_path_factory.mktemp("page") / "published").out
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with playwright.sync_playwright() as started:
+        chromium = started.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
+        yield chromium
+        chromium.close()
+
+
+@pytest.fixture
+def open_page(browser, folder):
+    """Return open_page(width, ...) -> the page, whose console must have been silent at the end."""
+    contexts, said = [], []
+
+    def open_page(width=1280, script="", **options):
+        contexts.append(browser.new_context(viewport={"width": width, "height": 900}, **options))
+        page = contexts[-1].new_page()
+        page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
+        page.on("pageerror", lambda error: said.append(str(error)))
+        page.add_init_script(script)
+        page.goto((folder / "report.html").as_uri())
+        return page
+
+    yield open_page
+    for context in contexts:
+        context.close()
+    assert said == []
+
+
+@pytest.fixture
+def page(open_page):
+    page = open_page()
+    page.wait_for_function(READY, timeout=60_000)
+    return page
+
+
+def box(page, selector):
+    page.locator(selector).first.scroll_into_view_if_needed()
+    return page.locator(selector).first.bounding_box()
+
+
+def test_the_playhead_is_where_the_sound_is(page):
+    page.evaluate("sonify.player.seek(17.0)")
+    page.click("#play")
+    page.wait_for_function("sonify.player.playing")
+    heard = page.evaluate(HEARD)
+    assert heard["likeness"] > 0.99
+    assert abs(heard["late"]) < 0.03
+    drawn = page.evaluate(
+        """() => { sonify.timeline.draw()
+        const { span, player, panels } = sonify.timeline
+        return (parseFloat(panels[0].head.style.left) / 100) * (span[1] - span[0]) + span[0] - player.time }"""
+    )
+    assert abs(drawn) < 0.03
+
+
+@pytest.mark.parametrize("keep", [False, True])
+def test_slow_play_takes_its_time(page, keep):
+    page.evaluate(f"sonify.player.set({{ position: 17, speed: 0.1, keepPitch: {str(keep).lower()} }})")
+    page.click("#play")
+    page.wait_for_function("sonify.player.playing")
+    page.wait_for_timeout(300)
+    clocks = "[sonify.player.time, sonify.player.context.currentTime]"
+    before = page.evaluate(clocks)
+    assert page.evaluate(LOUDEST) > 1e-4
+    page.wait_for_timeout(1000)
+    after = page.evaluate(clocks)
+    assert (after[0] - before[0]) / (after[1] - before[1]) == pytest.approx(0.1, abs=0.01)
+
+
+def test_stems_are_muted_and_heard_alone(page):
+    page.evaluate("sonify.player.seek(10.0)")
+    page.click("#play")
+    page.wait_for_function("sonify.player.playing")
+    names = page.evaluate("sonify.player.names")
+    assert page.evaluate(LOUDEST) > 1e-3
+    for name in names:
+        page.click(f'[data-stem="{name}"] button:has-text("mute")')
+    page.evaluate("sonify.player.seek(10.0)")
+    assert page.evaluate(LOUDEST) == 0.0
+    page.click(f'[data-stem="{names[1]}"] button:has-text("solo")')
+    assert page.evaluate(LOUDEST) > 1e-4
+    assert page.locator(f'[data-stem="{names[1]}"] .level').inner_text().endswith("dB(A)")
+
+
+def test_click_drag_and_button_land_where_they_say(page):
+    whole = page.evaluate("sonify.player.duration")
+    area = box(page, ".spectrogram")
+    x, y = area["x"], area["y"] + area["height"] / 2
+    page.mouse.click(x + area["width"] / 4, y)
+    assert page.evaluate("sonify.player.time") == pytest.approx(whole / 4, abs=2 * whole / area["width"])
+    page.mouse.move(x + area["width"] / 2, y)
+    page.mouse.down()
+    page.mouse.move(x + 3 * area["width"] / 4, y, steps=4)
+    page.mouse.up()
+    span = page.evaluate("sonify.timeline.span")
+    assert span == pytest.approx([whole / 2, 3 * whole / 4], abs=2 * whole / area["width"])
+    page.click("#end")
+    end = page.evaluate("sonify.runs[0].source_end")
+    assert page.evaluate("sonify.timeline.span") == pytest.approx([end - 1, end + 0.1])
+    page.evaluate("sonify.timeline.show(18.0, 18.0)")
+    assert page.evaluate("sonify.timeline.span[1] - sonify.timeline.span[0]") == pytest.approx(1e-3)
+
+
+def test_the_spectrogram_shows_the_mode_where_it_is(page):
+    """The brightest row after the motion is a mode, give or take two bins of its window, 23 Hz each, and a row, 2 %."""
+    page.evaluate("sonify.timeline.show(20, 22)")
+    page.evaluate("sonify.spectrograms[0].done")
+    frequency = page.evaluate(
+        """() => { const s = sonify.spectrograms[0], c = s.canvas
+        const d = c.getContext('2d').getImageData(c.width >> 1, 0, 1, c.height).data
+        let best = 0
+        for (let i = 0; i < c.height; i++) if (d[4 * i] + d[4 * i + 1] > d[4 * best] + d[4 * best + 1]) best = i
+        return s.frequency(1 - (best + 0.5) / c.height) }"""
+    )
+    modes = page.evaluate("[...sonify.runs[0].lines.modes]")
+    assert min(abs(frequency - f) - 2 * 24 - 0.02 * f for f in modes) < 0
+
+
+def test_keys_do_what_the_page_says(page):
+    page.focus("#span")
+    page.evaluate("document.activeElement.blur()")
+    page.locator(".spectrogram").first.evaluate("(e) => { e.tabIndex = 0; e.focus() }")
+    page.keyboard.press("End")
+    assert page.evaluate("sonify.player.time") == pytest.approx(page.evaluate("sonify.player.duration"))
+    page.keyboard.press("Home")
+    page.keyboard.press("+")
+    assert page.evaluate("sonify.timeline.span") == pytest.approx([0, page.evaluate("sonify.player.duration / 2")])
+
+
+def test_disk_and_modes_move(page):
+    for canvas, change in (("#disks canvas", "sonify.player.seek(10.05)"), ("#mode-canvas", "0")):
+        handle = page.locator(canvas)
+        handle.scroll_into_view_if_needed()
+        page.wait_for_timeout(300)
+        before = handle.evaluate(PIXELS)
+        page.evaluate(change)
+        page.wait_for_timeout(500)
+        after = handle.evaluate(PIXELS)
+        assert len(set(before)) > 20
+        assert sum(a != b for a, b in zip(before, after, strict=True)) > 100
+    picked = page.locator("#mode-canvas").evaluate(PIXELS)
+    page.uncheck("#swing")
+    page.select_option("#mode", index=3)
+    page.wait_for_timeout(500)
+    assert page.locator("#mode-canvas").evaluate(PIXELS) != picked
+
+
+@pytest.mark.parametrize("width", WIDTHS)
+def test_it_fits_the_screen(open_page, width, tmp_path):
+    page = open_page(width)
+    page.wait_for_function(READY, timeout=60_000)
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    shot = page.screenshot(path=tmp_path / f"{width}.png")
+    assert len(shot) > 10_000
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_it_can_be_used_by_everyone(open_page, scheme):
+    axe = pytest.importorskip("axe_playwright_python.sync_playwright", reason="needs the extra `browser`")
+    page = open_page(color_scheme=scheme)
+    page.wait_for_function(READY, timeout=60_000)
+    found = axe.Axe().run(page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"]})
+    assert [(v["id"], v["nodes"][0]["html"][:200]) for v in found.response["violations"]] == []
+
+
+def test_nothing_swings_for_those_who_want_it_still(open_page):
+    page = open_page(reduced_motion="reduce")
+    page.wait_for_function(READY, timeout=60_000)
+    assert not page.is_checked("#swing")
+
+
+def test_a_browser_without_3d_says_so(open_page):
+    page = open_page(
+        script="HTMLCanvasElement.prototype.getContext = new Proxy(HTMLCanvasElement.prototype.getContext, "
+        "{ apply: (f, self, [kind, ...rest]) => kind.startsWith('webgl') ? null : f.call(self, kind, ...rest) })"
+        "; console.error = console.warn = () => {}"
+    )
+    page.wait_for_function(READY, timeout=60_000)
+    assert "draws no 3-D" in page.locator("#three-notice").inner_text()
+
+
+def test_a_browser_that_keeps_silent_says_so(open_page):
+    page = open_page(script="AudioContext.prototype.resume = () => new Promise(() => {})")
+    page.wait_for_function(READY, timeout=60_000)
+    page.click("#play")
+    page.wait_for_selector("#notice:not([hidden])", timeout=5000)
+    assert page.locator("#notice").inner_text().startswith("No sound: ")
+
+
+def test_a_browser_that_decodes_nothing_still_tells_everything(open_page):
+    page = open_page(script="OfflineAudioContext.prototype.decodeAudioData = () => Promise.reject(new Error('no'))")
+    page.wait_for_selector("#notice:not([hidden])", timeout=10_000)
+    assert "cannot be decoded" in page.locator("#notice").inner_text()
+    assert page.locator("h2:has-text('Findings')").is_visible()

@@ -1,0 +1,113 @@
+"""Claim: `serve` shows what is in its folder, in pieces where a player asks for pieces, and nothing that is elsewhere.
+
+Source: RFC 9110, section 14 (ranges); the README's command line. Oracle: the bytes of the files on disk.
+"""
+
+import json
+import queue
+import threading
+from http.client import HTTPConnection
+from types import SimpleNamespace
+
+import pytest
+
+from sonify.scene_errors import InputError
+from sonify.serve import serve
+
+RECORD = {"scene": {"name": "one"}, "outcome": {"sentence": "it lies"}, "findings": [{"holds": True}, {"holds": False}]}
+NUMBERS = '{"name": "one"}'
+
+
+@pytest.fixture(scope="module")
+def root(tmp_path_factory):
+    top = tmp_path_factory.mktemp("serve")
+    root = top / "runs"
+    for place in ("one", "deep/two"):
+        (root / place).mkdir(parents=True)
+        (root / place / "run.json").write_text(json.dumps(RECORD))
+        (root / place / "report.html").write_text(f'<script type="application/json" class="run">{NUMBERS}</script>')
+    (root / "one" / "sound.wav").write_bytes(bytes(range(200)))
+    (root / "broken").mkdir()
+    (root / "broken" / "run.json").write_text("{}")
+    (top / "secret.txt").write_text("secret")
+    (root / "one" / ".hidden").write_text("secret")
+    (root / "one" / "link.txt").symlink_to(top / "secret.txt")
+    return root
+
+
+@pytest.fixture(scope="module")
+def get(root):
+    """Return get(path, **headers) -> status, headers, body, of a server that runs."""
+    told = queue.Queue()
+    threading.Thread(target=serve, args=(root, "127.0.0.1", 0, told.put), daemon=True).start()
+    port = int(told.get(timeout=10).rstrip("/").rpartition(":")[2])
+
+    def get(path, **headers):
+        connection = HTTPConnection("127.0.0.1", port, timeout=10)
+        connection.request("GET", path, headers=headers)
+        answer = connection.getresponse()
+        return SimpleNamespace(status=answer.status, headers=answer.headers, body=answer.read())
+
+    return get
+
+
+def test_the_list_names_every_finished_run(get):
+    page = get("/").body.decode()
+    assert 'href="runs/one/"' in page
+    assert 'href="runs/deep/two/"' in page
+    assert "1 of 2" in page
+    assert "broken" not in page
+
+
+def test_a_page_and_its_files_are_those_on_disk(get, root):
+    assert get("/runs/one/").body == (root / "one" / "report.html").read_bytes()
+    assert get("/runs/one").headers["location"] == "/runs/one/"
+    assert get("/runs/one/sound.wav").body == bytes(range(200))
+
+
+def test_a_player_gets_the_piece_it_asks_for(get):
+    piece = get("/runs/one/sound.wav", Range="bytes=50-59")
+    assert (piece.status, piece.body) == (206, bytes(range(50, 60)))
+    assert piece.headers["content-range"] == "bytes 50-59/200"
+    assert get("/runs/one/sound.wav", Range="bytes=500-").status == 416
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "/runs/nothing/",
+        "/runs/../secret.txt",
+        "/runs/%2e%2e/secret.txt",
+        "/runs/one/%2e%2e/%2e%2e/secret.txt",
+        "/runs//etc/passwd",
+        "/runs/one/link.txt",
+        "/runs/one/.hidden",
+        "/runs/one/%00",
+        f"/runs/{'x' * 5000}",
+        "/nothing",
+        "/compare?a=one&b=../secret.txt",
+        "/compare?a=one&b=broken",
+        "/compare",
+    ],
+    ids=range(13),
+)
+def test_what_is_not_in_the_folder_does_not_exist(get, path):
+    answer = get(path)
+    assert answer.status == 404
+    assert b"secret" not in answer.body
+
+
+def test_two_runs_are_on_one_page(get):
+    page = get("/compare?a=one&b=deep/two").body.decode()
+    assert page.count(f'<script type="application/json" class="run">{NUMBERS}</script>') == 2
+
+
+def test_a_name_that_is_not_this_machine_is_refused(get):
+    assert get("/", Host="elsewhere.example").status == 400
+
+
+def test_a_folder_or_port_that_cannot_be_had_is_one_line(root):
+    with pytest.raises(InputError, match="no such folder"):
+        serve(root / "nowhere")
+    with pytest.raises(InputError, match="--port"):
+        serve(root, port=70_000)
