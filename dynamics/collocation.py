@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from .hybrid import Arc, StalledError, Step
-from .implicit_steps import FORWARD, LENGTH, NODES, ORDER, SHORTEST, STEP, STEPS, collocate, integrate, is_slow
+from .implicit_steps import FORWARD, LENGTH, NODES, ORDER, SHORTEST, STEP, STEPS, collocate, integrate
 from .regime import FLOAT, STOP_SPEED, V1, V2, Branch, Flow, R, describe
 from .runge_kutta import GUARDS
 from .symbolic import constants, shape
@@ -36,12 +36,6 @@ class Onward(Flow):
     def grip(self, y):
         """Return the guard of a slide that comes to rest slowly."""
         return self.speed(y) - REST
-
-
-def is_stiff(y, contact, law) -> bool:
-    """Tell whether the slide at state y is slow, and slow to change."""
-    product = contact.du1 * y[V1] + contact.du2 * y[V2]
-    return is_slow(math.hypot(y[V1], y[V2]), product, law.mu_dynamic * contact.Phi)
 
 
 def _prepared(regime, law, loads, r_end):

@@ -1,7 +1,6 @@
 """The first guard that falls through zero along a curve, for integrators that do not find roots themselves."""
 
 import numpy as np
-from scipy.optimize import brentq
 
 LOOKS = 4
 """Points of a step at which the guards are looked at."""
@@ -17,6 +16,8 @@ def first_fall(curve, start, stop, guards, values):
         now = guards(curve(look))
         falls = [name for name in now if values[name] > 0 >= now[name]]
         if falls:
+            from scipy.optimize import brentq  # loads slowly
+
             roots = {name: brentq(lambda t, n=name: guards(curve(t))[n], start, look, xtol=1e-16) for name in falls}
             name = min(roots, key=roots.get)
             return roots[name], name, now

@@ -7,6 +7,7 @@ direction in which the slip ran at first, `FORWARD`: a slip that runs back count
 import numpy as np
 from numba import njit, types
 
+from . import slow_slide
 from .regime import DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, R
 from .runge_kutta import GUARDS, at, fall_between
 from .trace import FLOW, ROW
@@ -26,19 +27,10 @@ SHORTEST = 1e-12
 ACCURACY = 1e-12
 TILT = 1e-7
 """Of the difference quotients for Newton's method, which mends their error."""
-SLOW, LAZY_GAIN, LAZY_LOSS = 0.05, 0.002, 0.05
-"""A slide is stiff while its speed over r, and what it gains or loses, are less than these parts of friction.
-
-Explicit steps are many times cheaper, but as a slide comes to rest their number has no bound.
-"""
 MOST_STEPS, MOST_TRIES = 100, 12
 FORWARD, SIZE = DISSIPATED + 1, DISSIPATED + 3
 
-
-@njit(cache=True, error_model="numpy")
-def is_slow(speed, product, friction):
-    """Tell whether a slide of `speed` over r is slow and lazy; `product` is that speed times the rate of the slip."""
-    return speed < SLOW * friction and -LAZY_LOSS * friction * speed < product < LAZY_GAIN * friction * speed
+is_slow = njit(cache=True, error_model="numpy")(slow_slide.is_slow)
 
 
 @njit(cache=True, error_model="numpy")

@@ -1,7 +1,6 @@
 """Does a piecewise polynomial ever fall? Asked of every point of every piece, not only of their ends."""
 
 import numpy as np
-from scipy.special import comb
 
 
 def largest_fall(c, x) -> float:
@@ -10,6 +9,8 @@ def largest_fall(c, x) -> float:
     A polynomial rises where the Bernstein coefficients of its slope are positive (Farouki 2012, section 5.1). Only in
     the pieces where some are not are the extrema, the roots of the slope, looked for.
     """
+    from scipy.special import comb  # loads slowly
+
     powers = c[::-1] * np.diff(x) ** np.arange(len(c))[:, None]
     slopes = powers[1:] * np.arange(1, len(c))[:, None]
     i, j = np.indices((len(slopes), len(slopes)))

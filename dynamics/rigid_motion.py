@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.interpolate import PPoly
 
 from .disk import Disk
 from .equations import Law
@@ -14,6 +14,9 @@ from .kinematics import energy, precession_rate
 from .monotone import largest_fall
 from .motion import COLUMNS, Jumps, Outcome, Transition
 from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
+
+if TYPE_CHECKING:
+    from scipy.interpolate import PPoly
 
 HARMONICS = 8
 """Multiples of the precession rate that the contact force is taken to contain."""
@@ -31,7 +34,7 @@ class RigidMotion:
     disk: Disk
     law: Law
     loads: Callable | None
-    path: PPoly
+    path: "PPoly"
     regimes: tuple[Regime, ...]
     regime_of_piece: np.ndarray
     transitions: tuple[Transition, ...]

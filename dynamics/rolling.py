@@ -5,12 +5,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from operator import add
 
-from . import collocation
 from .dissipation import OwnLaw, Resistance
 from .equations import Law
 from .first_root import first_fall
 from .hybrid import Arc, StalledError, Switch
 from .regime import AXES, FLOAT, PRECESSION, SPIN, STOP_SPEED, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from .slow_slide import is_stiff
 from .switching import GRAZING, ImpossibleContactError, follow, slide_to_rest
 
 CRAWL, MANY = 1e-5, 1000
@@ -50,10 +50,10 @@ class RollingDisk:
         """
         turned = math.remainder(y[PRECESSION], 2 * math.pi)
         local, offset = [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
-        stiff = self._is_stiff(y, regime)
-        if stiff:
+        flow = self.integrate
+        if self._is_stiff(y, regime):
             self.announce("slow slide")
-        flow = collocation.advance if stiff else self.integrate
+            from .collocation import advance as flow  # numba loads slowly
         arc = flow(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
         if arc.guard is None and len(arc.times) >= MANY and arc.times[-1] < min(CRAWL * y[R] * len(arc.times), span):
             raise StalledError(f"{describe(y)}: every step is too short in {regime}")
@@ -65,7 +65,7 @@ class RollingDisk:
         if not (regime.sliding and self.law.mu_dynamic > 0):
             return False
         branch = Branch.of(regime, self.law, self.loads)
-        return collocation.is_stiff(y, FLOAT.contact(y, branch, regime.senses, self.law), self.law)
+        return is_stiff(y, FLOAT.contact(y, branch, regime.senses, self.law), self.law)
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Decide what follows when `guard` has fallen through zero."""

@@ -8,7 +8,6 @@ from importlib import import_module
 from typing import Protocol
 
 import numpy as np
-from scipy.interpolate import PPoly
 
 from .disk import Disk, Friction, Release
 from .dissipation import OwnLaw, resistance, together
@@ -135,6 +134,8 @@ def chosen_integrator(name: str):
 
 def _motion(disk, system, path, outcome, name) -> RigidMotion:
     """Join the pieces of a path to one record; pieces of no duration are left out."""
+    from scipy.interpolate import PPoly  # loads slowly: by now the flows are compiled
+
     x = np.concatenate(path.times)
     lasting = np.diff(x) > 0
     order = max(block.shape[1] for block in path.coefficients)

@@ -8,9 +8,7 @@ import math
 from itertools import product
 
 import numpy as np
-from scipy.optimize import brentq
 
-from .collocation import grazing_step
 from .equations import UNLOADED, Law, separation
 from .hybrid import StalledError, Step
 from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
@@ -141,15 +139,21 @@ def _slip_directions(y, regime, branch, law):
     across = coarse.du2 * np.cos(grid) - coarse.du1 * np.sin(grid)
     solvable = np.broadcast_to(coarse.inertia > 0, grid.shape)
     turns = np.flatnonzero(((across[:-1] > 0) != (across[1:] > 0)) & solvable[:-1] & solvable[1:])
-    roots = [brentq(cross, grid[i], grid[i + 1], xtol=1e-15, rtol=1e-15) for i in turns]
+    roots = [_root(cross, grid[i], grid[i + 1]) for i in turns]
     yield from (nu for speed, nu in sorted(((growth(nu), nu) for nu in roots), reverse=True) if speed > -ROUND_OFF)
+
+
+def _root(function, low, high):
+    from scipy.optimize import brentq  # loads slowly
+
+    return brentq(function, low, high, xtol=1e-15, rtol=1e-15)
 
 
 def _root_near(function, x, width):
     """Return a root of `function` about x, looked for within `width` and then farther; None within a radian."""
     while width < 1:
         if (function(x - width) > 0) != (function(x + width) > 0):
-            return brentq(function, x - width, x + width, xtol=1e-15, rtol=1e-15)
+            return _root(function, x - width, x + width)
         width *= 4
     return None
 
@@ -161,6 +165,8 @@ def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
         if _consistent(y, first, regime, law, at_zero):
             push = math.hypot(first.du1, first.du2)
             if push < GRAZING * law.mu_dynamic * first.Phi:
+                from .collocation import grazing_step  # numba loads slowly
+
                 step = grazing_step(y, nu, first, regime, law, branch.loads)
             else:
                 step = _trapezoidal_step(y, nu, first, regime, branch, law)
@@ -229,7 +235,7 @@ def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
         grid = along + np.linspace(-np.pi, np.pi, 65)
         gain, across = gain_and_cross(grid, ARRAY, np.sin, np.cos)
         turns = np.flatnonzero(((across[:-1] > 0) != (across[1:] > 0)) & (gain[:-1] < 0) & (gain[1:] < 0))
-        angles = [brentq(cross, grid[k], grid[k + 1], xtol=1e-15, rtol=1e-15) for k in turns]
+        angles = [_root(cross, grid[k], grid[k + 1]) for k in turns]
         angle = min(angles, key=lambda a: abs(a - along), default=None)
     if angle is not None:
         slope = FLOAT.rates(y, _along(y, angle, regime, branch, law), branch, law)

@@ -1,9 +1,9 @@
 __version__: str
 
+from .doors import run as run
 from .hearing.recording import Heard as Heard
 from .hearing.recording import RecordingError as RecordingError
 from .hearing.recording import listen as listen
-from .pipeline import run as run
 from .pipeline import solve as solve
 from .pipeline import write as write
 from .report.write import summary as summary

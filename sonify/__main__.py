@@ -74,7 +74,7 @@ def run(scene, out, accuracy, assignments, animation):
     from sonify.console import Console
 
     with Console() as stages:
-        from sonify.pipeline import run as solve
+        from sonify.doors import run as solve
 
         result = solve(scene, out, accuracy, stages)
         if animation:
@@ -155,11 +155,11 @@ def serve(folder, port, host):
 
 
 def start(name="sonify"):
-    """Run the command line as a program, which, once a signal has ended it, waits for no thread that still compiles."""
+    """Run the command line as a program, which, once it has failed, waits for no thread that still compiles."""
     try:
         main(prog_name=name)
     except SystemExit as end:
-        if isinstance(end.code, int) and end.code > 128:
+        if isinstance(end.code, int) and end.code > 1:
             sys.stdout.flush()
             sys.stderr.flush()
             os._exit(end.code)

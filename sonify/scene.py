@@ -126,6 +126,12 @@ def load_scene(source: str | Path = "published") -> Scene:
     return from_document(document)
 
 
+def scene_of(scene: Scene | str | Path, accuracy: str | None = None) -> Scene:
+    """Return a scene, or what `load_scene` makes of its name or path, with that accuracy where one is given."""
+    scene = scene if isinstance(scene, Scene) else load_scene(scene)
+    return scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
+
+
 def shipped_scenes() -> dict[str, str]:
     """Name and first comment line of every scene that comes with the program."""
     files = sorted(_shipped().iterdir(), key=lambda file: file.name)

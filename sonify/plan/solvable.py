@@ -12,15 +12,14 @@ from modal.radiation import TOP
 from modal.solve import check
 from sonify.plan.plan import Plan, plan_of, with_voices
 from sonify.plan.supports import compared
-from sonify.scene import Scene, SceneError, load_scene
+from sonify.scene import Scene, SceneError, scene_of
 from sonify.sound.audible_modes import after_a_jump
 
 
 def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     """Return the scene with that accuracy. Raises SceneError, before any work, where its disk, support or integrator
     cannot be solved."""
-    scene = scene if isinstance(scene, Scene) else load_scene(scene)
-    scene = scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
+    scene = scene_of(scene, accuracy)
     if scene.surface.kind != "rigid":
         raise SceneError(f"surface.kind = {scene.surface.kind!r}: is not solved yet, only 'rigid' is")
     try:
