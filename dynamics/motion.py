@@ -1,5 +1,6 @@
 """What every solved motion of the disk answers, however it was solved; its outcome, transitions and jumps."""
 
+from collections.abc import Sequence
 from enum import Enum
 from typing import NamedTuple, Protocol, runtime_checkable
 
@@ -69,7 +70,7 @@ class Motion(Protocol):
     @property
     def transitions(self) -> tuple[Transition, ...]: ...
     @property
-    def contact_losses(self) -> tuple: ...
+    def contact_losses(self) -> Sequence: ...
     @property
     def outcome(self) -> Outcome: ...
     @property
@@ -103,6 +104,9 @@ class Motion(Protocol):
     def normal_load(self, t: ArrayLike) -> np.ndarray:
         """Return Phi of (4.6) at the times t (k,) [s]."""
 
+    def steady_load(self, t: ArrayLike) -> np.ndarray:
+        """Return the normal force at times t (k,) [s] as (k,) [N], without the vibration of an elastic contact."""
+
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11)."""
 
@@ -111,6 +115,9 @@ class Motion(Protocol):
 
     def largest_regain(self) -> float:
         """Return by how much [J] the dissipated energy ever falls, from any instant to any later one."""
+
+    def friction_excess(self) -> float:
+        """Return by how much |F|/N exceeds mu_s while rolling, or misses mu_d while sliding."""
 
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""

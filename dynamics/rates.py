@@ -18,7 +18,7 @@ many neighbours: more than the corners that the resisting moment makes (1e-4), m
 def load_peaks(motion: Motion) -> np.ndarray:
     """Return the times (p,) [s] of the peaks of the normal force, found by prominence on two points a piece."""
     t = np.sort(np.concatenate([motion.t[:-1], (motion.t[:-1] + motion.t[1:]) / 2]))
-    peaks, found = find_peaks(motion.force(t)[:, 2] / motion.disk.weight, prominence=PROMINENCE)
+    peaks, found = find_peaks(motion.steady_load(t) / motion.disk.weight, prominence=PROMINENCE)
     prominence = found["prominences"]
     return t[peaks[prominence >= SHARE * median_filter(prominence, NEIGHBOURS)]]
 

@@ -82,6 +82,10 @@ class RigidMotion:
             state[some], force[some] = self._columns(y), self._force(y, self._piece(tau[some]))
         return state, force
 
+    def steady_load(self, t: ArrayLike) -> np.ndarray:
+        """Return the normal force at times t (k,) [s] as (k,) [N]: nothing vibrates on a rigid contact."""
+        return self.force(t)[:, 2]
+
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11); (2.3)."""
         return HARMONICS / (2 * np.pi) * np.abs(precession_rate(state[:, 7], np.sin(state[:, 1])))
@@ -99,6 +103,15 @@ class RigidMotion:
     def largest_regain(self) -> float:
         """Return by how much [J] the dissipated energy ever falls, from any instant to any later one."""
         return largest_fall(self.path.c[..., DISSIPATED], self.path.x) * self._unit_of_energy
+
+    def friction_excess(self) -> float:
+        """Return by how much |F|/N exceeds mu_s while rolling, or misses mu_d while sliding, between the instants t."""
+        t = (self.t[1:] + self.t[:-1]) / 2
+        force = self.force(t)
+        ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
+        sliding = np.char.startswith(self.regime(t), "slide")
+        excess, miss = ratio[~sliding] - self.law.mu_static, np.abs(ratio[sliding] - self.law.mu_dynamic)
+        return float(max(excess.max(initial=0.0), miss.max(initial=0.0)))
 
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""

@@ -125,3 +125,9 @@ def at_rest(y, i):
     axis = ((1.0, 0.0, 0.0), (0.0, cos_a, -sin_a), (0.0, sin_a, cos_a))[i]
     y[W1], y[W2], y[W3] = (w - excess * n for w, n in zip((y[W1], y[W2], y[W3]), axis, strict=True))
     return y
+
+
+def released(disk, release) -> list:
+    """Return the state of (7.4): the contact at rest, the centre over the origin."""
+    r = math.sqrt(math.radians(release.inclination_deg))
+    return [r, *(w * disk.time_unit / r for w in release.omega), *[0.0] * 7]

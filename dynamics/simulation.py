@@ -14,11 +14,11 @@ from .dissipation import OwnLaw, resistance, together
 from .equations import law_of
 from .film.acting import film_of
 from .hybrid import CASCADE, STALLED, StalledError, drive
-from .motion import Outcome, Transition
+from .motion import Motion, Outcome, Transition
 from .numerics import Numerics, integrator_of
 from .regime import FLOAT, V1, V2, W1, W3, R, Regime
 from .rigid_motion import RigidMotion, read_only
-from .rolling import RollingDisk
+from .rolling import RollingDisk, released
 from .switching import ImpossibleContactError
 
 OUTCOMES = {
@@ -55,14 +55,23 @@ Watch = Callable[[float, float, str], None]
 
 def simulate(
     scene: MotionScene, watch: Watch = lambda t, inclination, doing: None, loads: OwnLaw | None = None
-) -> RigidMotion:
-    """Solve the rigid motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
+) -> Motion:
+    """Solve the motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
+
+    It is that of the rigid disk, event by event, unless the contact of the scene is elastic and `coupled.choice` has it
+    solved in full.
 
     `watch(t, inclination, doing)` [s, rad] is called on the way, and before a wait for the compiler, which `doing` then
     names. Threads may call this at the same time and share scenes and motions, which nobody changes; every call has
     integrators of its own. Raises ImpossibleContactError, with time and state, where no contact force satisfies the
-    balance laws.
+    balance laws, and ValueError where a profile cannot be read or `loads` are given to an elastic contact.
     """
+    if is_compliant(scene):
+        from .coupled.motion import solve
+
+        if loads is not None:
+            raise ValueError("loads: a law of your own acts on a rigid contact, or with numerics.contact = 'filter'")
+        return solve(scene, watch)
     prepare(scene, loads)
     disk, system = scene.disk, system_of(scene, loads)
     known, now, inclination, last = set(), 0.0, math.radians(scene.release.inclination_deg), None
@@ -106,12 +115,22 @@ def outcome_of(guard: str | None, y, system: RollingDisk) -> Outcome:
 
 def prepare(scene: MotionScene, loads: OwnLaw | None = None) -> None:
     """Begin to compile the flows that most motions need, beside whatever is done before `scene` is simulated."""
-    if integrator_of(scene.numerics.integrator) == "taylor":
+    if integrator_of(scene.numerics.integrator) == "taylor" and not is_compliant(scene):
         from . import taylor
 
         system = system_of(scene, loads)
         for sliding in (False, True)[: 1 if system.law.mu_static == math.inf else 2]:
             taylor.prepare(Regime(sliding, (False,) * 3, (1.0,) * 3), system.law, system.loads, system.tolerance)
+
+
+def is_compliant(scene: MotionScene) -> bool:
+    """Return whether the contact of a scene, which may say nothing on it, is elastic and solved in full."""
+    contact = getattr(scene, "contact", None)
+    if contact is None or contact.law == "rigid":
+        return False
+    from .coupled.choice import choice
+
+    return choice(scene).kind == "full"  # type: ignore[arg-type]
 
 
 def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
@@ -163,9 +182,3 @@ def _motion(disk, system, path, outcome, name) -> RigidMotion:
         outcome=outcome,
         integrator=name,
     )
-
-
-def released(disk: Disk, release) -> list:
-    """Return the state of (7.4): the contact at rest, the centre over the origin."""
-    r = math.sqrt(math.radians(release.inclination_deg))
-    return [r, *(w * disk.time_unit / r for w in release.omega), *[0.0] * 7]

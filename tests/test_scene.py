@@ -198,6 +198,7 @@ ROUGH = [
     ("roughness.exponent=17", "roughness.exponent = 17: must be less than or equal to 16"),
     ("roughness.seed=-1", "roughness.seed = -1: must be greater than or equal to 0"),
     ("roughness.profile=table.csv", "roughness: give either rms or profile"),
+    ("roughness.profile_edge=edge.csv", "roughness.profile_edge = 'edge.csv': cannot be read: No such file"),
     ("contact.fillet=0", "contact.fillet = 0: must be greater than 0"),
     ("contact.fillet=0.0065", "contact.fillet = 0.0065: must be positive and at most 0.0064, so that it fits the disk"),
     ("contact.fillet=1e-7", "contact.fillet = 1e-07: too sharp for an elastic contact, must be at least 2.86e-06"),

@@ -5,9 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..dissipation import resistance
+from ..dissipation import resistance, together
+from ..equations import law_of
+from ..film.acting import film_of
 from ..regime import FLOAT, Branch
-from ..rolling import RollingDisk
+from ..rolling import RollingDisk, released
 from ..steady import steady_precession
 from ..switching import ImpossibleContactError
 from .filter import predicted_rms
@@ -87,10 +89,8 @@ def first_force(scene: ContactScene) -> np.ndarray:
 
     It is the weight where no contact force satisfies the balance laws.
     """
-    from ..simulation import law_of, released
-
-    disk = scene.disk
-    law, loads = law_of(disk, scene.friction), resistance(getattr(scene, "dissipation", None), disk)
+    disk, law = scene.disk, law_of(scene.disk, scene.friction)
+    loads = together(resistance(getattr(scene, "dissipation", None), disk), film_of(scene).film)
     system = RollingDisk(law=law, loads=loads, r_end=0.0, integrate=lambda *arguments: None, tolerance=0.0)
     try:
         start = system.begin(released(disk, scene.release))

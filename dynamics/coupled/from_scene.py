@@ -55,7 +55,10 @@ def check(scene: ContactScene) -> None:
     """Raise ValueError, in one line, where the elastic contact of a scene cannot be solved."""
     law, beta = contact_law(scene), radians(scene.release.inclination_deg)
     if scene.roughness is not None:
+        from .roughness import check as check_roughness  # Numba, which a smooth contact does not need
+
         require_seen(scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0]))
+        check_roughness(scene.roughness, scene.disk.radius)
     if beta <= last_inclination(scene):
         raise ValueError(f"release.inclination_deg = {scene.release.inclination_deg:g}: ends before it begins")
     rate = scene.numerics.contact_rate

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..disk import Friction
+from ..disk import LARGEST, Friction
 from .contact import LEAST_INCLINATION
 from .handover import inclination
 from .march import FLAT, GOES, UNSOLVED, UPRIGHT, march
@@ -58,7 +58,8 @@ class Piece(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Compliant:
-    """A disk on a table: the law of its contact, friction, power laws (c [W s^b], b) of the precession rate.
+    """A disk on a table: the law of its contact, friction, power laws (c [W s^b], b) of the precession rate, a moment
+    [N m s] and a force [N s/m] per velocity.
 
     `profiles` of table and edge; `impedance` Z [N s/m] of the table; `rate` of the steps [1/s].
     """
@@ -66,6 +67,7 @@ class Compliant:
     table: LawTable
     friction: Friction
     powers: tuple[tuple[float, float], ...] = ()
+    viscous: tuple[float, float] = (0.0, 0.0)
     profiles: tuple[Profile, Profile] = (SMOOTH, SMOOTH)
     impedance: float = np.inf
     rate: float = RATE
@@ -75,9 +77,8 @@ class Compliant:
         """The numbers that the steps read, in the places of state.py."""
         disk, f = self.table.law.disk, self.friction
         body = disk.mass, *inertias(disk), disk.radius, disk.thickness / 2, disk.weight
-        return np.array(
-            [*body, f.mu_static, f.mu_dynamic, f.arm_nutation, f.arm_rolling, f.arm_pivoting, self.impedance]
-        )
+        friction = min(f.mu_static, LARGEST), min(f.mu_dynamic, LARGEST), f.arm_nutation, f.arm_rolling, f.arm_pivoting
+        return np.array([*body, *friction, self.impedance, *self.viscous])
 
     @cached_property
     def cubics(self) -> np.ndarray:
@@ -103,8 +104,12 @@ class Compliant:
             t = (count + every * np.arange(1, n + 1)) / self.rate
             losses = [ContactLoss(begin, end - begin, top) for begin, end, top in flights[:flown].tolist()]
             slid_through = [tuple(slip) for slip in slips[:slid].tolist()]
-            yield Piece(t, rows[:n, :SIZE], rows[:n, SIZE:] * [-1.0, 1.0, 1.0], losses, slid_through, why)
             flying, slipping, count, left = flights[flown], slips[slid], count + every * n, left - n
+            if left == 0 or why != GOES:  # what goes on to the end of the motion ends with it
+                end = count / self.rate
+                losses += [ContactLoss(flying[0], end - flying[0], flying[2])] if flying[0] < end else []
+                slid_through += [(slipping[0], end)] if slipping[0] < end else []
+            yield Piece(t, rows[:n, :SIZE], rows[:n, SIZE:] * [-1.0, 1.0, 1.0], losses, slid_through, why)
 
     def _hold(self, y):
         """Raise ValueError where a resonance turns too far in a step."""

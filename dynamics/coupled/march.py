@@ -9,6 +9,8 @@ from .normal import step_normal
 from .state import FORCE, GAP, SINE, SIZE, SLIDES, TANGENTIAL
 from .tangential import step_tangential
 
+FALLS = 0.6
+"""A disk is flat where a step takes as much of its inclination: it would soon pass through the table."""
 GOES, FLAT, UPRIGHT, UNSOLVED = range(4)
 """Why a march stopped: not at all, at its last inclination, upright, the equation for N had no solution."""
 
@@ -28,12 +30,14 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every,
                 sliding, slip = not sliding, slip + (1 if sliding else 0)
             if i == every:
                 break
-            before = y[GAP]
+            before, sine = y[GAP], y[SINE]
             if not step_normal(y, law, start, per_unit, spline, table, rim, h):
                 return UNSOLVED, row, flight, slip
             forces[2] += y[FORCE] / every
             flying, flight = note_flight(flights, flight, flying, before, y[GAP], count * h, h)
             count += 1
+            if y[SINE] < FALLS * sine:
+                return FLAT, row, flight, slip
         rows[row, :SIZE], rows[row, SIZE:] = y, forces
         if y[SINE] < last or y[8] <= 0:
             return (FLAT if y[SINE] < last else UPRIGHT), row + 1, flight, slip

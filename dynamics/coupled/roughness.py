@@ -30,6 +30,18 @@ def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profi
     return table, edge_profile(roughness, radius) if roughness.edge_rms > 0 else SMOOTH
 
 
+def check(roughness: Roughness, radius: float) -> None:
+    """Raise ValueError, in one line, where a file cannot be read as a profile, or where no wave fits the edge."""
+    for key, file in (("profile", roughness.profile), ("profile_edge", roughness.profile_edge)):
+        try:
+            if file is not None:
+                profile_from_csv(file)
+        except OSError as error:
+            raise ValueError(f"roughness.{key} = {file!r}: cannot be read: {error.strerror}") from None
+    if roughness.edge_rms:
+        spectrum(roughness, 2 * pi * radius)
+
+
 def table_profile(roughness: Roughness) -> Profile:
     """Return the heights of the table along the path of the contact."""
     cell = roughness.shortest / CELLS
@@ -60,7 +72,7 @@ def spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.ndarra
         )
     order = np.arange(max(first, 1), last + 1)
     power = (order / order[0]) ** -roughness.exponent
-    return 2 * pi * order / period, roughness.rms**2 * power / power.sum()
+    return 2 * pi * order / period, (roughness.rms or 0.0) ** 2 * power / power.sum()
 
 
 def window(ka):

@@ -12,6 +12,8 @@ LOSSES, CAUSES = 29, ("contact", "creep", "slip", "moments", "table")
 """Energy [J] lost to each cause since the start."""
 SINE, CELL, PART = 34, 35, 36
 """sin(beta), and where it stands in the table of the law: the interval, and the part of it."""
-SIZE = 37
-MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE = 0, 1, 2, 3, 4, 5, 6, 7, 8, 11
-"""Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table."""
+EXCESS = 37
+"""By how much [N] the friction ever exceeded what its cone holds."""
+SIZE = 38
+MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE, VISCOUS_MOMENT, VISCOUS_FORCE = *range(9), 11, 12, 13
+"""Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table, viscous loads."""

@@ -15,6 +15,7 @@ from .gap import column
 from .state import (
     ARMS,
     CELL,
+    EXCESS,
     FORCE,
     HALF,
     J1,
@@ -31,6 +32,8 @@ from .state import (
     SPRING,
     STIFFNESS,
     TANGENTIAL,
+    VISCOUS_FORCE,
+    VISCOUS_MOMENT,
 )
 from .table import K1, K2, LENGTH1, LENGTH2
 
@@ -86,6 +89,7 @@ def hold(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
     if N > 0:
         y[SLIDES] = 1.0 if slides else 0.0
     y[SPRING], y[SPRING + 1] = qt, qd
+    y[EXCESS] = max(y[EXCESS], np.sqrt(pt * pt + pd * pd) - (limit if slides else law[MU_S] * N))
     creep = creep_t * pt * pt / kt + creep_d * pd * pd / kd
     work = h * (pt * (ut - h / 2 * Wt * pt) + pd * (ud - h / 2 * Wd * pd))
     y[LOSSES + 1] += creep
@@ -116,25 +120,30 @@ def on_circle(pt, pd, Ct, Cd, limit, tried):
 
 @kernel
 def resist(y, law, powers, s, c, d0, d1, h):
-    """Apply the moments k1, k2, k3 and the power laws (n, 2) of the precession rate as clipped impulses."""
+    """Apply the moments k1, k2, k3, the power laws (n, 2) of the precession rate, and viscous loads as impulses."""
     J, e = law[J1], 1 / law[J2] - 1 / law[J1]
     for i in range(3):
         a0, a1, a2 = (-d1, d0, 0.0) if i == 0 else (d0, d1, 0.0) if i == 1 else (0.0, 0.0, 1.0)
-        impulse(y, a0, a1, a2, h * law[ARMS + i] * y[FORCE], J, e, LOSSES + 3)
+        impulse(y, a0, a1, a2, h * law[ARMS + i] * y[FORCE], h * law[VISCOUS_MOMENT], J, e, LOSSES + 3)
+    if law[VISCOUS_FORCE] > 0:
+        left = max(0.0, 1 - h * law[VISCOUS_FORCE] / law[MASS])
+        y[LOSSES + 3] += law[MASS] / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
+        y[3], y[4] = left * y[3], left * y[4]
     for i in range(len(powers)):
         a0, a1, a2 = -c * d0, -c * d1, s  # e_3, upwards along the diameter through the contact
         rate = abs(y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
-        impulse(y, a0, a1, a2, h * powers[i, 0] * rate ** (powers[i, 1] - 1) / s, J, e, LOSSES + 3)
+        impulse(y, a0, a1, a2, h * powers[i, 0] * rate ** (powers[i, 1] - 1) / s, 0.0, J, e, LOSSES + 3)
 
 
 @kernel
-def impulse(y, a0, a1, a2, size, J, e, cause):
-    """Turn against omega along the unit vector a by an angular impulse, at most the one that stops it."""
-    if size == 0:
+def impulse(y, a0, a1, a2, size, per_rate, J, e, cause):
+    """Turn against omega along the unit vector a by an angular impulse of `size` and more `per_rate`, at most the one
+    that stops it."""
+    if size == 0 and per_rate == 0:
         return
     n = a0 * y[6] + a1 * y[7] + a2 * y[8]
     rate = (a0 * y[9] + a1 * y[10] + a2 * y[11]) / J + e * n * (y[6] * y[9] + y[7] * y[10] + y[8] * y[11])
     yields = 1 / J + e * n * n
-    turn = -np.sign(rate) * min(size, abs(rate) / yields)
+    turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / yields)
     y[9], y[10], y[11] = y[9] + turn * a0, y[10] + turn * a1, y[11] + turn * a2
     y[cause] -= turn * (rate + turn * yields / 2)

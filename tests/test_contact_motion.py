@@ -1,0 +1,148 @@
+"""Claim: the compliant motion answers as every motion does, and ends with a name where its model ends.
+
+Source: the Protocol of dynamics/motion.py. Oracle: kinematics and momentum, which the record keeps apart; the
+event-driven motion; polynomials.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from dynamics import Motion, simulate
+from dynamics.coupled.contact import LEAST_INCLINATION
+from dynamics.coupled.motion import STATES
+from dynamics.coupled.record import NODES, Record, between
+from dynamics.coupled.state import CAUSES
+from dynamics.rates import precession_rate
+from sonify import load_scene
+from sonify.claims.checks import motion_checks
+from sonify.claims.motion import contact_kept
+
+BRIEF = "numerics.time_limit=0.3", "numerics.contact_rate=2e5"
+FLAT = "release.inclination_deg=0.02", "numerics.contact_rate=2e5", "friction.arm_rolling=1e-3"
+
+
+@pytest.fixture(scope="module")
+def elastic():
+    return load_scene("published").replace("contact.law=elastic", "numerics.contact=full")
+
+
+@pytest.fixture(scope="module")
+def rough(elastic):
+    return simulate(elastic.replace("roughness.rms=1e-7", *BRIEF))
+
+
+def test_a_polynomial_of_degree_five_is_read_exactly():
+    x, at = np.arange(20.0), np.array([0.0, 0.3, 2.5, 7.0, 18.2, 19.0])
+    c = np.array([0.3, -0.1, 0.02, 1e-3, -2e-4, 1e-5])
+    rows = np.column_stack([np.polynomial.polynomial.polyval(x, c), x])
+    for derivative in (False, True):
+        expected = np.polynomial.polynomial.polyval(at, np.polynomial.polynomial.polyder(c) if derivative else c)
+        assert between(rows, at, derivative)[:, 0] == pytest.approx(expected, rel=1e-12, abs=1e-12)
+    assert len(c) == NODES
+    record = Record(2)
+    for part in (rows[:3], rows[3:3], rows[3:]):
+        record.append(part)
+    assert (record.rows() == rows).all()
+
+
+def test_it_is_a_motion_that_passes_every_check(elastic, rough):
+    assert isinstance(rough, Motion)
+    checks = motion_checks(elastic, rough)
+    assert [check.key for check in checks if not check.passed] == []
+    assert rough.outcome.name == "TIME_LIMIT"
+    assert 0.3 - STATES * rough.dt <= rough.t[-1] <= 0.3 + STATES * rough.dt
+    assert (np.diff(rough.t) > 0).all()
+    for wrong in (-1e-9, rough.t[-1] + 1e-6, [[0.1]]):
+        with pytest.raises(ValueError, match="t must"):
+            rough.at(wrong)
+
+
+def test_states_and_forces_belong_together(rough):
+    """Inclination and precession change at their rates, and the momentum by the force, whichever of them is read.
+
+    A vibration of 3 kHz, a hundredth of the rates, is read to a tenth from rows of 25 kHz.
+    """
+    t, h = np.linspace(0.01, 0.29, 300), 2e-6
+    state, change = rough.at(t), (rough.at(t + h) - rough.at(t - h)) / (2 * h)
+    assert change[:, 1] == pytest.approx(-state[:, 5], abs=1e-3 * np.abs(state[:, 5]).max())
+    assert change[:, 0] == pytest.approx(precession_rate(state), rel=1e-3)
+    ends, disk = np.array([0.05, 0.25]), rough.disk
+    momentum, n = disk.mass * np.diff(rising(disk, rough.at(ends)))[0], np.linspace(*ends, 40001)
+    force = rough.force(n)[:, 2]
+    impulse = np.sum((force[1:] + force[:-1]) / 2) * (n[1] - n[0])
+    assert impulse - disk.weight * 0.2 == pytest.approx(momentum, abs=8e-3 * disk.mass)
+    assert rough.at_and_force(t)[1].tobytes() == rough.force(t).tobytes()
+
+
+def rising(disk, state):
+    """Return the vertical velocity [m/s] of the centre while the contact stays at its height: it vibrates by 2 mm/s."""
+    lever = disk.radius * np.cos(state[:, 1]) - disk.thickness / 2 * np.sin(state[:, 1])
+    return -lever * state[:, 5]
+
+
+def test_losses_of_contact_are_flights_without_force(rough):
+    assert len(rough.contact_losses) > 10
+    assert not contact_kept(rough).holds
+    for loss in list(rough.contact_losses)[:10]:
+        assert loss.height > 0
+        middle = loss.t + loss.duration / 2
+        assert rough.regime([middle])[0] == "flight"
+        if loss.duration > 1e-4:
+            assert rough.force([middle])[0] == pytest.approx([0, 0, 0], abs=1e-3)
+    names = {(change.before, change.after) for change in rough.transitions}
+    assert {("roll", "slide"), ("slide", "roll")} <= names
+    assert any("flight" in pair for pair in names)
+    t = [change.t for change in rough.transitions]
+    assert t == sorted(t)
+
+
+def test_every_loss_of_energy_has_its_cause(rough):
+    lost = rough.lost(rough.t)
+    assert lost.shape[1] == len(CAUSES)
+    assert lost.sum(axis=1) == pytest.approx(rough.state[:, 10])
+    assert (np.diff(lost, axis=0) >= 0).all()
+
+
+def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
+    """Until the first slip they differ by creep, F/k V/l = 1 mm/s: less than a hundredth of a radian in 0.25 s."""
+    motion, rigid = (simulate(elastic.replace(*BRIEF, f"contact.law={law}")) for law in ("elastic", "rigid"))
+    t = np.linspace(0, 0.25, 100)
+    assert motion.at(t)[:, 1] == pytest.approx(rigid.at(t)[:, 1], abs=1e-2)
+    assert motion.steady_load(t) == pytest.approx(rigid.force(t)[:, 2], rel=0.1)
+    assert not motion.contact_losses
+
+
+@pytest.mark.parametrize(
+    ("changes", "outcome"),
+    [
+        (("release.omega=[0.0, 0.0, 0.6]", *FLAT), "SETTLED"),
+        (("release.omega=[0.0, 0.0, 0.0]", "release.inclination_deg=5", FLAT[1]), "FELL"),
+        (("release.omega=[-10.0, 0.0, 0.0]", "release.inclination_deg=80", FLAT[1]), "UPRIGHT"),
+    ],
+)
+def test_it_ends_with_a_name(elastic, changes, outcome):
+    motion = simulate(elastic.replace(*changes))
+    assert motion.outcome.name == outcome
+    assert motion.rows[:, 1].min() >= LEAST_INCLINATION
+    assert motion.t[-1] <= motion.t_end < motion.t[-1] + 0.1
+    assert np.isfinite(motion.state).all()
+
+
+def test_threads_find_the_same_bytes(elastic):
+    scene = elastic.replace("roughness.rms=1e-7", "numerics.time_limit=0.02", "numerics.contact_rate=2e5")
+    with ThreadPoolExecutor(2) as pool:
+        motions = list(pool.map(simulate, [scene] * 2))
+    assert len({motion.rows.tobytes() + motion.impulses.tobytes() for motion in motions}) == 1
+
+
+def test_viscous_loads_take_what_they_take_of_a_rigid_disk(elastic):
+    """Moment and force per velocity alone: over a tenth of a second both motions lose the same."""
+    slow = ("release.inclination_deg=20", "friction.mu_static=5", "friction.arm_rolling=0", "friction.arm_nutation=0")
+    viscous = ("friction.arm_pivoting=0", "dissipation.viscous_moment=3e-5", "dissipation.viscous_force=0.02")
+    scene = elastic.replace(*slow, *viscous, "numerics.time_limit=0.1", "numerics.contact_rate=2e5")
+    motion, rigid = simulate(scene), simulate(scene.replace("contact.law=rigid"))
+    spent = motion.lost([0.1])[0, CAUSES.index("moments")]
+    assert spent == pytest.approx(rigid.at([0.1])[0, 10], rel=1e-2)
+    assert spent > 1e-4
