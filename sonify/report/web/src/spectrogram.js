@@ -6,6 +6,7 @@ const LOWEST = 10 // [Hz]
 const SPLIT = 1000 // [Hz]: above it, the short window
 const RANGE = 65 // [dB] from the darkest to the brightest, which is the loudest of each band
 const APART = 50 // [dB]: the quieter band is shown as loud as it is from so far below the louder one on
+const SEEN = 200 // [ms] between two looks at a picture that grows
 const BUSY = 12 // [ms] of work between two frames of the screen
 
 export class Spectrogram {
@@ -41,8 +42,9 @@ export class Spectrogram {
     const width = Math.max(this.element.clientWidth, 1)
     const height = Math.max(this.element.clientHeight, 1)
     const bands = this.#bands((to - from) / width, height)
-    const level = new Float32Array(width * height)
+    const level = new Float32Array(width * height).fill(-Infinity)
     let rest = performance.now()
+    let painted = rest
     for (let column = 0; column < width; column++) {
       const time = from + ((column + 0.5) / width) * (to - from)
       for (const band of bands) band.read(this.samples, time * this.sampleRate, level, column, width)
@@ -50,6 +52,10 @@ export class Spectrogram {
         await new Promise(requestAnimationFrame)
         if (job !== this.job) return
         rest = performance.now()
+        if (rest - painted > SEEN) {
+          this.#paint(level, bands, width, height)
+          painted = performance.now()
+        }
       }
     }
     this.#paint(level, bands, width, height)
