@@ -13,3 +13,4 @@ from .scene import Scene as Scene
 from .scene import load_scene as load_scene
 from .scene import shipped_scenes as shipped_scenes
 from .scene_errors import SceneError as SceneError
+from .sweeps.command import sweep as sweep

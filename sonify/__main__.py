@@ -9,7 +9,7 @@ import click
 
 from sonify import __version__
 from sonify.charts import CHARTS
-from sonify.process import well_behaved
+from sonify.process import BrokenOffError, well_behaved
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: more threads only wait for each other
 
@@ -27,7 +27,7 @@ class OneLine(click.Group):
             return super().main(*arguments, **options)
 
     def invoke(self, context):
-        """Run the command. Exit status: 1 full disk, 2 wrong input or output, 128 + the number of a signal."""
+        """Run the command. Exit status: 1 full disk, broken off, 2 wrong input or output, 128 + number of a signal."""
         from sonify.files import OutputError
         from sonify.scene_errors import InputError
 
@@ -35,6 +35,8 @@ class OneLine(click.Group):
             return super().invoke(context)
         except (InputError, OutputError) as error:
             _stop(error, 2)
+        except BrokenOffError as error:
+            _stop(error, 1)
         except KeyboardInterrupt as signal:
             _stop("interrupted", 128 + (signal.args or [SIGINT])[0])
         except OSError as error:
@@ -152,6 +154,47 @@ def serve(folder, port, host):
     from sonify.serve import serve
 
     serve(folder, host, port, lambda address: click.echo(f"{address} (Ctrl-C ends it)"))
+
+
+@main.command()
+@click.argument("sweep")
+@click.option("--scheduler", metavar="ADDRESS", help="Of Dask, as tcp://10.0.0.1:8786 (needs the extra `cluster`).")
+@click.option("--processes", type=click.IntRange(1), help="Processes of this machine; default: its cores.")
+@click.option("--out", type=click.Path(), help="Folder for the table; default outputs/sweeps/<name>.")
+@click.option("--plan", "planned", is_flag=True, help="Only tell how many runs there are and how long they would take.")
+@click.option("--yes", is_flag=True, help="Begin even more than a million runs.")
+@click.option("--retry", is_flag=True, help="Solve runs with an error again.")
+def sweep(sweep, scheduler, processes, out, planned, yes, retry):
+    """Run the scenes of SWEEP, a shipped name or a TOML file, of which a table has no row yet; draw the table."""
+    from sonify.sweeps.command import plan, says
+    from sonify.sweeps.command import sweep as run_all
+
+    if planned:
+        for line in plan(sweep, processes):
+            click.echo(line)
+        return
+    from sonify.console import Console
+
+    with Console() as stages:
+        table = run_all(sweep, scheduler, out, processes, yes, retry, stages)
+    click.echo(str(table))
+    lines, passed = says(table)
+    for line in lines:
+        click.echo(line)
+    sys.exit(0 if passed else 1)
+
+
+@main.command("map")
+@click.argument("table", type=click.Path())
+@click.option("--x", help="Column; default: the first axis.")
+@click.option("--y", help="Column; default: the second axis, if --x is not given.")
+@click.option("--of", required=True, help="Column of which a picture is drawn, as t_end or outcome.")
+@click.option("--out", type=click.Path(), help="The picture; default <of>.png beside the table.")
+def draw(table, x, y, of, out):
+    """Draw a column of TABLE, the runs.parquet of a sweep, over one or two of its axes."""
+    from sonify.sweeps.maps import make_map
+
+    click.echo(str(make_map(table, of, x, y, out)))
 
 
 def start(name="sonify"):

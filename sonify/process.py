@@ -16,6 +16,10 @@ LEFT = {errno.EPIPE, errno.EIO, errno.EINVAL}
 """What a stream answers whose reader has left: a closed pipe, a closed terminal, a closed pipe of Windows."""
 
 
+class BrokenOffError(RuntimeError):
+    """A command cannot go on, though nothing was wrong with what it was given; the message is one line."""
+
+
 @contextmanager
 def well_behaved():
     """Within, every signal that ends is a KeyboardInterrupt that holds its number, and unread streams are no error."""

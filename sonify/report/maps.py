@@ -1,0 +1,109 @@
+"""COLUMNS -> PICTURE: numbers as contours, categories by their marks, over one axis or two; failed runs as crosses."""
+
+from collections import Counter, defaultdict
+from dataclasses import dataclass
+from itertools import cycle
+
+import numpy as np
+from matplotlib.tri import Triangulation
+
+from sonify.report.figure import figure_at
+
+MARKS = "osD^vP*Xhp<>d8H"
+LEVELS = 12
+
+
+@dataclass(frozen=True, kw_only=True)
+class Map:
+    """Columns `of` over `x`, and `y` if there is one: `columns` by name, as lists with None where there is no value;
+    the names in `logs` have logarithmic scales."""
+
+    x: str
+    y: str | None
+    of: str
+    columns: dict[str, list]
+    logs: set[str]
+
+    def points(self) -> dict[tuple, list]:
+        """Return the values by place (x) or (x, y), what is None left out."""
+        found = defaultdict(list)
+        for *place, value in zip(*(self.columns[name] for name in (*self.over, self.of)), strict=True):
+            found[tuple(place)] += [] if value is None else [value]
+        return found
+
+    @property
+    def over(self) -> list[str]:
+        """The names of the axes."""
+        return [name for name in (self.x, self.y) if name]
+
+
+def draw_map(what: Map, path):
+    """Draw a map into a PNG file. Runs that differ in other axes share a place: there the median is drawn, or the most
+    frequent category."""
+    points = what.points()
+    values = [value for found in points.values() for value in found]
+    shared = max(map(len, points.values()))
+    with figure_at(path, 1, 1, (8, 5.5)) as (figure, panel):
+        where = {name: _scaled(panel, k, name, what) for k, name in enumerate(what.over)}
+        places = np.array([[where[name][v] for name, v in zip(what.over, place, strict=True)] for place in points])
+        known = np.array([bool(found) for found in points.values()])
+        if all(isinstance(value, float) for value in values):
+            _numbers(figure, panel, places[known], [np.median(found) for found in points.values() if found], what)
+            told = f"{what.of}, median of up to {shared} runs" if shared > 1 else what.of
+        else:
+            most = [Counter(map(_word, found)).most_common(1)[0][0] for found in points.values() if found]
+            _categories(panel, places[known], most)
+            told = f"{what.of}, most frequent of up to {shared} runs" if shared > 1 else what.of
+        _failed(panel, places[~known])
+        panel.set_title(told)
+
+
+def _scaled(panel, k, name, what):
+    """Scale and label an axis of the panel; return the coordinate of every value on it."""
+    values, axis = list(dict.fromkeys(what.columns[name])), (panel.xaxis, panel.yaxis)[k]
+    axis.set_label_text(name)
+    if all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
+        (panel.set_xscale, panel.set_yscale)[k]("log" if name in what.logs else "linear")
+        return {value: value for value in values}
+    words = sorted(values, key=str)
+    axis.set_major_formatter(lambda at, _: _word(words[int(at)]) if at in range(len(words)) else "")
+    return {value: words.index(value) for value in values}
+
+
+def _numbers(figure, panel, places, values, what):
+    if places.shape[1] == 1:
+        order = places[:, 0].argsort()
+        panel.plot(places[order, 0], np.array(values)[order], "k.-", lw=0.8)
+        panel.set_ylabel(what.of)
+        return
+    scaled = np.column_stack([np.log(p) if n in what.logs else p for n, p in zip(what.over, places.T, strict=True)])
+    if min(len(set(column)) for column in scaled.T) < 2 or len(places) < 4:
+        drawn = panel.scatter(*places.T, c=values, cmap="viridis")
+    else:
+        around = Triangulation(*((scaled - scaled.min(axis=0)) / np.ptp(scaled, axis=0)).T)
+        mesh = Triangulation(*places.T, around.triangles)
+        drawn = panel.tricontourf(mesh, values, LEVELS, cmap="viridis")
+        panel.tricontour(mesh, values, LEVELS, colors="k", linewidths=0.4)
+        panel.plot(*places.T, "k.", ms=1.5)
+    figure.colorbar(drawn, ax=panel)
+
+
+def _categories(panel, places, words):
+    names = sorted(set(words))
+    for name, mark in zip(names, cycle(MARKS), strict=False):
+        here = places[np.array(words) == name]
+        flat = np.full(len(here), names.index(name))
+        panel.plot(here[:, 0], here[:, 1] if here.shape[1] == 2 else flat, mark, ls="", label=name)
+    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=4, frameon=False)
+
+
+def _failed(panel, places):
+    if len(places):
+        at = panel.get_ylim()[0]
+        y = places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
+        panel.plot(places[:, 0], y, "rx", ms=7, label="no value", clip_on=False)
+        panel.legend(loc="best")
+
+
+def _word(value):
+    return {True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value)

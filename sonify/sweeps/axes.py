@@ -1,0 +1,155 @@
+"""AXES -> POINTS: the values that the keys of a scene take in each run, by its number; nothing is listed beforehand."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import chain
+from math import isfinite, log2, prod
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from annotated_types import Ge, Le
+
+from sonify.scene_errors import InputError
+
+RANGE = {"from", "to", "n", "scale"}
+SHAPES = ("disk", "material", "support", "surface", "numerics", "audio")
+"""Sections that modes depend on: their axes come first, so that neighbouring runs share modes."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Samples:
+    """Points drawn from the box that the axes span, instead of a grid over them."""
+
+    method: Literal["latin", "sobol"]
+    """A Latin hypercube, or a scrambled Sobol sequence."""
+    n: Annotated[int, Ge(1), Le(2**30)]
+    """Number of points; of Sobol's a power of two."""
+    seed: Annotated[int, Ge(0)] = 0
+    """The same seed draws the same points."""
+
+    def __post_init__(self):
+        if self.method == "sobol" and not log2(self.n).is_integer():
+            below = 2 ** int(log2(self.n))
+            raise ValueError(f"n = {self.n}: Sobol's points are even for powers of two, as {below} or {2 * below}")
+
+    def shares(self, dimensions: int) -> np.ndarray:
+        """Return the points (n, dimensions), each coordinate in [0, 1)."""
+        from scipy.stats import qmc
+
+        draw = qmc.Sobol if self.method == "sobol" else qmc.LatinHypercube
+        return draw(dimensions, seed=np.random.default_rng(self.seed)).random(self.n)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Axis:
+    """Keys that move together, either through `values` (n of them) or from `ends[0]` to `ends[1]` in `n` steps; every
+    value and end is a tuple with one for each key."""
+
+    keys: tuple[str, ...]
+    n: int
+    values: tuple[tuple, ...] = ()
+    ends: tuple[tuple, ...] = ()
+    log: bool = False
+
+    def at(self, share: float) -> tuple:
+        """Return the values of the keys at a share in [0, 1] of the way."""
+        if self.values:
+            return self.values[min(int(share * self.n), self.n - 1)]
+        if share in (0.0, 1.0):
+            return self.ends[int(share)]
+        return tuple(a * (b / a) ** share if self.log else a + (b - a) * share for a, b in zip(*self.ends, strict=True))
+
+    def step(self, k: int) -> tuple:
+        """Return the values of the keys at step k < n; between whole ends, those that are whole stay so."""
+        if self.values:
+            return self.values[k]
+        inside = self.at(k / max(self.n - 1, 1))
+        whole = all(isinstance(end, int) for ends in self.ends for end in ends)
+        return tuple(map(int, inside)) if whole and all(float(v).is_integer() for v in inside) else inside
+
+
+@dataclass(frozen=True, kw_only=True)
+class Points:
+    """The point of every run, a value for each key: a grid, the last axis fastest, or `samples` of it."""
+
+    axes: tuple[Axis, ...]
+    samples: Samples | None = None
+
+    @cached_property
+    def _shares(self):
+        return self.samples.shares(len(self.axes))
+
+    @property
+    def count(self) -> int:
+        """How many runs there are."""
+        return self.samples.n if self.samples else prod(axis.n for axis in self.axes)
+
+    def __getitem__(self, run: int) -> dict[str, Any]:
+        if self.samples:
+            found = [axis.at(share) for axis, share in zip(self.axes, self._shares[run], strict=True)]
+        else:
+            steps = np.unravel_index(run, [axis.n for axis in self.axes])
+            found = [axis.step(int(k)) for axis, k in zip(self.axes, steps, strict=True)]
+        keys = [key for axis in self.axes for key in axis.keys]
+        return dict(zip(keys, chain.from_iterable(found), strict=True))
+
+
+def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
+    """Return the points of a sweep file. Raises InputError for an axis that is empty, reversed or named twice."""
+    if not axes:
+        raise InputError('axes: none is given; name what differs between runs, as "friction.mu_static" = [0.3, 0.4]')
+    found = sorted((axis_of(name, given) for name, given in axes.items()), key=lambda a: not _shapes(a))
+    keys = [key for axis in found for key in axis.keys]
+    if twice := [key for key in keys if keys.count(key) > 1]:
+        raise InputError(f"axes.{twice[0]}: on more than one axis")
+    return Points(axes=tuple(found), samples=samples)
+
+
+def axis_of(name: str, given: Any) -> Axis:
+    """Return the axis of a line `"key" = [...]` or `"key, key" = {from, to, n, scale}` of a sweep file."""
+    keys = tuple(key.strip() for key in name.split(","))
+    if isinstance(given, list):
+        if not given:
+            raise InputError(f"axes.{name} = []: must have at least one value")
+        return Axis(keys=keys, n=len(given), values=tuple(_each(name, keys, value) for value in given))
+    if not isinstance(given, dict):
+        raise InputError(f"axes.{name} = {given!r}: must be a list of values, or {{ from, to, n, scale }}")
+    return _range(name, keys, given)
+
+
+def _range(name, keys, given):
+    if unknown := set(given) - RANGE:
+        raise InputError(f"axes.{name}.{min(unknown)}: unknown key; known: from, to, n, scale")
+    if missing := [key for key in ("from", "to", "n") if key not in given]:
+        raise InputError(f"axes.{name}.{missing[0]}: missing")
+    n, scale = given["n"], given.get("scale", "linear")
+    if not _number(n) or n != int(n) or n < 1:
+        raise InputError(f"axes.{name}.n = {n!r}: must be a whole number of at least 1")
+    if scale not in ("linear", "log"):
+        raise InputError(f"axes.{name}.scale = {scale!r}: must be 'linear' or 'log'")
+    ends = tuple(_each(name, keys, given[end]) for end in ("from", "to"))
+    for low, high in zip(*ends, strict=True):
+        if not (_number(low) and _number(high)):
+            raise InputError(f"axes.{name}: from = {low!r}, to = {high!r}: must be finite numbers; list other values")
+        if not (low < high or (n == 1 and low == high)):
+            raise InputError(f"axes.{name}: from = {low:g} must be less than to = {high:g}")
+        if scale == "log" and low <= 0:
+            raise InputError(f"axes.{name}: from = {low:g} must be greater than 0 on a logarithmic scale")
+    return Axis(keys=keys, n=int(n), ends=ends, log=scale == "log")
+
+
+def _each(name, keys, value):
+    """The value of each key: a list with as many, or one that they share."""
+    if len(keys) == 1 or not isinstance(value, list):
+        return (value,) * len(keys)
+    if len(value) != len(keys):
+        raise InputError(f"axes.{name} = {value!r}: must have {len(keys)} values, one for each key")
+    return tuple(value)
+
+
+def _number(value):
+    return isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
+
+
+def _shapes(axis):
+    return any(key.partition(".")[0] in SHAPES for key in axis.keys)

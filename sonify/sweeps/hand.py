@@ -1,0 +1,92 @@
+"""TASK -> ROW in a process of its own, which a run that takes too long, or that crashes, takes with it and no more.
+
+The same on one machine and on every worker of a cluster: each thread has one such process.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+import sonify
+
+ONE_THREAD = ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM")
+"""Whose threads a process has one of: the cores are taken by other runs."""
+TRIES = 2
+"""Processes that a run may bring down before that is its result."""
+OWN = threading.local()
+HANDS: set["Hand"] = set()
+
+
+class Hand:
+    """A process that waits for tasks. `killed` says that it was ended from outside."""
+
+    def __init__(self):
+        home = str(Path(sonify.__file__).parent.parent)
+        environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in ONE_THREAD}
+        environment["PYTHONPATH"] = os.pathsep.join(filter(None, [home, os.environ.get("PYTHONPATH")]))
+        call = [sys.executable, "-m", "sonify.sweeps.worker"]
+        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+        self.process = subprocess.Popen(call, env=environment, text=True, encoding="utf-8", **pipes)
+        self.late = False
+        HANDS.add(self)
+        self.version = (self._answer() or {}).get("version")
+
+    def row(self, task: dict, limit: float) -> dict[str, Any] | None:
+        """Return the row of a task, None if the process has died of it."""
+        clock = threading.Timer(limit, self._too_late)
+        clock.start()
+        try:
+            self.process.stdin.write(json.dumps(task) + "\n")
+            self.process.stdin.flush()
+            return self._answer()
+        except OSError:
+            return None
+        finally:
+            clock.cancel()
+
+    def end(self):
+        """End the process, whatever it does."""
+        HANDS.discard(self)
+        self.process.kill()
+        self.process.wait()
+
+    def _answer(self):
+        line = self.process.stdout.readline()
+        return json.loads(line) if line.endswith("\n") else None
+
+    def _too_late(self):
+        self.late = True
+        self.process.kill()
+
+
+class EndedError(Exception):
+    """The processes were ended while one solved, or none can be started."""
+
+
+def solve_apart(task: dict, limit: float) -> dict[str, Any]:
+    """Return the row of a task, solved in the process of this thread within `limit` [s]; if that process dies, in a new
+    one; if that dies too, or is late, the row says so."""
+    for _ in range(TRIES):
+        hand = OWN.hand = getattr(OWN, "hand", None) or Hand()
+        if (row := hand.row(task, limit)) is not None:
+            return row
+        OWN.hand, ended = None, hand not in HANDS
+        hand.end()
+        if ended:
+            raise EndedError("ended")
+        if hand.late:
+            return {"error": f"took longer than the limit of {limit:g} s", "seconds": limit, "version": hand.version}
+    if hand.version is None:
+        raise EndedError("python -m sonify.sweeps.worker does not start")
+    told = f"its process ended with status {hand.process.returncode}, {TRIES} times"
+    return {"error": told, "seconds": None, "version": hand.version}
+
+
+def end_all():
+    """End the processes of all threads."""
+    for hand in tuple(HANDS):
+        hand.end()

@@ -1,0 +1,40 @@
+"""TABLE -> PICTURES, by the names of columns; the sweep itself is not needed."""
+
+from pathlib import Path
+
+from sonify.report.maps import Map, draw_map
+from sonify.scene_errors import InputError
+from sonify.sweeps.axes import points_of
+from sonify.sweeps.table import NAME, read_table
+
+USUAL = ("outcome", "t_end")
+"""What is drawn where nothing else is asked for."""
+
+
+def make_map(
+    path: str | Path, of: str, x: str | None = None, y: str | None = None, out: str | Path | None = None
+) -> Path:
+    """Draw the column `of` of a table over its columns `x` and `y`, unless given its first two axes, into `out`, unless
+    given <of>.png beside the table; return the path. Raises InputError where a column is missing or holds nothing."""
+    table, about = read_table(path)
+    axes = points_of(about["axes"], None).axes
+    keys = [axis.keys[0] for axis in axes]
+    x, y = (x, y) if x else (keys[0], y or (keys[1] if len(keys) > 1 else None))
+    for name in (x, y, of):
+        if name is not None and name not in table.column_names:
+            raise InputError(f"{path}: no column {name!r}; known: {', '.join(table.column_names)}")
+    if table[of].null_count == len(table):
+        raise InputError(f"{path}: column {of!r} holds nothing")
+    logs = {key for axis in axes if axis.log for key in axis.keys}
+    out = Path(out or Path(path).with_name(f"{of}.png"))
+    columns = {name: table[name].to_pylist() for name in (x, y, of) if name}
+    draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs), out)
+    return out
+
+
+def draw_maps(folder: Path, find=()):
+    """Draw what was asked for by name, else the USUAL, of the table in `folder`."""
+    table, _ = read_table(folder / NAME)
+    for of in [name for name in find if name in table.column_names] or USUAL:
+        if of in table.column_names and table[of].null_count < len(table):
+            make_map(folder / NAME, of)

@@ -1,0 +1,169 @@
+"""FILE -> SWEEP: what is to be run, read strictly from TOML."""
+
+import json
+import tomllib
+from copy import deepcopy
+from dataclasses import asdict, dataclass
+from functools import cached_property
+from importlib import resources
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from annotated_types import Gt, Le
+from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
+
+from sonify.scene import from_document, load_scene
+from sonify.scene_errors import InputError, SceneError, explain
+from sonify.sweeps.axes import Points, Samples, points_of
+from sonify.sweeps.needs import needed
+
+MOST = 1_000_000_000
+"""Runs beyond which a sweep is to be cut into several: their marks alone fill a memory."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sweep:
+    """The keys of a sweep file."""
+
+    __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
+
+    name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
+    """Name of the sweep, and of the folder that it is written into."""
+    scene: str = "published"
+    """The scene that all runs share but for the axes: a shipped name, or a path, from the folder of the sweep file."""
+    accuracy: Literal["draft", "standard", "reference"] | None = None
+    """Instead of the scene's."""
+    set: tuple[str, ...] = ()
+    """Values of the scene to replace, as `--set` of `run` does."""
+    axes: dict[str, Any]
+    """What differs between the runs: keys of the scene, each with a list of values or {from, to, n, scale}."""
+    samples: Samples | None = None
+    """Points drawn from the box of the axes instead of a grid."""
+    find: tuple[str, ...] = ()
+    """What is asked for: names of stages, scalars, findings, checks; everything if nothing is named."""
+    keep: tuple[Literal["arrays", "wav", "page"], ...] = ()
+    """Files of each run to keep."""
+    limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
+    """Time after which a run is ended [s]."""
+    folder = Path()
+
+    @cached_property
+    def document(self) -> dict:
+        """The document of the scene that all runs share."""
+        near = self.folder / self.scene
+        scene = load_scene(near if near.is_file() else self.scene).replace(*self.set)
+        return (scene.replace(f"numerics.accuracy={self.accuracy}") if self.accuracy else scene).document
+
+    @cached_property
+    def points(self) -> Points:
+        """The values of the axes in each run."""
+        return points_of(self.axes, self.samples)
+
+    @cached_property
+    def stages(self) -> tuple[str, ...]:
+        """The stages that every run has."""
+        return needed(self.find, self.keep)
+
+    @property
+    def identity(self) -> dict[str, Any]:
+        """What makes two sweeps the same: plain values."""
+        drawn = asdict(self.samples) if self.samples else None
+        same = {"scene": self.document, "axes": self.axes, "samples": drawn}
+        return json.loads(json.dumps(same | {"stages": self.stages, "keep": sorted(self.keep)}, default=str))
+
+    def scene_of(self, run: int) -> dict:
+        """Return the document of the scene of a run."""
+        return placed(self.document, self.points[run])
+
+    def columns(self, run: int) -> dict[str, Any]:
+        """Return the values of the axes in a run as columns hold them, which are of one type: JSON where they differ,
+        or are neither numbers nor text."""
+        return {k: json.dumps(v) if k in self._texts else v for k, v in self.points[run].items()}
+
+    @cached_property
+    def _texts(self):
+        kinds = {key: set() for axis in self.points.axes for key in axis.keys}
+        for axis in self.points.axes:
+            for values in axis.values or axis.ends:
+                for key, value in zip(axis.keys, values, strict=True):
+                    kinds[key].add(float if type(value) is int else type(value))
+        return {key for key, found in kinds.items() if found not in ({float}, {bool}, {str})}
+
+    def check(self):
+        """Prove that every value of a list and both ends of every range can be in a scene. Raises SceneError for one
+        that cannot, wherever the other axes stand, at their first values, at their last, or off their scene."""
+        axes = self.points.axes
+        ends = [{key: v for a in axes for key, v in zip(a.keys, a.step(k % a.n), strict=True)} for k in (0, -1)]
+        for axis in axes:
+            for value in axis.values or axis.ends:
+                own = dict(zip(axis.keys, value, strict=True))
+                _prove([placed(self.document, others | own) for others in (*ends, {})])
+
+
+def _prove(documents):
+    """Raise the SceneError of the first document if no one is a scene."""
+    faults = []
+    for document in documents:
+        try:
+            from_document(document)
+            return
+        except SceneError as error:
+            faults.append(error)
+    raise faults[0]
+
+
+def placed(document: dict, values: dict[str, Any]) -> dict:
+    """Return a copy of a document with values in the places of keys, as `friction.mu_static` or `release.omega.2`."""
+    document = deepcopy(document)
+    for path, value in values.items():
+        *sections, key = path.split(".")
+        place = document
+        try:
+            for section in sections:
+                place = place[int(section)] if isinstance(place, list) else place.setdefault(section, {})
+            place[int(key) if isinstance(place, list) else key] = value
+        except (AttributeError, IndexError, TypeError, ValueError):
+            raise SceneError(f"{path}: the scene has no such place") from None
+    return document
+
+
+def load_sweep(source: "str | Path | dict") -> Sweep:
+    """Return the sweep of a shipped name, a TOML file or a document, checked. Raises InputError where it is wrong."""
+    path = Path() if isinstance(source, dict) else _find(source)
+    document = source if isinstance(source, dict) else _read(path)
+    try:
+        sweep = TypeAdapter(Sweep).validate_json(json.dumps(document, default=str))
+    except ValidationError as error:
+        raise InputError(explain(error, Sweep)) from None
+    object.__setattr__(sweep, "folder", path.parent)
+    if sweep.points.count > MOST:
+        raise InputError(f"axes: {sweep.points.count:.3g} runs are more than {MOST:.0e}: cut the sweep into several")
+    sweep.check()
+    _ = sweep.stages
+    return sweep
+
+
+def shipped_sweeps() -> list[str]:
+    """Return the names of the sweeps that come with the program."""
+    return sorted(f.name.removesuffix(".toml") for f in _shipped().iterdir() if f.name.endswith(".toml"))
+
+
+def _shipped():
+    return resources.files("sonify.sweeps") / "shipped"
+
+
+def _find(source):
+    if Path(source).suffix or Path(source).is_file():
+        return Path(source)
+    if str(source) not in shipped_sweeps():
+        raise InputError(f"{source}: no such sweep; shipped: {', '.join(shipped_sweeps())}; or give a TOML file")
+    return Path(str(_shipped() / f"{source}.toml"))
+
+
+def _read(path):
+    try:
+        return tomllib.loads(path.read_bytes().decode("utf-8-sig"))
+    except OSError as error:
+        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
+    except (ValueError, RecursionError) as error:
+        raise InputError(f"{path}: not TOML: {error}") from None

@@ -1,0 +1,20 @@
+"""Which program this is, to the letter."""
+
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+
+import dynamics
+import modal
+import sonify
+
+
+@cache
+def version() -> str:
+    """Return the version with a digest of the source of the three packages, the same on every system."""
+    digest = sha256()
+    for package in (dynamics, modal, sonify):
+        folder = Path(package.__file__).parent
+        for file in sorted(folder.rglob("*.py"), key=lambda file: file.relative_to(folder).parts):
+            digest.update(f"{file.relative_to(folder).as_posix()}\n{file.read_text('utf-8')}".encode())
+    return f"{sonify.__version__}+{digest.hexdigest()[:8]}"

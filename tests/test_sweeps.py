@@ -1,0 +1,351 @@
+"""Claim: a sweep runs the points that its file names, once each, and its table holds what `summary` says of every run.
+
+Source: the README's `sweep`; numpy and scipy.stats for the points. Oracle: `solve` and `simulate` of the same scenes;
+counting; real processes, files that are really cut, a file system that really refuses.
+"""
+
+import json
+import tomllib
+from math import inf
+
+import numpy as np
+import pyarrow as pa
+import pytest
+from click.testing import CliRunner
+from scipy.stats import qmc
+from sweeps import QUICK, found
+
+import sonify
+from dynamics import simulate
+from sonify import load_scene, solve, summary
+from sonify.__main__ import main
+from sonify.files import OutputError
+from sonify.process import BrokenOffError
+from sonify.scene_errors import InputError
+from sonify.sweeps import command, needs, work
+from sonify.sweeps.axes import Samples, points_of
+from sonify.sweeps.command import plan, says
+from sonify.sweeps.hand import Hand, solve_apart
+from sonify.sweeps.sweep import load_sweep, shipped_sweeps
+from sonify.sweeps.table import JOURNAL, NAME, Table, read_table
+
+AXIS = "friction.mu_static"
+
+
+def values(key, axes, samples=None):
+    points = points_of(axes, samples)
+    return [points[run][key] for run in range(points.count)]
+
+
+def test_ranges_and_lists_make_a_grid():
+    linear = values(AXIS, {AXIS: {"from": 0.1, "to": 0.7, "n": 7}})
+    assert linear == pytest.approx(np.linspace(0.1, 0.7, 7), rel=1e-15)
+    log = values(AXIS, {AXIS: {"from": 1e-5, "to": 1e-1, "n": 5, "scale": "log"}})
+    assert log == pytest.approx(np.geomspace(1e-5, 1e-1, 5), rel=1e-14)
+    assert (log[0], log[-1]) == (1e-5, 1e-1)
+    grid = points_of({"a.x": [1, 2], "a.y": [inf, "rigid"]}, None)
+    assert [tuple(grid[k].values()) for k in range(grid.count)] == [(1, inf), (1, "rigid"), (2, inf), (2, "rigid")]
+    assert values("roughness.seed", {"roughness.seed": {"from": 1, "to": 9, "n": 5}}) == [1, 3, 5, 7, 9]
+    assert all(isinstance(v, int) for v in values("a.n", {"a.n": {"from": 1, "to": 9, "n": 5}}))
+
+
+def test_paired_keys_move_together():
+    pair = {"a.x, a.y": {"from": [1.0, 10.0], "to": [2.0, 1000.0], "n": 3, "scale": "log"}}
+    points = points_of(pair, None)
+    assert [points[k]["a.y"] for k in range(3)] == pytest.approx([10, 100, 1000])
+    assert points.count == 3
+    both = points_of({"a.x, a.y": [0.5, [0.5, 0.3]]}, None)
+    assert [both[k] for k in range(2)] == [{"a.x": 0.5, "a.y": 0.5}, {"a.x": 0.5, "a.y": 0.3}]
+
+
+@pytest.mark.parametrize("method", ["latin", "sobol"])
+def test_samples_are_those_of_scipy_and_of_their_seed(method):
+    axes = {"a.x": {"from": 1.0, "to": 100.0, "n": 1, "scale": "log"}, "a.y": ["one", "two"]}
+    drawn = values("a.x", axes, Samples(method=method, n=64, seed=3))
+    assert drawn == values("a.x", axes, Samples(method=method, n=64, seed=3))
+    assert drawn != values("a.x", axes, Samples(method=method, n=64, seed=4))
+    if method == "latin":  # a point in each of 64 bins, in the logarithm
+        assert sorted((np.log(drawn) / np.log(100) * 64).astype(int)) == list(range(64))
+    names = values("a.y", axes, Samples(method=method, n=64, seed=3))
+    assert names.count("one") == 32
+    share = qmc.Sobol(2, seed=np.random.default_rng(3)).random(64)
+    assert method == "latin" or drawn == pytest.approx(100 ** share[:, 0])
+
+
+WRONG = {
+    "no axis": ({"axes": {}}, "none is given"),
+    "an unknown key": ({"axes": {"friction.mu": [0.1]}}, "friction.mu: unknown key; known: mu_static"),
+    "an unknown section": ({"axes": {"frictions.mu": [0.1]}}, "frictions: unknown key"),
+    "no such place": ({"axes": {"release.omega.7": [0.1]}}, "release.omega.7: the scene has no such place"),
+    "a value out of range": ({"axes": {AXIS: [0.5, -1.0]}}, "mu_static = -1.0"),
+    "an end out of range": ({"axes": {"disk.radius": {"from": 0.01, "to": 1e9, "n": 2}}}, "disk.radius"),
+    "an empty list": ({"axes": {AXIS: []}}, "must have at least one value"),
+    "an empty range": ({"axes": {AXIS: {"from": 0.1, "to": 0.5, "n": 0}}}, "n = 0"),
+    "a reversed range": ({"axes": {AXIS: {"from": 0.5, "to": 0.1, "n": 3}}}, "from = 0.5 must be less than to = 0.1"),
+    "a range of nothing": ({"axes": {AXIS: {"from": 0.5, "to": 0.5, "n": 3}}}, "must be less than"),
+    "log of zero": ({"axes": {AXIS: {"from": 0.0, "to": 0.1, "n": 3, "scale": "log"}}}, "greater than 0"),
+    "another scale": ({"axes": {AXIS: {"from": 0.1, "to": 0.2, "n": 3, "scale": "cube"}}}, "'linear' or 'log'"),
+    "a word too many": ({"axes": {AXIS: {"from": 0.1, "to": 0.2, "n": 3, "by": 1}}}, "by: unknown key"),
+    "no end": ({"axes": {AXIS: {"from": 0.1, "n": 3}}}, "to: missing"),
+    "text as an end": ({"axes": {AXIS: {"from": "a", "to": 0.2, "n": 3}}}, "must be finite numbers"),
+    "infinity as an end": ({"axes": {AXIS: {"from": 0.3, "to": inf, "n": 3}}}, "must be finite numbers"),
+    "no list": ({"axes": {AXIS: 0.3}}, "must be a list of values"),
+    "twice": ({"axes": {AXIS: [0.5], f"{AXIS}, friction.mu_dynamic": [0.5]}}, "on more than one axis"),
+    "a pair of three": ({"axes": {f"{AXIS}, friction.mu_dynamic": [[0.5, 0.4, 0.3]]}}, "must have 2 values"),
+    "too many": ({"axes": {AXIS: {"from": 0.3, "to": 0.4, "n": 10**12}}}, "cut the sweep into several"),
+    "an unknown question": ({"find": ["loudness"]}, "find = 'loudness': unknown; known: outcome, t_end"),
+    "an unknown file": ({"keep": ["everything"]}, "keep.0 = 'everything': must be 'arrays', 'wav' or 'page'"),
+    "another key": ({"repeat": 3}, "repeat: unknown key; known: name, scene"),
+    "no time": ({"limit": 0.0}, "limit = 0.0: must be greater than 0"),
+    "an odd Sobol": ({"samples": {"method": "sobol", "n": 100}}, "as 64 or 128"),
+    "another method": ({"samples": {"method": "random", "n": 100}}, "must be 'latin' or 'sobol'"),
+    "no such scene": ({"scene": "nowhere"}, "nowhere: no such scene"),
+}
+
+
+@pytest.mark.parametrize(("change", "told"), WRONG.values(), ids=WRONG)
+def test_a_wrong_sweep_is_one_line_and_nothing_is_written(change, told, tmp_path):
+    with pytest.raises(InputError) as refused:
+        sonify.sweep(QUICK | change, out=tmp_path / "out")
+    assert told in str(refused.value)
+    assert "\n" not in str(refused.value)
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_wrong_file_is_one_line(tmp_path):
+    (tmp_path / "half.toml").write_text("name = ")
+    for name in ("half.toml", "none.toml"):
+        asked = CliRunner().invoke(main, ["sweep", str(tmp_path / name)])
+        assert (asked.exit_code, len(asked.stderr.splitlines())) == (2, 1)
+    assert "shipped: " in CliRunner().invoke(main, ["sweep", "nowhere"]).stderr
+
+
+def test_every_shipped_sweep_is_right():
+    assert shipped_sweeps()
+    for name in shipped_sweeps():
+        assert load_sweep(name).name == name
+
+
+def test_more_than_a_million_runs_are_asked_for_with_their_hours(tmp_path, monkeypatch):
+    monkeypatch.setattr(command, "_probe", lambda asked: (1.0, 3.6))
+    many = QUICK | {"axes": {AXIS: {"from": 0.31, "to": 0.6, "n": 2_000_000}}}
+    with pytest.raises(InputError, match=r"2000000 runs, about 1e\+03 hours on this machine: add --yes"):
+        sonify.sweep(many, out=tmp_path, processes=2)
+
+
+def test_a_hundred_thousand_points_are_planned_with_their_time():
+    """The middle run is really solved; the estimate is that for all of them."""
+    told = plan(QUICK | {"axes": {AXIS: {"from": 0.31, "to": 0.6, "n": 100_000}}}, processes=4)
+    assert "100000" in told[0]
+    seconds, hours = float(told[2].split()[2]), float(told[3].split()[1])
+    assert 0 < seconds < 30
+    assert hours == pytest.approx(100_000 * seconds / 4 / 3600, rel=0.2)
+
+
+def test_only_the_stages_that_the_question_needs():
+    assert needs.needed(["t_end", "repeated_slips_holds"], []) == ("motion",)
+    assert needs.needed(["audible_modes", "mode_errors"], []) == ("modes",)
+    assert needs.needed(["energy_balance", "audible_modes"], ["arrays"]) == ("motion", "modes")
+    assert needs.needed(["t_end"], ["wav"]) == needs.needed([], []) == needs.needed(["pitch_rises"], []) == ("sound",)
+
+
+FALLING = load_scene("published").replace(*QUICK["set"], "friction.arm_rolling=3e-3", "numerics.accuracy=draft")
+
+
+def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
+    """Stage by stage the same as all at once; nothing of a stage is missing that needs no other."""
+    solved, alone = [], work.eigenmodes
+    monkeypatch.setattr(work, "eigenmodes", lambda scene, **asked: solved.append(1) or alone(scene, **asked))
+    work.KNOWN.clear()
+    whole = summary(solve(FALLING))
+    for arm in (3e-3, 2.9e-3):
+        scene = FALLING.replace(f"friction.arm_rolling={arm}")
+        row = work.row_of(scene.document, ("motion", "modes"))
+        assert row["t_end"] == simulate(scene).t[-1]
+    assert len(solved) == 1
+    row = work.row_of(FALLING.document, ("motion", "modes"))
+    row |= {"passed": whole["passed"]}
+    both = {key: value for key, value in row.items() if not key.startswith("seconds_")}
+    assert both == {key: whole[key] for key in both}
+    of = needs.stage_of()
+    judged = {key for key in whole if of.get(key.removesuffix("_holds").removesuffix("_passed")) in ("motion", "modes")}
+    assert judged == set(both)
+    work.row_of(FALLING.replace("material.young=1e11").document, ("modes",))
+    assert len(solved) == 2
+
+
+@pytest.fixture(scope="module")
+def done(tmp_path_factory):
+    """The table of the quick sweep, by the command line."""
+    folder = tmp_path_factory.mktemp("sweep")
+    told = json.dumps(QUICK["axes"]).replace(":", " =")
+    keys = "\n".join(f"{key} = {json.dumps(QUICK[key])}" for key in ("name", "accuracy", "set", "find"))
+    (folder / "quick.toml").write_text(f"{keys}\naxes = {told}\n")
+    assert tomllib.loads((folder / "quick.toml").read_text())["axes"] == QUICK["axes"]
+    asked = CliRunner().invoke(main, ["sweep", str(folder / "quick.toml"), "--out", str(folder / "out")])
+    assert asked.exit_code == 0
+    assert asked.stdout.splitlines()[1] == "8 runs: 6 SETTLED, 2 with an error"
+    return folder / "out" / NAME
+
+
+def test_a_table_has_a_row_for_every_run(done):
+    rows = read_table(done)[0].to_pylist()
+    assert [row["run"] for row in rows] == list(range(8))
+    for row in rows:
+        refused = row[AXIS] < row["friction.mu_dynamic"]
+        assert (row["error"] is not None) == refused
+        assert refused == ("mu_dynamic = 0.3 must not exceed mu_static = 0.2" in (row["error"] or ""))
+        if not refused:
+            scene = FALLING.replace(*(f"{key}={row[key]}" for key in QUICK["axes"]))
+            assert row["t_end"] == simulate(scene).t[-1]
+        assert row["seconds"] > 0
+        assert row["version"].startswith(sonify.__version__)
+    assert {path.name for path in done.parent.iterdir()} >= {NAME, "outcome.png", "t_end.png"}
+    assert not (done.parent / JOURNAL).exists()
+
+
+def test_the_same_sweep_again_runs_nothing_and_another_is_refused(done, monkeypatch):
+    before = done.read_bytes()
+    monkeypatch.setattr("sonify.sweeps.engine.solve_apart", None)
+    assert sonify.sweep(QUICK, out=done.parent) == done
+    assert done.read_bytes() == before
+    with pytest.raises(InputError, match="the table of another sweep"):
+        sonify.sweep(QUICK | {"axes": {AXIS: [0.3]}}, out=done.parent)
+    assert done.read_bytes() == before
+
+
+def test_maps_are_drawn_from_the_table_alone(done, tmp_path):
+    for n, (axes, of) in enumerate(
+        [([], "t_end"), ([], "outcome"), (["--x", AXIS], "passed"), (["--x", "outcome"], "t_end")]
+    ):
+        asked = CliRunner().invoke(main, ["map", str(done), *axes, "--of", of, "--out", str(tmp_path / f"{n}.png")])
+        assert asked.exit_code == 0, asked.output
+        assert (tmp_path / f"{n}.png").stat().st_size > 5000
+    for wrong in (["--of", "nothing"], ["--of", "t_end", "--x", "nothing"]):
+        asked = CliRunner().invoke(main, ["map", str(done), *wrong])
+        assert (asked.exit_code, len(asked.stderr.splitlines())) == (2, 1)
+    assert CliRunner().invoke(main, ["map", str(tmp_path / "0.png"), "--of", "t_end"]).exit_code == 2
+
+
+SAME = {"outcome": "SETTLED", "error": None, "passed": True}
+ROWS = [{"run": k, "a.x": k / 7, "t_end": k**0.5} | SAME for k in range(9)]
+
+
+def table(folder, **options):
+    return Table(folder, {"axes": {}}, ["a.x"], len(ROWS), **options)
+
+
+def test_rows_are_on_the_disk_when_added_wherever_the_journal_is_cut(tmp_path):
+    """A process that dies leaves the journal as it is; the power that fails cuts at most what was not yet added."""
+    killed = table(tmp_path / "killed")
+    with killed:
+        for row in ROWS[:4]:
+            killed.add([row])
+        whole = (tmp_path / "killed" / JOURNAL).read_bytes()
+        killed.add([ROWS[4]])
+        written = (tmp_path / "killed" / JOURNAL).read_bytes()
+    for cut in range(len(whole), len(written) + 1, 7):
+        with table(tmp_path / "cut"):
+            pass
+        (tmp_path / "cut" / JOURNAL).write_bytes(written[:cut])
+        with table(tmp_path / "cut") as resumed:
+            assert resumed.done.tolist() == [k < (5 if cut == len(written) else 4) for k in range(9)]
+            resumed.add([row for row in ROWS if not resumed.done[row["run"]]][::-1])
+        assert read_table(tmp_path / "cut" / NAME)[0].to_pylist() == read_table(_all(tmp_path))[0].to_pylist()
+        (tmp_path / "cut" / NAME).unlink()
+
+
+def _all(tmp_path):
+    with table(tmp_path / "all") as undisturbed:
+        undisturbed.add([row for row in ROWS if not undisturbed.done[row["run"]]])
+    return tmp_path / "all" / NAME
+
+
+def test_a_row_that_is_in_table_and_journal_counts_once(tmp_path):
+    """So it is when a process dies after the table was replaced and before the journal went."""
+    with table(tmp_path) as first:
+        first.add(ROWS)
+        left = (tmp_path / JOURNAL).read_bytes()
+    before = (tmp_path / NAME).read_bytes()
+    (tmp_path / JOURNAL).write_bytes(left)
+    with table(tmp_path) as second:
+        assert second.done.all()
+    assert (tmp_path / NAME).read_bytes() == before
+
+
+def test_a_second_driver_is_refused(tmp_path):
+    with table(tmp_path), pytest.raises(OutputError, match="another sweep is writing this table"), table(tmp_path):
+        pass
+    with table(tmp_path):
+        pass
+
+
+def test_failed_runs_are_missing_only_if_they_are_to_be_solved_again(tmp_path):
+    with table(tmp_path) as first:
+        first.add([ROWS[0], ROWS[1] | {"error": "late", "t_end": None}])
+    with table(tmp_path) as again:
+        assert again.done[:3].tolist() == [True, True, False]
+    with table(tmp_path, retry=True) as again:
+        assert again.done[:3].tolist() == [True, False, False]
+        again.add([ROWS[1]])
+    assert read_table(tmp_path / NAME)[0].to_pylist() == ROWS[:2]
+
+
+@pytest.mark.parametrize("room", [100, 1500, 4000])
+def test_a_full_disk_loses_no_row_that_was_added(tmp_path, room):
+    """The system refuses to let a file grow beyond `room` bytes; what was added before stays, and the rest follows."""
+    with table(tmp_path):
+        pass
+    resource = pytest.importorskip("resource", reason="Windows limits no file")
+    added, limits = 0, resource.getrlimit(resource.RLIMIT_FSIZE)
+
+    def fill():
+        nonlocal added
+        with table(tmp_path) as filled:
+            for row in ROWS:
+                filled.add([row | {"note": "x" * 500}])
+                added += 1
+
+    resource.setrlimit(resource.RLIMIT_FSIZE, (room, limits[1]))
+    try:
+        with pytest.raises(OSError, match="File too large") as full:
+            fill()
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert str(tmp_path / JOURNAL) in str(full.value)
+    with table(tmp_path) as resumed:
+        assert resumed.done.sum() == added == room // 640
+
+
+def test_what_is_not_finite_is_no_value_and_axes_keep_it(tmp_path):
+    with table(tmp_path) as written:
+        written.add([ROWS[0] | {"t_end": float("nan"), "a.x": inf}, ROWS[1] | {"t_end": inf}])
+    held = read_table(tmp_path / NAME)[0]
+    assert held["t_end"].to_pylist() == [None, None]
+    assert held["a.x"].to_pylist()[0] == inf
+    assert held.schema.field("t_end").type == pa.float64()
+
+
+@pytest.mark.slow
+def test_a_run_that_takes_too_long_or_kills_its_process_is_a_row(monkeypatch):
+    task = {"document": load_scene("published").document, "stages": ["motion"]}
+    assert solve_apart(task, 1e-3)["error"] == "took longer than the limit of 0.001 s"
+    monkeypatch.setattr(Hand, "row", lambda hand, *_: hand.process.kill())
+    assert solve_apart(task, 60)["error"] == "its process ended with status -9, 2 times"
+
+
+def test_processes_that_cannot_start_stop_the_sweep(monkeypatch, tmp_path):
+    monkeypatch.setattr("sonify.sweeps.hand.sys.executable", "/bin/false")
+    with pytest.raises(BrokenOffError, match="does not start"):
+        sonify.sweep(QUICK, out=tmp_path)
+    assert read_table(tmp_path / NAME)[0].num_rows == 0
+
+
+def test_a_failed_check_is_told(tmp_path):
+    with table(tmp_path) as written:
+        written.add([ROWS[0], ROWS[1] | {"passed": False}])
+    assert says(tmp_path / NAME) == (["2 runs: 2 SETTLED, 1 with a FAILED self-check"], False)
+
+
+def test_found_leaves_out_times_only(done):
+    assert set(read_table(done)[0].column_names) - set(found(done).column_names) == {"seconds", "seconds_motion"}
