@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from dynamics.simulation import prepare
 from sonify.progress import Stages
+from sonify.report.painter import painter
 from sonify.scene import Scene, scene_of
 
 if TYPE_CHECKING:
@@ -20,6 +21,7 @@ def run(
 ) -> "Result":
     """As `sonify.pipeline.run`: solve `scene`, or what `load_scene` takes, and write the result into `out`."""
     scene = begun(scene, accuracy)
+    painter()
     from sonify import pipeline  # loads slowly
 
     return pipeline.run(scene, out, stages=stages)

@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 from dynamics.simulation import prepare
 from modal import Modes, eigenmodes
@@ -15,6 +16,7 @@ from sonify.plan.plan import with_end
 from sonify.plan.predictions import SOUND
 from sonify.plan.solvable import planned, solvable, solve_motion
 from sonify.progress import Stages
+from sonify.report.pictures import Pictures
 from sonify.report.write import write_record
 from sonify.result import Result
 from sonify.scene import Scene
@@ -31,11 +33,13 @@ def solve(
     accuracy: str | None = None,
     stages: Stages | None = None,
     eigenmodes: Callable[..., Modes] = eigenmodes,
+    begin: Callable = lambda found: None,
 ) -> Result:
     """Return everything that a run of a scene, or of what `load_scene` takes, finds; no file is written.
 
-    `accuracy` (draft, standard, reference) replaces the scene's; `eigenmodes` finds the modes. Raises SceneError where
-    the scene cannot be solved.
+    `accuracy` (draft, standard, reference) replaces the scene's; `eigenmodes` finds the modes; `begin(found)` is called
+    after the motion and after the sound with what is known by then, attributes that a Result has. Raises SceneError
+    where the scene cannot be solved.
     """
     scene, stages = solvable(scene, accuracy), stages or Stages()
     prepare(scene)
@@ -45,8 +49,10 @@ def solve(
         motion = solve_motion(
             scene, lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")
         )
+    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion))
     with stages.stage("sound") as watch:
         sound = Renderer(scene, motion, modes, plan.voices, plan.calm).sound(watch)
+    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion, sound=sound))
     with stages.stage("findings"):
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
@@ -65,8 +71,11 @@ def solve(
 
 
 @one_blas_thread
-def write(result: Result, out: str | Path | None = None, stages: Stages | None = None) -> Result:
-    """Write sound, pictures and report into `out` (default outputs/<scene name>), return the result that knows it.
+def write(
+    result: Result, out: str | Path | None = None, stages: Stages | None = None, pictures: Pictures | None = None
+) -> Result:
+    """Write sound, pictures and report into `out` (default outputs/<scene name>), return the result that knows it;
+    `pictures` have been begun.
 
     Raises OutputError when `out` cannot be written, and OSError when the disk is full. No file is ever left half
     written.
@@ -78,7 +87,7 @@ def write(result: Result, out: str | Path | None = None, stages: Stages | None =
         with stages.stage("sound files") as watch:
             write_sound(result.sound, folder, watch)
         result = replace(result, out=folder, seconds=stages.seconds)
-        write_record(result, stages)
+        write_record(result, stages, pictures or Pictures())
     return result
 
 
@@ -95,6 +104,7 @@ def run(
     """
     scene, stages = solvable(scene, accuracy), stages or Stages()
     with claimed(out or Path("outputs") / scene.name) as folder:
-        result = solve(scene, stages=stages)
+        pictures = Pictures()
+        result = solve(scene, stages=stages, begin=pictures.begin)
         stages.answer(result)
-        return write(result, folder, stages)
+        return write(result, folder, stages, pictures)

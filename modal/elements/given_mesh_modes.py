@@ -7,7 +7,7 @@ from scipy.interpolate import CloughTocher2DInterpolator, NearestNDInterpolator
 
 from modal.elements import sample
 from modal.elements.unfold import rigid_fields
-from modal.mesh.sector import VTK_HEXAHEDRON27
+from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Body, Modes
 
 VTK = {

@@ -6,7 +6,8 @@ from math import pi
 import numpy as np
 
 from modal.elements import sample
-from modal.mesh.sector import NODES, VTK_HEXAHEDRON27
+from modal.mesh.hexahedron import VTK_HEXAHEDRON27
+from modal.mesh.sector import NODES
 from modal.modes import Body, Modes
 
 

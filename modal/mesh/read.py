@@ -6,7 +6,7 @@ from scipy.sparse.csgraph import connected_components
 from skfem import CellBasis, MeshTet1
 from skfem.io.meshio import from_meshio
 
-from modal.mesh.sector import VTK_HEXAHEDRON27
+from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 
 SUPPORTED = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
 LARGEST, SMALLEST = 2.0, 1e-3

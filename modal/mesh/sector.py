@@ -14,13 +14,6 @@ from modal.mesh.patch_box import filled, longest, nest
 
 NODES = np.rint(ElementHex2.doflocs * 2).astype(int)
 """Positions (27, 3) in {0, 1, 2}^3 of the nodes of a hexahedron in scikit-fem's order; the first eight are corners."""
-VTK_HEXAHEDRON27 = [
-    *[(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)],
-    *[(1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2)],
-    *[(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)],
-    *[(0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)],
-]
-"""Lattice positions of the nodes in the order of VTK_TRIQUADRATIC_HEXAHEDRON."""
 
 
 @dataclass(frozen=True, kw_only=True)

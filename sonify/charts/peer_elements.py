@@ -16,7 +16,8 @@ from scipy.spatial import cKDTree
 from skfem import MeshTet2
 
 from modal.elements.elastic import lame
-from modal.mesh.sector import NODES, VTK_HEXAHEDRON27
+from modal.mesh.hexahedron import VTK_HEXAHEDRON27
+from modal.mesh.sector import NODES
 from sonify.charts.modes_case import ModesCase
 from sonify.charts.plain_elements import FREE_SHIFT, patch_unknowns, uniform
 from sonify.charts.records import Answer, Failure

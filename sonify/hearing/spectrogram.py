@@ -6,12 +6,15 @@ from math import inf
 from pathlib import Path
 
 import numpy as np
-from scipy.signal import ShortTimeFFT, get_window
 
 from sonify.hearing.source import BLOCK, Source, pieces, source_of
 
 MOST_COLUMNS = 1600
 """A longer sound is looked at in as many places, with gaps between them."""
+RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
+"""The band of the contact rates [Hz], and the window it is seen through [s]."""
+WINDOW_MODES = 0.02
+"""The window for the band of the modes [s]."""
 REFERENCE_PRESSURE = 20e-6
 """0 dB of sound pressure level [Pa]."""
 
@@ -46,6 +49,8 @@ def spectrogram(sound: Source | str | Path, window: float, columns: int = MOST_C
     Windows overlap by three quarters, in a long sound by less: there are at most `columns`. Only the part within `span`
     [s] is looked at. A part shorter than the window is padded with silence. Memory does not grow with the length.
     """
+    from scipy.signal import ShortTimeFFT, get_window  # loads slowly, and who only draws needs it not
+
     source = source_of(sound)
     rate, size = source.sample_rate, max(int(window * source.sample_rate), 16)
     first, last = int(span[0] * rate), int(min(span[1] * rate, source.frames))

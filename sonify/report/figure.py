@@ -8,14 +8,12 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
-from sonify.files import whole
-
 DPI, MOST_TICKS = 110, 6
 
 
 @contextmanager
 def figure_at(path, rows, columns, size, **options):
-    """A figure of `size` [in] with axes (rows, columns), written as PNG without transparency when the block ends."""
+    """A figure of `size` [in] with axes (rows, columns), written to a path or file as opaque PNG when it ends."""
     figure = Figure(figsize=size, dpi=DPI)
     axes = figure.subplots(rows, columns, **options)
     inches = {"left": 0.75 / size[0], "right": 1 - 0.6 / size[0], "bottom": 0.6 / size[1], "top": 1 - 0.5 / size[1]}
@@ -25,8 +23,7 @@ def figure_at(path, rows, columns, size, **options):
         _fix(panel)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    with whole(path) as temporary:
-        Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]).save(temporary, compress_level=3)
+    Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]).save(path, "PNG", compress_level=3)
 
 
 def _fix(panel):

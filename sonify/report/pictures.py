@@ -1,48 +1,105 @@
-"""PICTURES: what was solved and what is heard, each readable without colour."""
+"""PICTURES: what was solved and what is heard, each readable without colour; this says what goes into them."""
 
+from collections.abc import Callable
+from concurrent.futures import Future
+from io import BytesIO
 from itertools import zip_longest
-from pathlib import Path
-from tempfile import TemporaryDirectory
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from PIL import Image
+from scipy.ndimage import median_filter
 
+from dynamics.rates import nutation_frequency, precession_frequency, precession_rate
+from sonify.claims.sound import LAST
 from sonify.files import whole
+from sonify.hearing.loudness import audibility
+from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.plan.supports import over_the_run
-from sonify.report.mode_shapes import draw_modes
-from sonify.report.motion import draw_motion
-from sonify.report.sound import draw_spectrogram, draw_stems
+from sonify.report.painter import drawn, painter
 
 if TYPE_CHECKING:
+    from PIL.Image import Image
+
     from sonify.result import Result
 
 
-def draw_all(result: "Result"):
-    """Draw every picture of a run into its folder; in a draft not that of the stems."""
-    for name, draw in PICTURES.items():
-        path = result.out / f"{name}.png"
-        if name == "stems" and result.plan.accuracy == "draft":
-            path.unlink(missing_ok=True)  # that of another run
-        else:
-            draw(result, path)
+class Pictures:
+    """The pictures of a run, drawn by the `painter` as soon as what they show is known."""
+
+    def __init__(self):
+        self._futures: dict[str, Future] = {}
+
+    def begin(self, found: Any):
+        """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as a Result has."""
+        for name, (needs, module, function, shown) in PICTURES.items():
+            if hasattr(found, needs) and name not in self._futures and not _left_out(name, found):
+                self._futures[name] = painter().draw(module, function, shown(found))
+
+    def write(self, result: "Result"):
+        """Write every picture of a result into its folder; in a draft not that of the stems."""
+        self.begin(result)
+        for name in PICTURES:
+            path = result.out / f"{name}.png"
+            if _left_out(name, result):
+                path.unlink(missing_ok=True)  # that of another run
+                continue
+            with whole(path) as temporary:
+                temporary.write_bytes(self._futures[name].result())
 
 
-def picture(result: "Result", name: str) -> Image.Image:
+def _left_out(name, found):
+    return name == "stems" and found.plan.accuracy == "draft"
+
+
+def picture(result: "Result", name: str) -> "Image":
     """Return one of the PICTURES of a result, which a notebook shows. Raises ValueError for another name."""
+    from PIL import Image
+
     if name not in PICTURES:
         raise ValueError(f"there is no picture {name!r}: it is one of {', '.join(PICTURES)}")
-    with TemporaryDirectory() as folder:
-        PICTURES[name](result, Path(folder) / "picture.png")
-        with Image.open(Path(folder) / "picture.png") as image:
-            return image.convert("RGB")
+    _, module, function, shown = PICTURES[name]
+    return Image.open(BytesIO(drawn(module, function, shown(result))))
 
 
-def _modes(result, path):
+def _spectrogram(found):
+    motion, sound = found.motion, found.sound
+    low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
+    end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
+    (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
+    rates = [median_filter(rate, 5) for rate in (precession, nutation)]
+    seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
+    delay = sound.source_end - motion.t[-1]
+    return seen | {"time": peaks + delay, "rates": rates, "frequencies": found.modes.frequency}
+
+
+def _stems(found):
+    sound = found.sound
+    heard = {name: audibility(stem) for name, stem in sound.stems.items()}
+    stems = {name: (one.time, one.a_weighted, one.above_threshold) for name, one in heard.items()}
+    return {"stems": stems, "end": sound.source_end, "duration": sound.duration}
+
+
+def _motion(found):
+    """The curves of the paper's figures, and the height of the weight in that of the normal force."""
+    motion, disk = found.motion, found.motion.disk
+    chi, t = disk.time_unit, np.linspace(0, motion.t[-1], 12000)
+    state, (peaks, frequency) = motion.at(t), nutation_frequency(motion)
+    curves = (
+        (t / chi, np.pi / 2 - state[:, 1]),
+        (t / chi, motion.energy(t) * chi**2 / (disk.mass * disk.radius**2)),
+        (t / chi, motion.normal_load(t)),
+        (peaks / chi, frequency * chi),
+        (state[:, 3] / disk.radius, state[:, 4] / disk.radius),
+        (t / chi, precession_rate(state) * chi),
+    )
+    return {"curves": curves, "weight": motion.normal_load([0.0])[0] * disk.weight / motion.force([0.0])[0, 2]}
+
+
+def _modes(found):
     """The modes of a draft are seen from above only."""
-    with whole(path) as temporary:
-        steps = over_the_run(result.scene, result.motion, result.plan.highest_mode)
-        draw_modes(result.modes, temporary, result.plan.accuracy != "draft", result.scene.support, moving(steps))
+    steps = over_the_run(found.scene, found.motion, found.plan.highest_mode)
+    slanted = found.plan.accuracy != "draft"
+    return {"modes": found.modes, "slanted": slanted, "support": found.scene.support, "moving": moving(steps)}
 
 
 def moving(steps) -> str:
@@ -52,10 +109,10 @@ def moving(steps) -> str:
     return "\n".join([f"[Hz] at {at}", *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1))]) if steps else ""
 
 
-PICTURES = {
-    "spectrogram": lambda result, path: draw_spectrogram(result.motion, result.modes, result.sound, path),
-    "stems": lambda result, path: draw_stems(result.sound, path),
-    "motion": lambda result, path: draw_motion(result.motion, path),
-    "modes": _modes,
+PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
+    "spectrogram": ("sound", "sound", "draw_spectrogram", _spectrogram),
+    "stems": ("sound", "sound", "draw_stems", _stems),
+    "motion": ("motion", "motion", "draw_motion", _motion),
+    "modes": ("motion", "mode_shapes", "draw_modes", _modes),
 }
-"""By name, what draws the picture of a result into a PNG file."""
+"""By name: what has to be known, module and function that draw it, and what they are given to draw."""

@@ -5,8 +5,9 @@ from dataclasses import asdict
 from itertools import chain, count
 from pathlib import Path
 
-from sonify.files import claim
+from sonify.files import claim, whole
 from sonify.hearing.recording import Heard, listen
+from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 
 
 def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
@@ -19,7 +20,9 @@ def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
     from sonify.report.sound import draw_recording
     from sonify.report.write import finite, write_json
 
-    draw_recording(recording, heard, folder / "spectrogram.png")
+    low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
+    with whole(folder / "spectrogram.png") as temporary:
+        draw_recording(temporary, low, high, heard.duration, heard.tone)
     write_json({"recording": _name(recording)} | finite(numbers(heard)), folder / "heard.json")
     return [*sentences(heard), str(folder)]
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from modal.mesh.sector import VTK_HEXAHEDRON27
+from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Body
 
 AZIMUTH, ELEVATION = np.deg2rad(-60), np.deg2rad(32)

@@ -6,22 +6,10 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.patheffects import withStroke
 from matplotlib.ticker import LogLocator, NullLocator
-from scipy.ndimage import median_filter
 
-from dynamics import Motion
-from dynamics.rates import nutation_frequency, precession_frequency
-from modal import Modes
-from sonify.claims.sound import LAST
-from sonify.hearing.loudness import audibility
-from sonify.hearing.recording import Heard
-from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
+from sonify.hearing.spectrogram import RATES, REFERENCE_PRESSURE, Spectrogram
 from sonify.report.figure import figure_at
-from sonify.sound.pressure import Sound
 
-RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
-"""The band of the contact rates [Hz], and the window it is seen through [s]."""
-WINDOW_MODES = 0.02
-"""The window for the band of the modes [s]."""
 RANGE_DB = 65.0
 """From the darkest to the brightest; the brightest is the loudest of each band: the modes may be far below the rest."""
 STEM_STYLES = (
@@ -38,44 +26,41 @@ EDGE = [withStroke(linewidth=2.5, foreground="k")]
 """Makes a white line visible on white."""
 
 
-def draw_spectrogram(motion: Motion, modes: Modes, sound: Sound, path):
-    """Draw the pressure in two bands, all of it and its end, with the solved nutation, precession and modes over it."""
-    delay = sound.source_end - motion.t[-1]
-    low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
+def draw_spectrogram(path, low: Spectrogram, high: Spectrogram, spans, time, rates, frequencies):
+    """Draw the pressure in the bands of the contact rates and of the modes, over both `spans` [s], with the precession
+    and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it."""
     floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
-    end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
-        for (top, bottom), span in zip(axes.T, [(0.0, sound.duration), end], strict=True):
+        for (top, bottom), span in zip(axes.T, spans, strict=True):
             top.set(xlim=span)
             log_frequency(top, RATES)
-            rates = level_image(top, low.during(*span), 1.0, floors[0])
-            _rate_lines(top, motion, delay, 1.0)
+            turning = level_image(top, low.during(*span), 1.0, floors[0])
+            _rate_lines(top, time, rates, 1.0)
             ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
-            bottom.set(ylim=(0, sound.sample_rate / 2e3), xlim=span, xlabel="time at the listener [s]")
-            _mode_lines(bottom, modes.frequency, span)
-        _rate_lines(axes[1, 1], motion, delay, 1e3)
+            bottom.set(ylim=(0, high.frequency[-1] / 1e3), xlim=span, xlabel="time at the listener [s]")
+            _mode_lines(bottom, frequencies, span)
+        _rate_lines(axes[1, 1], time, rates, 1e3)
         _legend(axes[1, 0])
         axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")
         axes[1, 0].set(ylabel="frequency [kHz]", title="Modes")
         axes[0, 1].set(title="The end")
-        for image, row in ((rates, axes[0]), (ringing, axes[1])):
+        for image, row in ((turning, axes[0]), (ringing, axes[1])):
             figure.colorbar(image, ax=row, pad=0.05, fraction=0.04, label="level of a sine [dB re 20 µPa]")
 
 
-def draw_recording(recording, heard: Heard, path):
-    """Draw a sound file in two bands, relative to full scale, with the rising tone that was heard over it."""
-    low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
+def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, tone=None):
+    """Draw a sound in two bands, relative to full scale, with the rising tone that was heard, if any, over it."""
     floors = [loudest_db(part, 1.0) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
     with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
         log_frequency(axes[0], RATES)
         axes[0].set(ylabel="frequency [Hz]", title="Contact rates")
         for panel, seen, unit, floor in zip(axes, (low, high), (1.0, 1e3), floors, strict=True):
             image = level_image(panel, seen, unit, floor, 1.0)
-            panel.set(xlim=(0, heard.duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
-            if heard.tone is not None:
+            panel.set(xlim=(0, duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
+            if tone is not None:
                 left = np.geomspace(0.01, 8.0, 400)
                 options = {"color": "w", "lw": 1.0, "ls": "--", "label": "rising tone, fitted", "path_effects": EDGE}
-                panel.plot(heard.tone.end - left, heard.tone.at(heard.tone.end - left) / unit, **options)
+                panel.plot(tone.end - left, tone.at(tone.end - left) / unit, **options)
                 _legend(panel)
             figure.colorbar(image, ax=panel, pad=0.02, fraction=0.05, label="level of a sine [dB re full scale, RMS]")
         axes[1].set(ylabel="frequency [kHz]", title="Modes", xlabel="time [s]")
@@ -107,11 +92,9 @@ def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
     return axes.imshow(level, origin="lower", aspect="auto", interpolation="nearest", extent=extent, **options)
 
 
-def _rate_lines(axes, motion, delay, unit):
-    (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
-    for rate, color, style, name in ((precession, "w", "-", "precession"), (nutation, "#56b4e9", "--", "nutation")):
-        smooth = median_filter(rate, 5) / unit
-        axes.plot(peaks + delay, smooth, color=color, lw=1.2, ls=style, label=f"{name}, solved", path_effects=EDGE)
+def _rate_lines(axes, time, rates, unit):
+    for rate, color, style, name in zip(rates, ("w", "#56b4e9"), ("-", "--"), ("precession", "nutation"), strict=True):
+        axes.plot(time, rate / unit, color=color, lw=1.2, ls=style, label=f"{name}, solved", path_effects=EDGE)
     _legend(axes)
 
 
@@ -135,14 +118,17 @@ def _mode_lines(axes, frequencies, span):
         )
 
 
-def draw_stems(sound: Sound, path):
-    """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing."""
+def draw_stems(path, stems, end: float, duration: float):
+    """Draw over time the A-weighted level of each cause of sound, and how far it is above the threshold of hearing.
+
+    `stems` are times (t,) [s] and both levels (t,) [dB] by name, `end` and `duration` [s] are those of motion and
+    sound.
+    """
     with figure_at(path, 2, 1, (11, 8), sharex=True) as (_, (weighted, above)):
-        for (name, stem), (color, style) in zip(sound.stems.items(), cycle(STEM_STYLES)):
-            heard = audibility(stem)
+        for (name, (time, a_weighted, above_threshold)), (color, style) in zip(stems.items(), cycle(STEM_STYLES)):
             options = {"color": color, "ls": style, "lw": 1.4, "label": name.replace("_", " ")}
-            weighted.plot(heard.time, heard.a_weighted, **options)
-            above.plot(heard.time, heard.above_threshold, **options)
+            weighted.plot(time, a_weighted, **options)
+            above.plot(time, above_threshold, **options)
         weighted.set(
             ylabel="A-weighted level [dB re 20 µPa]", ylim=(-20, None), title="Causes of sound at the listener"
         )
@@ -152,6 +138,6 @@ def draw_stems(sound: Sound, path):
         above.set(ylabel="above threshold, best third octave [dB]", xlabel="time at the listener [s]", ylim=(-30, None))
         for axes in (weighted, above):
             axes.grid(alpha=0.3)
-            axes.axvline(sound.source_end, color="k", lw=0.6, ls=":", label="end of the motion")
-            axes.set_xlim(0, sound.duration)
+            axes.axvline(end, color="k", lw=0.6, ls=":", label="end of the motion")
+            axes.set_xlim(0, duration)
         weighted.legend(loc="upper left")

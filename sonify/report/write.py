@@ -19,6 +19,7 @@ from sonify.files import whole
 from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
 from sonify.plan.supports import over_the_run
 from sonify.progress import Stages
+from sonify.report.pictures import Pictures
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -28,9 +29,9 @@ NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
 
 
-def write_record(result: "Result", stages: Stages):
+def write_record(result: "Result", stages: Stages, pictures: Pictures):
     """Write everything but the sound into the folder of the result; the stages are timed."""
-    from sonify.report import page, pictures  # drawing loads slowly
+    from sonify.report import page  # loads slowly
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
@@ -38,7 +39,7 @@ def write_record(result: "Result", stages: Stages):
         with whole(result.out / "modes.vtu") as temporary:
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
-        pictures.draw_all(result)
+        pictures.write(result)
     write_json(run_record(result), result.out / "run.json")
     page.write(result, result.out / "report.html")
 

@@ -1,0 +1,9 @@
+"""The order in which VTK counts the nodes of a hexahedron."""
+
+VTK_HEXAHEDRON27 = [
+    *[(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)],
+    *[(1, 0, 0), (2, 1, 0), (1, 2, 0), (0, 1, 0), (1, 0, 2), (2, 1, 2), (1, 2, 2), (0, 1, 2)],
+    *[(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)],
+    *[(0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)],
+]
+"""Lattice positions of the nodes in the order of VTK_TRIQUADRATIC_HEXAHEDRON."""

@@ -1,0 +1,84 @@
+"""A process beside this one, in which matplotlib loads and pictures are drawn while a sound is rendered."""
+
+import atexit
+import os
+import pickle
+import signal
+import sys
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import suppress
+from functools import lru_cache
+from importlib import import_module
+from io import BytesIO
+from subprocess import PIPE, Popen
+
+MODULES = ("motion", "sound", "mode_shapes")
+"""Of this package: they draw, and load slowly."""
+
+
+def drawn(module: str, name: str, data: dict) -> bytes:
+    """Return the PNG that function `name` of a module of this package draws of `data`, its arguments."""
+    file = BytesIO()
+    getattr(import_module(f"sonify.report.{module}"), name)(path=file, **data)
+    return file.getvalue()
+
+
+class Painter:
+    """Draws in a process of its own, which ends when this one does; where that cannot be had, in this process."""
+
+    def __init__(self):
+        code = f"import sys; sys.path[:] = {sys.path!r}; from sonify.report.painter import serve; serve()"
+        self._process = Popen([sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, start_new_session=True)
+        self._waiting = ThreadPoolExecutor(1, "painter")
+
+    def draw(self, module: str, name: str, data: dict) -> Future:
+        """Return the future of `drawn`; the pictures come one after the other."""
+        return self._waiting.submit(self._ask, (module, name, data))
+
+    def _ask(self, work):
+        try:
+            pickle.dump(work, self._process.stdin)
+            self._process.stdin.flush()
+            png, error = pickle.load(self._process.stdout)
+        except (OSError, EOFError, pickle.UnpicklingError):  # it is dead
+            return drawn(*work)
+        if error:
+            raise error
+        return png
+
+    def close(self):
+        """End the process."""
+        self._process.kill()
+        self._process.wait()
+
+
+@lru_cache(1)
+def painter() -> Painter:
+    """Return the one painter of this process, which loads what it needs as soon as it is first asked for."""
+    one = Painter()
+    atexit.register(one.close)
+    return one
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=painter.cache_clear)  # two processes cannot share one painter
+
+
+def serve():
+    """Draw what is asked for on the standard input until nobody asks any more; Ctrl-C is for the process that asks."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    ask, answer, sys.stdout = sys.stdin.buffer, sys.stdout.buffer, sys.stderr
+    for module in MODULES:
+        import_module(f"sonify.report.{module}")
+    with suppress(EOFError, BrokenPipeError):
+        while True:
+            pickle.dump(_reply(pickle.load(ask)), answer)
+            answer.flush()
+    os._exit(0)  # without a word on the broken pipe
+
+
+def _reply(work):
+    try:
+        return drawn(*work), None
+    except Exception as error:
+        return None, error

@@ -1,0 +1,60 @@
+"""Claim: a picture drawn in a process beside is that drawn in this one, whatever becomes of that process; scripts need
+no guard, and nothing is left running.
+
+Oracle: the same bytes from the same function called here.
+"""
+
+import subprocess
+import sys
+import time
+
+import numpy as np
+import psutil
+import pytest
+
+from sonify.report.painter import Painter, drawn
+
+CURVES = {"curves": [(np.arange(5.0), np.arange(5.0) ** i) for i in range(6)], "weight": 1.0}
+
+
+@pytest.fixture
+def painter():
+    painter = Painter()
+    yield painter
+    painter.close()
+
+
+def test_both_processes_draw_the_same_bytes_also_once_one_is_dead(painter):
+    here = drawn("motion", "draw_motion", CURVES)
+    assert here.startswith(b"\x89PNG")
+    assert painter.draw("motion", "draw_motion", CURVES).result() == here
+    painter.close()
+    assert painter.draw("motion", "draw_motion", CURVES).result() == here
+
+
+def test_what_goes_wrong_there_is_raised_here(painter):
+    with pytest.raises(TypeError, match="weight"):
+        painter.draw("motion", "draw_motion", {"curves": CURVES["curves"]}).result()
+
+
+SCRIPT = """
+import numpy as np
+from sonify.report.painter import painter
+data = {"curves": [(np.arange(5.0), np.arange(5.0))] * 6, "weight": 1.0}
+print(painter()._process.pid, len(painter().draw("motion", "draw_motion", data).result()), flush=True)
+END
+"""
+
+
+@pytest.mark.parametrize("end", ["", "import os; os.kill(os.getpid(), 9)"])
+def test_a_script_without_a_guard_draws_and_leaves_no_process(end, tmp_path):
+    script = tmp_path / "script.py"
+    script.write_text(SCRIPT.replace("END", end), encoding="utf-8")
+    done = subprocess.run([sys.executable, script], capture_output=True, text=True, check=False)
+    pid, size = map(int, done.stdout.split())
+    assert size > 1000
+    assert not done.stderr
+    deadline = time.monotonic() + 10
+    while psutil.pid_exists(pid) and psutil.Process(pid).status() != psutil.STATUS_ZOMBIE:
+        assert time.monotonic() < deadline
+        time.sleep(0.05)
