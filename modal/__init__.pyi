@@ -14,4 +14,6 @@ from .radiation import with_radiation as with_radiation
 from .solve import eigenmodes as eigenmodes
 from .spectral.axisymmetric import plate_modes as plate_modes
 from .spectral.basis import Plate as Plate
+from .surface import surface_modes as surface_modes
 from .synthesis.patches import FreeDisk as FreeDisk
+from .table import SurfaceModes as SurfaceModes

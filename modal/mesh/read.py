@@ -19,9 +19,20 @@ SIDES = {"quad8": ("quad", 4), "quad9": ("quad", 4), "triangle6": ("triangle", 3
 
 def read_mesh(path):
     """The scikit-fem mesh of a file, checked, its centre of mass at the origin; ValueError if it won't do."""
+    mesh = read_checked(path)[0]
+    basis = CellBasis(mesh, mesh.elem())
+    x = basis.global_coordinates()
+    return mesh.translated(tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum()))
+
+
+def read_checked(path):
+    """The scikit-fem mesh of a file where it stands, checked, and the points (k, 3) of its sets of nodes by name."""
     import meshio
 
-    file = understood(meshio.read(path))
+    try:
+        file = understood(meshio.read(path))
+    except (meshio.ReadError, OSError, SystemExit) as error:  # with the last meshio gives up on a broken file
+        raise ValueError(f"{path}: no mesh that can be read, {error or type(error).__name__}") from None
     kinds = {block.type for block in file.cells if block.dim == 3}
     if not kinds:
         raise ValueError(
@@ -31,9 +42,7 @@ def read_mesh(path):
         raise ValueError(f"{path}: cells {sorted(kinds)}; known is one of {sorted(SUPPORTED)} at a time")
     mesh = from_meshio(file)
     check_mesh(mesh, path)
-    basis = CellBasis(mesh, mesh.elem())
-    x = basis.global_coordinates()
-    return mesh.translated(tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum()))
+    return mesh, {name: file.points[numbers] for name, numbers in (file.point_sets or {}).items()}
 
 
 def understood(file):
@@ -49,7 +58,8 @@ def understood(file):
             kind, corners = SIDES[kind]
             numbers = numbers[:, :corners]
         cells.append((kind, numbers))
-    return meshio.Mesh(points, cells, cell_data=file.cell_data, cell_sets=file.cell_sets, field_data=file.field_data)
+    kept = {name: getattr(file, name) for name in ("cell_data", "cell_sets", "point_sets", "field_data")}
+    return meshio.Mesh(points, cells, **kept)
 
 
 def completed(points, cells):

@@ -1,0 +1,156 @@
+"""TABLE -> MODES: `surface_modes(scene)`, by the method that suits the kind of table."""
+
+from math import ceil, pi
+from types import SimpleNamespace
+from typing import Any, Protocol
+
+import numpy as np
+
+from modal.elements.elastic import bending_number, mode_count
+from modal.modes import UnsolvableError
+from modal.one_thread import one_blas_thread
+from modal.radiation import SOUND_SPEED
+from modal.solve import BELOW, MOST
+from modal.spectral.axisymmetric import TOLERANCES, parities
+from modal.spectral.basis import Plate
+from modal.spectral.converge import all_pairs, amplitudes
+from modal.table import SAMPLED, SurfaceModes, splined
+
+SPARE = 16
+"""Points of a rule for the radiation beyond those that shapes and paths need."""
+
+
+class TableScene(Protocol):
+    """What `surface_modes` reads of a scene, besides its numerics.accuracy; of the disk the radius [m] alone."""
+
+    @property
+    def disk(self) -> Any: ...
+    @property
+    def surface(self) -> Any: ...
+
+
+@one_blas_thread
+def surface_modes(scene: TableScene, below: float = BELOW) -> SurfaceModes:
+    """The elastic `SurfaceModes` below the frequency `below` [Hz] of the table of a scene.
+
+    None for a table that is rigid or infinite. Raises ValueError with a sentence for a mesh that will not do, and
+    UnsolvableError where there are more than about MOST modes. tests/test_table_modes.py.
+    """
+    kinds = {"plate": plate_table, "modes": table_by_modes, "mesh": mesh_table}
+    if scene.surface.kind not in kinds:
+        return table_by_modes(SimpleNamespace(modes=()), scene.disk, below)
+    accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
+    return kinds[scene.surface.kind](scene.surface, scene.disk, below, accuracy)
+
+
+def plate_table(surface, disk, below, accuracy):
+    """The `SurfaceModes` of a round plate, by the spectral method: shapes are w(r) cos n theta, w(r) sin n theta."""
+    plate = Plate(
+        radius=surface.radius,
+        thickness=surface.thickness,
+        material=surface,
+        density=surface.density,
+        edge=surface.edge,
+        ring_radius=surface.ring_radius or 0.0,
+        ring_stiffness=surface.ring_stiffness or 0.0,
+    )
+    refuse_too_many(mode_count(plate, surface, surface.density, below), below)
+    found = all_pairs(plate, below, TOLERANCES[accuracy])
+    members = [(pairs, odd) for pairs in found for odd in parities(pairs)]
+    frequency = np.concatenate([np.sqrt(p.values) / (2 * pi) for p, _ in members] or [np.zeros(0)])
+    ascending = np.argsort(frequency, kind="stable")
+
+    def shape(r, theta):
+        r = np.minimum(r, plate.radius) / plate.radius
+        distinct, which = np.unique(r.round(12), return_inverse=True)
+        parts = [
+            (amplitudes(plate, p, distinct, np.ones(1))[2, ..., 0][:, which])
+            * (np.sin if odd else np.cos)(p.problem.n * theta)
+            for p, odd in members
+        ]
+        return np.concatenate(parts or [np.zeros((0, len(r)))])[ascending]
+
+    def joined(of_pairs):
+        return np.concatenate([of_pairs(p) for p, _ in members] or [np.zeros(0)])[ascending]
+
+    length = 2 * pi / bending_number(plate.thickness, surface, plate.density, below)
+    return SurfaceModes(
+        frequency=frequency[ascending],
+        decay_rate=pi * frequency[ascending] * surface.loss_factor,
+        order=joined(lambda p: np.full(len(p.values), p.problem.n)).astype(int),
+        **sampled(shape, plate.radius, length, below),
+        radius=plate.radius,
+        place=np.array(surface.place),
+        residual=joined(lambda p: p.residual),
+        error=joined(lambda p: p.error.sum(axis=0)),
+        mass=plate.mass,
+        method="Fourier and polynomials",
+        unknowns=sum(len(pairs.vectors) for pairs in found),
+    )
+
+
+def table_by_modes(surface, disk, below, accuracy="standard"):
+    """The `SurfaceModes` of a table given by numbers: w = cos n theta and sin n theta over sqrt(modal mass) on the
+    contact circle, which moves with the disk, and r^n inside it. Nothing else is known: the circle alone radiates."""
+    given = [mode for mode in surface.modes for _ in range(2 if mode.order else 1) if mode.frequency < below]
+    given.sort(key=lambda mode: mode.frequency)
+    order = np.array([mode.order for mode in given], int)
+    odd = np.array([i > 0 and given[i - 1] is mode for i, mode in enumerate(given)], bool)
+    amplitude = np.array([mode.modal_mass for mode in given]) ** -0.5
+    frequency = np.array([mode.frequency for mode in given])
+
+    def shape(r, theta):
+        around = np.multiply.outer(order, theta) - pi / 2 * odd[:, None]
+        return amplitude[:, None] * (r / disk.radius) ** order[:, None] * np.cos(around)
+
+    return SurfaceModes(
+        frequency=frequency,
+        decay_rate=np.array([2 * pi * mode.frequency * mode.damping_ratio for mode in given]),
+        order=order,
+        **sampled(shape, disk.radius, 2 * pi * disk.radius / max(order.max(initial=1), 1), below),
+        radius=0.0,
+        place=np.zeros(2),
+        residual=np.zeros(len(given)),
+        error=np.zeros(len(given)),
+        mass=0.0,
+        method="given by numbers",
+        unknowns=0,
+    )
+
+
+def mesh_table(surface, disk, below, accuracy):
+    """The `SurfaceModes` of a mesh."""
+    from modal.elements.table import table_on_mesh  # scikit-fem's input loads slowly
+
+    return table_on_mesh(surface, disk.radius, below, refine=accuracy == "reference")
+
+
+def refuse_too_many(count, below):
+    """UnsolvableError where a table has more than MOST modes."""
+    if count > MOST:
+        raise UnsolvableError(
+            f"surface: so soft or so large a table has some {count:.0f} modes or more below {below:g} Hz; no more than "
+            f"{MOST} can be sought: give it a loss, and take kind = 'infinite'"
+        )
+
+
+def sampled(shape, radius, length, below):
+    """The fields points, weights, face, knots and coefficients of shape(r (k,), theta (k,)) -> (m, k) on a round table.
+
+    `length` [m] is that of the shortest wave on it; Gauss points in the radius, even angles.
+    """
+    waves = radius * 2 * pi * (below / SOUND_SPEED + 1 / length)  # round the rim, of shape and path together
+    node, share = np.polynomial.legendre.leggauss(SPARE + ceil(waves / 2))
+    theta = np.arange(ceil(waves) + SPARE) * 2 * pi / (ceil(waves) + SPARE)
+    r, at = (part.ravel() for part in np.meshgrid(radius * (1 + node) / 2, theta, indexing="ij"))
+    x = np.linspace(-radius, radius, 4 + ceil(2 * radius * SAMPLED / length))
+    grid = np.meshgrid(x, x, indexing="ij")
+    values = shape(np.hypot(*grid).ravel(), np.arctan2(grid[1], grid[0]).ravel())
+    knots, coefficients = splined(x, x, np.moveaxis(values.reshape(len(values), len(x), len(x)), 0, 2))
+    return {
+        "points": np.column_stack([r * np.cos(at), r * np.sin(at)]),
+        "weights": r * np.repeat(radius / 2 * share, len(theta)) * theta[1],
+        "face": shape(r, at),
+        "knots": knots,
+        "coefficients": coefficients,
+    }

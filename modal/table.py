@@ -1,0 +1,100 @@
+"""The record of the modes of a table, and their shapes on its top face."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+import scipy.sparse as sp
+from scipy.interpolate import BSpline, make_interp_spline
+
+DEGREE = 3
+"""Of the splines through the shapes."""
+SAMPLED = 16
+"""Values that a shape has on the length of its shortest bending wave: cubic splines then err by 1e-4 of it."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SurfaceModes:
+    """m elastic modes of a table, ascending, of modal mass 1; w is the upward motion of its top face [kg^-1/2].
+
+    frequency, decay_rate (m,) -- [Hz] and [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency t).
+    order (m,)              -- waves round the middle of a plate or the contact circle; -1 where the table has no axis.
+    points (p, 2), weights (p,), face (m, p) -- w at points [m] of the top face; sums with `weights` [m^2] integrate.
+    knots (2, .), coefficients (a, b, m) -- splines of w in x and y, over the rectangle where the contact may be.
+    radius, place (2,)      -- of a round table [m], 0 of any other; where the disk is at the release [m].
+    residual (m,), error (m,) -- as in `Modes`.  mass [kg], method, unknowns -- of the discrete model.
+    """
+
+    frequency: np.ndarray
+    decay_rate: np.ndarray
+    order: np.ndarray
+    points: np.ndarray
+    weights: np.ndarray
+    face: np.ndarray
+    knots: tuple[np.ndarray, np.ndarray]
+    coefficients: np.ndarray
+    radius: float
+    place: np.ndarray
+    residual: np.ndarray
+    error: np.ndarray
+    mass: float
+    method: str
+    unknowns: int
+
+    def __post_init__(self):
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if isinstance(value, np.ndarray):
+                if not np.isfinite(value).all():
+                    raise ArithmeticError(f"modes of the table: {field.name} has values that are not finite")
+                value.flags.writeable = False
+
+    def __len__(self):
+        return len(self.frequency)
+
+    def __repr__(self):
+        """In one line."""
+        span = f", {self.frequency[0]:.6g} to {self.frequency[-1]:.6g} Hz" if len(self) else ""
+        return f"SurfaceModes({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
+
+    def at(self, x: np.ndarray, y: np.ndarray, slope: tuple[int, int] = (0, 0)) -> np.ndarray:
+        """Return w (k, m) at points x, y (k,) [m] of the top face, or its derivative `slope` times along x and y.
+
+        Points off the table have the values of the nearest place of the rectangle.
+        """
+        (a, i), (b, j) = (_basis(t, v, d) for t, v, d in zip(self.knots, (x, y), slope, strict=True))
+        flat = self.coefficients.reshape(-1, len(self))
+        value = a[:, :, None] * b[:, None, :]
+        where = i[:, :, None] * self.coefficients.shape[1] + j[:, None, :]
+        ends = np.arange(len(a) + 1) * (DEGREE + 1) ** 2
+        return sp.csr_matrix((value.ravel(), where.ravel(), ends), shape=(len(a), len(flat))) @ flat
+
+    def select(self, indices: Sequence[int] | np.ndarray) -> "SurfaceModes":
+        """Return the modes of these indices (k,), or a mask (m,), in that order."""
+        kept = np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
+        own = {name: getattr(self, name)[kept] for name in ("frequency", "decay_rate", "order", "face")}
+        own |= {"residual": self.residual[kept], "error": self.error[kept]}
+        rest = {field.name: getattr(self, field.name) for field in fields(self) if field.name not in own}
+        return SurfaceModes(**own, **rest | {"coefficients": self.coefficients[:, :, kept]})
+
+    def compliance(self) -> float:
+        """Return the static deflection [m] under 1 N at `place`, of the modes that there are."""
+        return float((self.at(*self.place[:, None]) ** 2 / (2 * np.pi * self.frequency) ** 2).sum())
+
+
+def splined(x, y, values):
+    """Return `knots` and `coefficients` of the splines through values (a, b, m) at x (a,) and y (b,) [m]."""
+    first = make_interp_spline(x, values, DEGREE, axis=0)
+    second = make_interp_spline(y, first.c, DEGREE, axis=1)
+    return (first.t, second.t), np.ascontiguousarray(np.moveaxis(second.c, 0, 1))
+
+
+def _basis(knots, x, slope):
+    """The values (k, 4) and the numbers (k, 4) of the splines that are not zero at x (k,)."""
+    x = np.clip(x, knots[DEGREE], knots[-DEGREE - 1])
+    matrix = BSpline.design_matrix(x, knots, DEGREE)
+    value, number = (part.reshape(len(x), -1) for part in (matrix.data, matrix.indices))
+    if slope:
+        every = BSpline(knots, np.eye(len(knots) - DEGREE - 1), DEGREE).derivative(slope)
+        value = np.take_along_axis(every(x), number, axis=1)
+    return value, number
