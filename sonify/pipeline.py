@@ -15,6 +15,7 @@ from sonify.files import claimed
 from sonify.plan.plan import with_end
 from sonify.plan.predictions import SOUND
 from sonify.plan.solvable import planned, solvable, solve_motion
+from sonify.plan.table import strayed, with_table
 from sonify.progress import Stages
 from sonify.report.pictures import Pictures
 from sonify.report.write import write_record
@@ -45,13 +46,14 @@ def solve(
     prepare(scene)
     with stages.stage("modes"):
         plan, modes = planned(scene, eigenmodes)
+        plan, table = with_table(plan, scene)
     with stages.stage("motion") as watch:
         motion = solve_motion(
             scene, lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")
         )
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion))
     with stages.stage("sound") as watch:
-        sound = Renderer(scene, motion, modes, plan.voices, plan.calm).sound(watch)
+        sound = Renderer(scene, motion, modes, plan.voices, plan.calm, table).sound(watch)
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion, sound=sound))
     with stages.stage("findings"):
         heard, silence = hear(sound)
@@ -59,9 +61,10 @@ def solve(
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
     return Result(
         scene=scene,
-        plan=with_end(plan, motion, silence),
+        plan=with_end(plan, motion, [*strayed(scene, motion), *silence]),
         motion=motion,
         modes=modes,
+        table=table,
         sound=sound,
         heard=heard,
         findings=findings,

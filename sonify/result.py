@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from dynamics import Motion
-from modal import Modes
+from modal import Modes, SurfaceModes
 from sonify.claims.checks import Check
 from sonify.claims.motion import Finding
 from sonify.hearing.recording import Heard
@@ -19,7 +19,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Result:
-    """What a run found, `seconds` by stage. Its files are in `out`, where they have been written."""
+    """What a run found, `seconds` by stage. Its files are in `out`, where they have been written.
+
+    `table` are the modes of the table that sound, None of a rigid one.
+    """
 
     scene: Scene
     plan: Plan
@@ -31,6 +34,7 @@ class Result:
     checks: list[Check]
     seconds: dict[str, float]
     out: Path | None = None
+    table: SurfaceModes | None = None
 
     @property
     def passed(self) -> bool:

@@ -76,7 +76,9 @@ def plan_of(scene: Scene) -> Plan:
                 reason=f"the contact turns there {contact_rate(scene.disk, final):.3g} times a second; "
                 f"{HIGHEST_HEARD:g} Hz is the highest rate that is heard",
             ),
-            Decision(subject="disk and table", choice="rigid in the motion", reason="surface.kind = 'rigid'"),
+            Decision(
+                subject="disk and table", choice="rigid in the motion", reason=f"surface.kind = {scene.surface.kind!r}"
+            ),
             Decision(
                 subject="instants at which the force is read",
                 choice=CALMLY.format(STRIDE, level.calm) * bool(level.calm) + EVERY,
@@ -192,7 +194,7 @@ WALL = {
     ),
 }
 LEFT_OUT = (
-    "Sound of the table, of impacts and of roughness; the action of the elastic modes on the motion.",
+    "Sound of impacts and of roughness; the action of the elastic modes on the motion.",
     "Air that flows round the rim while the film below the disk is open: until late in the motion the true pressure of "
     "heave and tilt is lower.",
     "The resisting moments and the centrifugal loads as drivers of the modes.",

@@ -12,6 +12,7 @@ from modal.radiation import TOP
 from modal.solve import check
 from sonify.plan.plan import Plan, plan_of, with_voices
 from sonify.plan.supports import compared
+from sonify.plan.table import check_table
 from sonify.scene import Scene, SceneError, scene_of
 from sonify.sound.audible_modes import after_a_jump
 
@@ -20,8 +21,7 @@ def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     """Return the scene with that accuracy. Raises SceneError, before any work, where its disk, support or integrator
     cannot be solved."""
     scene = scene_of(scene, accuracy)
-    if scene.surface.kind != "rigid":
-        raise SceneError(f"surface.kind = {scene.surface.kind!r}: is not solved yet, only 'rigid' is")
+    check_table(scene)
     try:
         check(scene.disk, scene.support)
         chosen_integrator(scene.numerics.integrator)

@@ -18,6 +18,7 @@ from dynamics.coupled.roughness import profiles
 from dynamics.coupled.table import LawTable
 from dynamics.rigid_motion import RigidMotion
 from sonify.sound.force import HALF_WIDTH, STRIDE, ContactForce
+from sonify.sound.sources import held_back
 
 FINEST = 96e3
 """The heights are read at least so often [1/s]: what the ellipse leaves of them is slower."""
@@ -86,7 +87,8 @@ def thinned(samples, weight, over) -> np.ndarray:
 
 
 class AddedByContact:
-    """The vibration of the disk on its contact: the rigid disk and its modes, moved by what a Filter adds to the force.
+    """The vibration of the disk on its contact: the rigid disk, its modes and an elastic table below, moved by what a
+    Filter adds to the force.
 
     Its blocks are those of the filter, so that its bits do not depend on how many samples are asked for at once.
     """
@@ -95,9 +97,10 @@ class AddedByContact:
     ends = np.zeros((0, 2))
     lasting = 0.0
 
-    def __init__(self, scene, motion, rigid, elastic):
+    def __init__(self, scene, motion, *moved):
         self._table, self._profiles = law_table(scene), profiles(scene.roughness, scene.disk.radius)
-        self._motion, self._rate, self._disk, self.late = motion, scene.audio.sample_rate, (rigid, elastic), rigid.late
+        self._motion, self._rate, self._moved = motion, scene.audio.sample_rate, moved
+        self.late = max(source.late for source in moved)
 
     def channels(self, force, state):
         """Return none: the force is that of the filter."""
@@ -120,14 +123,19 @@ class AddedByContact:
         return advance
 
     def _pressure(self, added):
-        rigid, elastic = self._disk
-        tilting, ringing = (
-            source.from_rest(np.zeros(len(source.ends)), lambda t, energy: None) for source in self._disk
-        )
+        radiated = [
+            held_back(
+                source.from_rest(np.zeros(len(source.ends)), lambda t, energy: None),
+                self.late - source.late,
+                len(source.names),
+            )
+            for source in self._moved
+        ]
         for t, force in _forces(added):
             state = self._states(t)
-            weightless = rigid.channels(force, state) - rigid.channels(0 * force, state)
-            stems = tilting(_smooth(t, weightless)), ringing(_smooth(t, elastic.channels(force, state)))
+            driven = [source.channels(force, state) for source in self._moved]
+            driven[0] -= self._moved[0].channels(0 * force, state)  # the weight of the rigid disk
+            stems = [radiate(_smooth(t, channels)) for radiate, channels in zip(radiated, driven, strict=True)]
             yield np.hstack(stems).sum(axis=1, keepdims=True)
 
     def _states(self, t):
@@ -189,13 +197,15 @@ def law_table(scene) -> LawTable:
     return LawTable(law=contact_law(scene))
 
 
-def with_contact(scene, motion, rigid, elastic) -> list:
-    """Return the sources of a disk: with its contact, where that is elastic, added to a rigid motion or already in
-    it."""
+def with_contact(scene, motion, rigid, elastic, *below) -> list:
+    """Return the sources of a disk: with its contact, where that is elastic, added to a rigid motion or already in it.
+
+    What the contact adds to the force of a rigid motion moves the tables `below`, too.
+    """
     if scene.contact.law == "rigid":
         return [rigid, elastic]
     if isinstance(motion, RigidMotion):
-        return [rigid, elastic, AddedByContact(scene, motion, rigid, elastic)]
+        return [rigid, elastic, AddedByContact(scene, motion, rigid, elastic, *below)]
     law, beta = contact_law(scene), np.array([motion.state[0, 1]])
     lowest = float(carrier(law, beta, np.array([scene.disk.weight]), 0.0).frequency[0])
     return [WithContact(rigid, elastic, lowest / 2, scene.audio.sample_rate)]

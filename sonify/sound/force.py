@@ -134,9 +134,8 @@ class ForceSampler:
         turning = 2 * np.pi / HARMONICS * self.motion.bandwidth(state)
         still = (turning * STRIDE < self.calm * self.sample_rate) & (t >= 0) & (t <= self.end - self.fade.max())
         calm = sliding_window_view(still, CALM).all(axis=1) & (jumps[CALM - 1 :] == jumps[: 1 - CALM])
-        nodes = sliding_window_view(values, CALM, axis=0)
-        between = np.arange(STRIDE) / STRIDE
-        smooth = np.einsum("cin,ns->csi", nodes, lagrange(np.arange(CALM) - before, between), optimize=True)
+        nodes = sliding_window_view(values, CALM, axis=0).swapaxes(1, 2)
+        smooth = lagrange(np.arange(CALM) - before, np.arange(STRIDE) / STRIDE).T @ nodes
         here = slice(n[0] - first * STRIDE, n[0] - first * STRIDE + len(n))
         return smooth.reshape(-1, len(self.rest))[here], np.repeat(calm, STRIDE)[here]
 
@@ -181,7 +180,12 @@ class ForceSampler:
         return np.cos(np.pi / 2 * np.clip(1 - share, 0, 1)) ** 2
 
     def _fading(self, t, values):
-        return self.rest + self._faded(t) * (values - self.rest)
+        late = np.asarray(t) > self.end - self.fade.max()
+        if not late.any():
+            return values
+        values = values.copy()
+        values[late] = self.rest + self._faded(t[late]) * (values[late] - self.rest)
+        return values
 
     def _crowd(self, state):
         """How many times denser than the samples the force must be read at states (k, 11); a power of 2, mostly 1."""

@@ -56,7 +56,8 @@ class Sound:
     `columns` (n, 1 + s) [Pa], float32, are the pressure and its causes, of these `names` (s,); they are read by slices
     of rows.
     `modes_heard` is the number of modes that sound; `source_end` [s] is when the end of the motion reaches the
-    listener. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time of the motion.
+    listener. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time of the motion; that of the
+    modes of an elastic table is `table_energy` (e,) [J].
     """
 
     name: str
@@ -66,6 +67,7 @@ class Sound:
     source_end: float
     energy_time: np.ndarray
     energy: np.ndarray
+    table_energy: np.ndarray | None = None
     names: tuple[str, ...] = STEMS
 
     @property

@@ -30,12 +30,18 @@ class Listener:
 
     distance: float
     elevation: float
+    azimuth: float = 0.0
     air: Air = STANDARD_AIR
 
     @property
     def delay(self) -> float:
         """Time from the centre of the disk to the listener [s]."""
         return self.distance / self.air.sound_speed
+
+    @property
+    def position(self) -> np.ndarray:
+        """The place (3,) [m], the disk's centre at the origin."""
+        return _position(self, self.azimuth)
 
     def transit(self, radius: float) -> float:
         """Half the time that a plane wave to the listener needs across the disk [s]."""

@@ -1,5 +1,7 @@
 """FORCE + MODES -> SOUND: the pressure at the listener, as separate causes that add up to it."""
 
+from collections import defaultdict
+from functools import partial
 from itertools import pairwise
 from math import ceil
 
@@ -12,6 +14,7 @@ from sonify.sound.pressure import Sound, kept, with_sum
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import RigidFace
 from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, held_back
+from sonify.sound.table import ElasticTable
 
 BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
@@ -21,16 +24,17 @@ class Renderer:
     """Turns a motion and the modes of its disk into blocks of pressure at the listener [Pa], one column per stem.
 
     The stems are those of its `sources`, in turn. Of the modes those of the indices `wanted` sound, all if None, but
-    none at or above half the sample rate. `calm` is that of the ForceSampler. The clock of the samples is the
-    listener's: the source is heard distance / c later. However the motion ends, its modes ring out. Nothing but the
-    sampler's count of readings changes by use. tests/test_sound.py.
+    none at or above half the sample rate; of an elastic table the modes `table`. `calm` is that of the ForceSampler.
+    The clock of the samples is the listener's: the source is heard distance / c later. However the motion ends, its
+    modes ring out. Nothing but the sampler's count of readings changes by use. tests/test_sound.py.
     """
 
-    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0):
+    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0, table=None):
         self.scene, self.motion, self.sample_rate = scene, motion, scene.audio.sample_rate
         self.listener = listener_of(scene)
         self.chosen = sounding(modes, self.sample_rate, wanted)
         self.modes = modes.select(self.chosen)
+        self.table = table
         self._rigid = RigidFace(scene.disk, self.listener, 1 / self.sample_rate)
         self.sources = self._sources()
         self.late = max(source.late for source in self.sources)
@@ -47,16 +51,25 @@ class Renderer:
         """What sounds in this scene; every cause of sound has its line."""
         rigid = RigidDisk(self.scene, self._rigid)
         elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
-        return with_contact(self.scene, self.motion, rigid, elastic)
+        tables = [ElasticTable(self.scene, self.table, self.listener)] if self.table else []
+        return with_contact(self.scene, self.motion, rigid, elastic, *tables) + tables
 
-    def blocks(self, size: int = BLOCK, note=lambda t, energy: None):
+    def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):
         """Yield (k, s) [Pa]: the stems at the next k <= size samples, from the first to the last; every call anew.
 
-        `note(t (e,) [s], energy (e,) [J])` is called with the energy of the modes, in the time of the motion.
+        `note(name, t (e,) [s], energy (e,) [J])` is called with the energy of the modes of the source whose first stem
+        has that name, in the time of the motion.
         """
         first = self.sampler.block(0, 1).samples[0]
         sounding = [
-            (held_back(source.from_rest(first[part], note), self.late - source.late, len(source.names)), part)
+            (
+                held_back(
+                    source.from_rest(first[part], partial(note, source.names[0])),
+                    self.late - source.late,
+                    len(source.names),
+                ),
+                part,
+            )
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
         for n in range(0, self.samples, size):
@@ -65,15 +78,16 @@ class Renderer:
 
     def sound(self, watch=lambda share: None) -> Sound:
         """Return the whole sound; `watch(share)` is called with the share done."""
-        noted = []
+        noted = defaultdict(list)
 
         def rows():
-            for i, stems in enumerate(self.blocks(note=lambda *energy: noted.append(energy))):
+            for i, stems in enumerate(self.blocks(note=lambda name, *energy: noted[name].append(energy))):
                 watch(min((i + 1) * BLOCK / self.samples, 1.0))
                 yield with_sum(stems)
 
         columns = kept(rows(), self.samples)
-        time, energy = (np.concatenate(parts) for parts in zip(*noted, strict=True))
+        energies = {name: np.concatenate(parts, axis=1) for name, parts in noted.items()}
+        time, energy = energies["ringing_smooth"]
         return Sound(
             name=self.scene.name,
             sample_rate=self.sample_rate,
@@ -83,6 +97,7 @@ class Renderer:
             source_end=self.source_end,
             energy_time=time,
             energy=energy,
+            table_energy=energies["table"][1] if "table" in energies else None,
         )
 
     def _channels(self, force, state):

@@ -84,7 +84,7 @@ class ElasticDisk:
 
         def advance(force):
             ringing = response.advance(force.channels(slice(2, None)))
-            note(*self._energy(force.t, ringing.sum(axis=0)))
+            note(*noted_energy(force.t, ringing.sum(axis=0), self._modes, self._scene.audio.sample_rate))
             return radiated(ringing, force.samples[:-1, :2])
 
         return advance
@@ -93,12 +93,6 @@ class ElasticDisk:
         if isinstance(self._motion, Vibrating):
             return Carried(self._modes, self._motion, self._chosen)
         return Driven(self._modes, self._scene.audio.sample_rate, settled)
-
-    def _energy(self, t, acceleration):
-        """The greatest energy of the modes in each ENERGY_WINDOW: q''^2/(2 w^2) at the turn of a swing, mass 1."""
-        energy = np.square(acceleration / (2 * np.pi * self._modes.frequency)).sum(axis=1) / 2
-        starts = np.arange(0, len(energy), max(int(ENERGY_WINDOW * self._scene.audio.sample_rate), 1))
-        return t[starts], np.maximum.reduceat(energy, starts)
 
 
 def held_back(advance, samples: int, width: int):
@@ -112,3 +106,10 @@ def held_back(advance, samples: int, width: int):
         return out
 
     return later if samples else advance
+
+
+def noted_energy(t, acceleration, modes, sample_rate):
+    """The greatest energy of modes in each ENERGY_WINDOW: q''^2/(2 w^2) at the turn of a swing, modal mass 1."""
+    energy = np.einsum("km,km,m->k", acceleration, acceleration, (2 * np.pi * modes.frequency) ** -2.0 / 2)
+    starts = np.arange(0, len(energy), max(int(ENERGY_WINDOW * sample_rate), 1))
+    return t[starts], np.maximum.reduceat(energy, starts)

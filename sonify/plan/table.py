@@ -1,0 +1,120 @@
+"""TABLE: what a run computes of it and what it leaves out, and where a table cannot be solved."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from dynamics import Motion
+from modal import SurfaceModes, UnsolvableError, surface_modes
+from sonify.plan.plan import ENERGY_SHARE, Decision, Plan
+from sonify.scene import Scene, SceneError
+from sonify.sound.table import after_a_newton, contact_place
+
+BENT = 0.5
+"""Deflection over thickness beyond which a plate also stretches: linear theory is left."""
+
+
+def check_table(scene: Scene):
+    """Raise SceneError, before any work, where the table cannot be solved."""
+    surface = scene.surface
+    if getattr(surface, "action", "auto") == "motion":
+        raise SceneError("surface.action = 'motion': no table that acts back on the disk is solved, only 'sound' is")
+    if surface.kind == "infinite":
+        raise SceneError("surface.kind = 'infinite': is not solved yet")
+    if surface.kind == "mesh" and not Path(surface.file).is_file():
+        raise SceneError(f"surface.file = {surface.file!r}: no such file")
+
+
+def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
+    """Return the plan with what it does about the table, and the modes of the table that sound; None of a rigid one.
+
+    Raises SceneError where the modes cannot be sought.
+    """
+    if scene.surface.kind == "rigid":
+        return replace(plan, left_out=(*plan.left_out, RIGID)), None
+    try:
+        every = surface_modes(scene, below=plan.highest_mode)
+    except UnsolvableError as error:
+        raise SceneError(str(error)) from None
+    except ValueError as error:
+        raise SceneError(f"surface: {error}".replace("surface: surface", "surface")) from None
+    modes = every.select(heard(every, scene))
+    told = (
+        Decision(subject="table", choice="it only sounds", reason=ONE_WAY[scene.surface.action]),
+        Decision(
+            subject="modes of the table",
+            choice=f"{len(modes)} of {len(every)} below {plan.highest_mode:g} Hz; {every.method}, "
+            f"{every.unknowns} unknowns",
+            reason=f"the others are more than {scene.numerics.level.range_db:g} dB(A) below the loudest at the "
+            f"listener, and hold less than {ENERGY_SHARE:.0%} of the energy",
+        ),
+    )
+    plan = replace(plan, decisions=(*plan.decisions, *told), modelled=(*plan.modelled, *MODELLED[scene.surface.kind]))
+    return replace(plan, left_out=(*plan.left_out, *LEFT_OUT, *bending(every, scene))), modes
+
+
+def heard(modes: SurfaceModes, scene: Scene) -> np.ndarray:
+    """Return which modes (k,) count: within the range of the accuracy of the loudest, or with ENERGY_SHARE of the
+    energy that a jump of the force leaves."""
+    loudness, energy = after_a_newton(modes, scene)
+    loud = loudness >= 10 ** (-scene.numerics.level.range_db / 10) * loudness.max(initial=0.0)
+    return np.flatnonzero(loud | (energy >= ENERGY_SHARE * energy.sum()))
+
+
+def bending(modes: SurfaceModes, scene: Scene) -> list[str]:
+    """Return what linear theory leaves out where the weight of the disk bends a plate by BENT of its thickness."""
+    thickness = getattr(scene.surface, "thickness", np.inf)
+    deflection = modes.compliance() * scene.disk.weight
+    if deflection < BENT * thickness:
+        return []
+    return [
+        f"The stretching of the plate: the weight of the disk alone would bend it by {1e3 * deflection:.3g} mm, its "
+        f"thickness is {1e3 * thickness:.3g} mm, and linear theory is left."
+    ]
+
+
+def strayed(scene: Scene, motion: Motion) -> list[str]:
+    """Return what is missing where the contact leaves the table."""
+    since = off_since(scene, motion)
+    if since is None:
+        return []
+    return [
+        f"The fall of the disk from the table: from t = {since:.3g} s on its contact is beyond the edge, and the table "
+        "is taken to be pushed at the nearest place that is known."
+    ]
+
+
+def off_since(scene: Scene, motion: Motion) -> float | None:
+    """Return when [s] the contact first is beyond the edge of a plate; None if never."""
+    if scene.surface.kind != "plate":
+        return None
+    t = np.linspace(0.0, motion.t[-1], 4096)
+    place = contact_place(motion.at(t), scene.disk) + scene.surface.place
+    off = np.hypot(*place.T) > scene.surface.radius
+    return float(t[off.argmax()]) if off.any() else None
+
+
+RIGID = "The sound of the table, which is rigid."
+ONE_WAY = {
+    "auto": "surface.action = 'auto': the findings say from when on the table holds more energy than the disk",
+    "sound": "surface.action = 'sound'",
+}
+UNDER = (
+    "The contact force pushes the table where the contact is at the moment, and drives its modes.",
+    "The top face of the table radiates into the half space above it, as in a baffle (Rayleigh's integral, above "
+    "coincidence and below), the part under the disk like the rest.",
+)
+MODELLED = {
+    "plate": ("The table is a round elastic plate.", *UNDER),
+    "mesh": ("The table is an elastic solid.", *UNDER),
+    "modes": (
+        "The table is what its modes say. The contact circle, which goes with the disk, is all of it that is known, "
+        "and alone radiates.",
+        *UNDER,
+    ),
+}
+LEFT_OUT = (
+    "The action of the table on the motion: what it takes from the disk, and that it deflects under it.",
+    "The friction on the table, the sound of its other faces, its damping by the air, and what the disk hides of it.",
+)
