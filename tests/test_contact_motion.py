@@ -41,7 +41,8 @@ def test_a_polynomial_of_degree_five_is_read_exactly():
         expected = np.polynomial.polynomial.polyval(at, np.polynomial.polynomial.polyder(c) if derivative else c)
         assert between(rows, at, derivative)[:, 0] == pytest.approx(expected, rel=1e-12, abs=1e-12)
     assert len(c) == NODES
-    record = Record(2)
+    record = Record(rows[:0])
+    assert record.rows().shape == (0, 2)
     for part in (rows[:3], rows[3:3], rows[3:]):
         record.append(part)
     assert (record.rows() == rows).all()

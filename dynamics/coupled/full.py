@@ -44,8 +44,8 @@ class ContactLoss(NamedTuple):
 class Piece(NamedTuple):
     """A stretch of motion, and what ended in it.
 
-    Times (n,) [s], states (n, SIZE), mean forces since the row before (n, 3) [N] along a_1, a_2 and the normal; losses
-    of contact; slips, each (begin, end) [s]; why the motion stopped, GOES where it did not.
+    Times (n,) [s], states (n, SIZE), mean forces (n p, 3) [N] along a_1, a_2 and the normal, p of them since the row
+    before; losses of contact; slips, each (begin, end) [s]; why the motion stopped, GOES where it did not.
     """
 
     t: np.ndarray
@@ -85,9 +85,10 @@ class Compliant:
         """The table of the law (intervals, columns, 4), each cubic in the part of its interval."""
         return np.ascontiguousarray(self.table.spline.c.transpose(1, 2, 0) * STEP ** np.array([3, 2, 1, 0]))
 
-    def run(self, y, every: int, stop: float, last: float = LEAST_INCLINATION) -> Iterator[Piece]:
+    def run(self, y, every: int, stop: float, last: float = LEAST_INCLINATION, parts: int = 1) -> Iterator[Piece]:
         """Yield the motion from the state y up to `stop` [s] or to the inclination `last`, a row every so many steps.
 
+        The steps of a row are meant in so many `parts`.
         The array y is advanced. The last piece says by its `why` in ENDS where the model ended. Raises ValueError where
         the rate is too low for the stiffness of the contact, naming what is needed.
         """
@@ -97,10 +98,12 @@ class Compliant:
         flying, slipping = [np.nan, np.nan, 0.0], [np.nan, np.nan]
         while left > 0 and why == GOES:
             self._hold(y)
-            rows = np.empty((min(max(STEPS // every, 1), left), SIZE + 3))
+            rows = np.empty((min(max(STEPS // every, 1), left), SIZE))
+            forces = np.empty((len(rows) * parts, 3))
             flights, slips = (np.full((len(rows) * every // 2 + 2, k), np.nan) for k in (3, 2))
             flights[0], slips[0] = flying, slipping
-            why, n, flown, slid = march(y, count, *law, *table, 1 / self.rate, every, sine, rows, flights, slips)
+            report = rows, forces, (flights, slips)
+            why, n, flown, slid = march(y, count, *law, *table, 1 / self.rate, every, sine, *report)
             t = (count + every * np.arange(1, n + 1)) / self.rate
             losses = [ContactLoss(begin, end - begin, top) for begin, end, top in flights[:flown].tolist()]
             slid_through = [tuple(slip) for slip in slips[:slid].tolist()]
@@ -109,7 +112,7 @@ class Compliant:
                 end = count / self.rate
                 losses += [ContactLoss(flying[0], end - flying[0], flying[2])] if flying[0] < end else []
                 slid_through += [(slipping[0], end)] if slipping[0] < end else []
-            yield Piece(t, rows[:n, :SIZE], rows[:n, SIZE:] * [-1.0, 1.0, 1.0], losses, slid_through, why)
+            yield Piece(t, rows[:n], forces[: n * parts] * [-1.0, 1.0, 1.0], losses, slid_through, why)
 
     def _hold(self, y):
         """Raise ValueError where a resonance turns too far in a step."""

@@ -44,7 +44,7 @@ class Losses(Sequence):
     """Losses of contact, kept as an array (n, 3): begin, duration [s], height [m]."""
 
     def __init__(self, array):
-        self.array = np.reshape(np.asarray(array, dtype=float), (-1, 3))
+        self.array = array
 
     def __len__(self):
         return len(self.array)
@@ -245,33 +245,27 @@ def solve(scene, watch: Callable[[float, float, str], None] = lambda t, inclinat
     Raises ValueError where a profile cannot be read.
     """
     model, last = compliant(scene), last_inclination(scene)
-    every = max(1, round(model.rate / FORCES_A_SECOND))
+    every = max(1, round(model.rate / FORCES_A_SECOND)) * STATES
     start = np.concatenate([[0.0, np.radians(scene.release.inclination_deg), 0, 0, 0], scene.release.omega, [0, 0, 0]])
-    y, dt = release(model, start, first_force(scene)), every / model.rate
-    impulses, rows, slides, losses = Record(3), Record(len(COLUMNS) + 1 + len(CAUSES)), [], []
-    impulses.append(np.zeros((1, 3)))
-    before = _kept(model, y[None], None, dt)
-    rows.append(before)
-    count, given = 0, np.zeros(3)
-    for piece in model.run(y, every, max(scene.numerics.time_limit, 2 * STATES * dt), last):
-        impulse = given + np.cumsum(piece.force * dt, axis=0)
-        impulses.append(impulse)
-        state = piece.state[STATES - 1 - count % STATES :: STATES]
-        count, given = count + len(piece.t), impulse[-1]
-        if len(state):
-            before = _kept(model, state[inclination(state) >= last], before[-1:], STATES * dt)
-            rows.append(before)
-        slides += piece.slips
-        losses += piece.losses
+    y, dt = release(model, start, first_force(scene)), every / STATES / model.rate
+    kept, given = _kept(model, y[None]), np.zeros((1, 3))
+    rows, impulses, slides, losses = Record(kept), Record(given), Record(np.empty((0, 2))), Record(np.empty((0, 3)))
+    for piece in model.run(y, every, max(scene.numerics.time_limit, 2 * STATES * dt), last, STATES):
+        given = given[-1] + np.cumsum(np.vstack([0 * given[-1:], piece.force * dt]), axis=0)
+        state = piece.state[inclination(piece.state) >= last]
+        kept = _unwound(np.vstack([kept[-1:], _kept(model, state)]), STATES * dt)
+        rows.append(kept[1:])
+        impulses.append(given[1:])
+        slides.append(np.reshape(piece.slips, (-1, 2)))
+        losses.append(np.reshape(piece.losses, (-1, 3)))
         watch(float(piece.t[-1]), float(inclination(y[None])[0]), "")
-    rows = rows.rows()
     motion = CompliantMotion(
         model=model,
         dt=dt,
-        impulses=impulses.rows()[: STATES * (len(rows) - 1) + 1],
-        rows=rows,
-        slides=np.reshape(slides, (-1, 2)),
-        contact_losses=Losses(losses),
+        impulses=impulses.rows()[: STATES * (len(rows.rows()) - 1) + 1],
+        rows=rows.rows(),
+        slides=slides.rows(),
+        contact_losses=Losses(losses.rows()),
         excess=float(y[EXCESS]),
         outcome=OUTCOMES[piece.why],
     )
@@ -291,15 +285,15 @@ def compliant(scene) -> Compliant:
     )
 
 
-def _kept(model, y, before, dt) -> np.ndarray:
-    """Return what is kept of states y (k, SIZE); the precession goes on from the row (1, 17) dt [s] before."""
-    state = columns(model, y)
-    if before is not None:
-        state = np.vstack([before[:, : len(COLUMNS)], state])
-        rate = precession_rate(state)
-        expected = (rate[1:] + rate[:-1]) / 2 * dt
-        step = np.diff(state[:, 0])
-        step -= 2 * np.pi * np.rint((step - expected) / (2 * np.pi))
-        state[1:, 0] = state[0, 0] + np.cumsum(step)
-        state = state[1:]
-    return np.column_stack([state, energy(model, y), y[:, LOSSES : LOSSES + len(CAUSES)]])
+def _kept(model, y) -> np.ndarray:
+    """Return what is kept of states y (k, SIZE), (k, 17); the precession is in (-pi, pi]."""
+    return np.column_stack([columns(model, y), energy(model, y), y[:, LOSSES : LOSSES + len(CAUSES)]])
+
+
+def _unwound(rows, dt) -> np.ndarray:
+    """Return rows (k, 17), dt [s] apart, with the precession going on from the first of them at its rate."""
+    rate = precession_rate(rows)
+    step = np.diff(rows[:, 0])
+    step -= 2 * np.pi * np.rint((step - (rate[1:] + rate[:-1]) / 2 * dt) / (2 * np.pi))
+    rows[1:, 0] = rows[0, 0] + np.cumsum(step)
+    return rows

@@ -11,10 +11,14 @@ NODES = 6
 
 
 class Record:
-    """Rows (n, width) of doubles in a nameless file that goes with its last reader: the memory stays as it is."""
+    """Rows (n, width) of doubles in a nameless file that goes with its last reader: the memory stays as it is.
 
-    def __init__(self, width: int):
-        self._file, self._width, self._rows = TemporaryFile(), width, 0  # noqa: SIM115, it closes with its last reader
+    It begins with the rows `first`.
+    """
+
+    def __init__(self, first):
+        self._file, self._width, self._rows = TemporaryFile(), first.shape[1], 0  # noqa: SIM115, it closes itself
+        self.append(first)
 
     def append(self, rows) -> None:
         """Write rows (k, width). Raises OSError when the disk is full."""
@@ -23,6 +27,8 @@ class Record:
 
     def rows(self) -> np.ndarray:
         """Return all rows so far, (n, width), which may only be read."""
+        if not self._rows:
+            return np.empty((0, self._width))
         self._file.flush()
         return np.asarray(np.memmap(self._file, float, "r", shape=(self._rows, self._width)))
 
