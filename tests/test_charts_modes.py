@@ -42,8 +42,8 @@ def test_uniform_meshes_hold_the_whole_patch_and_no_more(element):
     basis, segments = uniform(case, element, 1, 1)
     x, y, z = basis.doflocs[:, patch_unknowns(basis, case, segments)]
     assert np.abs(np.arctan2(y, x)).max() == pytest.approx(case.half_angle)
-    assert np.ptp(z) == pytest.approx(case.thickness)
-    assert np.hypot(x, y).min() > 0.999 * case.radius
+    assert np.ptp(z) == pytest.approx(case.plate.thickness)
+    assert np.hypot(x, y).min() > 0.999 * case.plate.radius
 
 
 def test_right_handed_cells_fill_the_disk():

@@ -24,11 +24,11 @@ needs_calculix = pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX (c
 
 def graded(case, support):
     """Frequencies [Hz] by CalculiX's 20-node hexahedra on the whole disk, its mesh that of the standard level."""
-    part = sector(case.radius, case.thickness, support, MIDDLE)
+    part = sector(case.plate.radius, case.plate.thickness, support, MIDDLE)
     points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
     held = np.zeros(0, int)
     if part.patch:
-        held = np.flatnonzero(on_patch(points, case.radius, np.deg2rad(support.half_angle_deg), part.patch))
+        held = np.flatnonzero(on_patch(points, case.plate.radius, np.deg2rad(support.half_angle_deg), part.patch))
     return np.array(calculix(case, points, cells[:, :20], np.intersect1d(held, cells[:, :20])).values)
 
 
@@ -43,7 +43,7 @@ def test_calculix_is_within_a_percent_on_graded_hexahedra(kind):
 @pytest.mark.parametrize("position", ["middle", "bottom"])
 def test_calculix_agrees_on_a_patch_over_part_of_the_thickness(position):
     case, support = modes_case("patch"), Support(height=0.0064, position=position)
-    ours = held_modes(case.scene.disk, case.material, support, case.density, 20.5e3, "standard").frequency
+    ours = held_modes(case.scene.disk, case.plate.material, support, case.plate.density, 20.5e3, "standard").frequency
     assert graded(case, support) == pytest.approx(ours[:9], rel=0.01)
 
 

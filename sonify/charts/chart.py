@@ -25,6 +25,11 @@ def draw(records: list[Record], title: str, error_label: str, path):
     for panel, case in zip(figure.subplots(1, len(cases), squeeze=False)[0], cases, strict=True):
         _panel(panel, [r for r in records if r.case == case], case, error_label, tones)
     figure.suptitle(title)
+    save(figure, path)
+
+
+def save(figure: Figure, path):
+    """Write a picture, the same bytes whatever made it."""
     with whole(path) as temporary:
         figure.savefig(temporary, metadata={"Software": None})
 

@@ -15,9 +15,8 @@ from matplotlib.figure import Figure
 
 from dynamics import simulate
 from dynamics.numerics import LEVELS
-from sonify.charts.chart import DPI, MARKERS, tones_of
-from sonify.charts.records import Answer, Record, Work, measure
-from sonify.files import whole
+from sonify.charts.chart import DPI, MARKERS, save, tones_of
+from sonify.charts.records import Answer, Record, Work, measured
 from sonify.plan.predictions import SOUND, audible_error, level_error
 from sonify.plan.solvable import planned
 from sonify.scene import load_scene
@@ -47,39 +46,16 @@ FLOOR_DB = -140.0
 """An error below this is drawn here."""
 
 
-def coarse_tolerance(plan, modes, draft):
-    return replace(plan, tolerance=1e-9), modes
-
-
-def coarse_stop(plan, modes, draft):
-    return replace(plan, final_inclination=draft[0].final_inclination), modes
-
-
-def coarse_modes(plan, modes, draft):
-    return replace(plan, voices=tuple(range(len(draft[1].frequency)))), draft[1]
-
-
-def coarse_force(plan, modes, draft):
-    return replace(plan, calm=draft[0].calm), modes
-
-
-def few_voices(plan, modes, draft):
-    return replace(plan, voices=draft[0].voices), modes
-
-
-def as_planned(plan, modes, draft):
-    return plan, modes
-
-
+DRAFT_MODES, SPREAD = "modes as in the draft", "jumps spread over a sample"
 CHOICES = {
-    "tolerance of the motion 1e-9": coarse_tolerance,
-    "motion stops at the highest audible rate": coarse_stop,
-    "modes as in the draft": coarse_modes,
-    f"force read every {LEVELS['draft'].calm:g} rad": coarse_force,
-    f"modes within {LEVELS['draft'].range_db:g} dB(A) of the loudest": few_voices,
-    "jumps spread over a sample": as_planned,
+    "tolerance of the motion 1e-9": lambda draft, _: {"tolerance": 1e-9},
+    "motion stops at the highest audible rate": lambda draft, _: {"final_inclination": draft.final_inclination},
+    DRAFT_MODES: lambda draft, modes: {"voices": tuple(range(len(modes)))},
+    f"force read every {LEVELS['draft'].calm:g} rad": lambda draft, _: {"calm": draft.calm},
+    f"modes within {LEVELS['draft'].range_db:g} dB(A) of the loudest": lambda draft, _: {"voices": draft.voices},
+    SPREAD: lambda draft, _: {},
 }
-"""What is coarse, by name: from plan and modes of the reference, and those of the draft."""
+"""What is coarse, by name: from plan and modes of the draft, what differs in the plan of the reference."""
 
 
 class JumpsOnGrid:
@@ -99,11 +75,12 @@ def render(scene, choice) -> Answer:
     """Render `scene`, with a coarse `choice` by name or None; return its pressure."""
     plan, modes = planned(scene)
     if choice:
-        plan, modes = CHOICES[choice](plan, modes, planned(scene.replace("numerics.accuracy=draft")))
+        draft, fewer = planned(scene.replace("numerics.accuracy=draft"))
+        plan, modes = replace(plan, **CHOICES[choice](draft, fewer)), fewer if choice == DRAFT_MODES else modes
     numerics = replace(scene.numerics, tolerance=plan.tolerance, final_inclination=plan.final_inclination)
     motion = simulate(replace(scene, numerics=numerics))
     renderer = Renderer(scene, motion, modes, plan.voices, plan.calm)
-    if choice == "jumps spread over a sample":
+    if choice == SPREAD:
         renderer.sampler = JumpsOnGrid(renderer.sampler)
     return Answer(renderer.sound().pressure, renderer.samples)
 
@@ -128,20 +105,22 @@ def keep(heard: dict, i: int, pressure) -> float:
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the chart, one for each measure of a run; `watch(share, note)` is called before each."""
-    records, done = [], 0
-    for support in SUPPORTS:
+    records = []
+    for half, support in enumerate(SUPPORTS):
         heard = {}
         runs = works(support, quick, heard)
-        for i, work in enumerate(runs):
-            watch(done / (len(runs) * len(SUPPORTS)), f"{support}: {work.family} {work.method}")
-            timed = measure(work, warm=not quick, repeats=1 if quick else REPEATS)
-            records += [
-                replace(timed, case=f"{support}: {name}", error=error(heard[i], heard[0]))
-                for name, error in MEASURES.items()
-            ]
-            records += predicted(work, timed, f"{support}: {next(iter(MEASURES))}")
-            done += 1
+        for i, timed in enumerate(
+            measured(runs, partial(within, watch, half), lambda work: not quick, 1 if quick else REPEATS)
+        ):
+            cases = {f"{support}: {name}": error(heard[i], heard[0]) for name, error in MEASURES.items()}
+            records += [replace(timed, case=case, error=error) for case, error in cases.items()]
+            records += predicted(runs[i], timed, next(iter(cases)))
     return records
+
+
+def within(watch, half: int, share: float, note: str):
+    """Tell `watch` the progress within the runs of one support."""
+    watch((half + share) / len(SUPPORTS), note)
 
 
 def predicted(work: Work, timed: Record, case: str) -> list[Record]:
@@ -212,5 +191,4 @@ def draw(records: list[Record], title: str, path: Path):
     handles = dict(zip(*panels[0, 0].get_legend_handles_labels()[::-1], strict=True))
     figure.legend(handles.values(), handles.keys(), loc="outside lower center", ncols=3, fontsize=9)
     figure.suptitle(f"{title} (the reference stands at the floor)")
-    with whole(path) as temporary:
-        figure.savefig(temporary, metadata={"Software": None})
+    save(figure, path)

@@ -5,9 +5,8 @@ import math
 from scipy.integrate import solve_ivp
 
 from sonify.charts.motion_case import Case, answer_of
-from sonify.charts.naive import BUDGET, FIRST, sign
+from sonify.charts.naive import BUDGET, FIRST, ROLLING, contact, rates, sign, turnings
 from sonify.charts.records import Answer, Failure
-from sonify.charts.smooth_state import ROLLING, contact, rates, turnings
 
 
 def euler_angles(case: Case, tolerance: float) -> Answer:

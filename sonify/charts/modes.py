@@ -7,13 +7,13 @@ from importlib.util import find_spec
 
 import numpy as np
 
-from modal import FreeDisk, Plate, Support, eigenmodes
+from modal import FreeDisk, Support, eigenmodes
 from modal.synthesis.patches import Richness
 from sonify.charts.modes_case import ModesCase, modes_case
 from sonify.charts.page import methods, number
 from sonify.charts.peer_elements import calculix_modes, ngsolve_modes
 from sonify.charts.plain_elements import ELEMENTS, plain_modes, strain_energy_error
-from sonify.charts.records import LEFT_OUT, Answer, Failure, Record, Work, measure
+from sonify.charts.records import LEFT_OUT, Answer, Failure, Record, Work, measured
 
 PROBLEM = r"""
 A steel disk, held on a patch of its lateral surface ($u = 0$ on an arc of 10 degrees over the full thickness, the clamp
@@ -71,20 +71,16 @@ def ours(case: ModesCase, accuracy: str) -> Answer:
 @cache
 def known_disk(richness: str) -> FreeDisk:
     """Return the free disk, whose first patch has been paid for."""
-    disk = FreeDisk(plate=_plate(), richness=RICHNESSES[richness])
-    disk.frequencies(Support(), 1.1 * modes_case("patch").reference[-1])
+    case = modes_case("patch")
+    disk = FreeDisk(plate=case.plate, richness=RICHNESSES[richness])
+    disk.frequencies(Support(), 1.1 * case.reference[-1])
     return disk
 
 
 def synthesis(case: ModesCase, richness: str, known: bool) -> Answer:
     """Return the frequencies [Hz] by synthesis from a free disk, which is `known` from a patch before or is not."""
-    disk = known_disk(richness) if known else FreeDisk(plate=_plate(), richness=RICHNESSES[richness])
+    disk = known_disk(richness) if known else FreeDisk(plate=case.plate, richness=RICHNESSES[richness])
     return Answer(tuple(disk.frequencies(Support(), 1.1 * case.reference[-1])[: len(case.reference)]), 0)
-
-
-def _plate():
-    case = modes_case("patch")
-    return Plate(radius=case.radius, thickness=case.thickness, material=case.material, density=case.density)
 
 
 def missing(family: str) -> Answer:
@@ -137,11 +133,8 @@ def prove() -> None:
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the chart; `watch(share, note)` is called before every run."""
     prove()
-    all_works, records = [w for kind in ("patch", "free") for w in works(modes_case(kind), quick)], []
-    for i, work in enumerate(all_works):
-        watch(i / len(all_works), f"{work.case}: {work.method}, {work.setting}")
-        records.append(measure(work, warm=work.family == "ours", repeats=1 if quick else 3))
-    return records
+    runs = [w for kind in ("patch", "free") for w in works(modes_case(kind), quick)]
+    return measured(runs, watch, warm=lambda work: work.family == "ours", repeats=1 if quick else 3)
 
 
 def front(records: list[Record]) -> list[Record]:

@@ -6,20 +6,18 @@ from typing import NamedTuple
 
 import numpy as np
 
+from modal import Plate
 from modal.solve import density
 from sonify.charts.records import relative
 from sonify.scene import Scene, load_scene
 
 
 class ModesCase(NamedTuple):
-    """Radius, thickness [m], density [kg/m^3]; half angle of the patch [rad], None if free; frequencies sought [Hz]."""
+    """The disk of a scene as a `Plate`; half angle of the patch [rad], None if free; frequencies sought [Hz]."""
 
     name: str
     scene: Scene
-    radius: float
-    thickness: float
-    density: float
-    material: object
+    plate: Plate
     half_angle: float | None
     reference: tuple[float, ...]
 
@@ -33,7 +31,6 @@ def modes_case(kind: str) -> ModesCase:
     """Return the case of the published disk on a 'patch' or 'free'; the origin of its frequencies is in the data."""
     scene = load_scene("published").replace(f"support.kind={kind}")
     document = json.loads((resources.files("sonify.charts") / "references" / "modes.json").read_text("utf-8"))
-    half_angle = np.deg2rad(scene.support.half_angle_deg) if kind == "patch" else None
-    disk = scene.disk
-    reference = tuple(document["frequencies"][kind])
-    return ModesCase(kind, scene, disk.radius, disk.thickness, density(disk), scene.material, half_angle, reference)
+    half_angle, disk = np.deg2rad(scene.support.half_angle_deg) if kind == "patch" else None, scene.disk
+    plate = Plate(radius=disk.radius, thickness=disk.thickness, material=scene.material, density=density(disk))
+    return ModesCase(kind, scene, plate, half_angle, tuple(document["frequencies"][kind]))

@@ -9,7 +9,7 @@ from sonify.charts.moreau import moreau
 from sonify.charts.motion_case import EASY, Case, conservative, published, sticking
 from sonify.charts.naive import naive_sign
 from sonify.charts.page import methods, number
-from sonify.charts.records import REPEATS, Record, Work, measure
+from sonify.charts.records import REPEATS, Record, Work, ends, measured
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
 
@@ -41,9 +41,6 @@ AREAS = "Drake, contact by areas"
 def works(case: Case, quick: bool) -> list[Work]:
     """Return every run of the chart on one case; `quick` leaves out settings, not methods."""
 
-    def some(settings):
-        return settings[:: max(1, len(settings) - 1)] if quick else settings
-
     def middle(settings):
         return settings[1:2] or settings if quick else settings
 
@@ -51,29 +48,29 @@ def works(case: Case, quick: bool) -> list[Work]:
         return Work(family, method, setting, case.name, partial(function, case, *arguments), case.error, NONSENSE)
 
     runs = []
-    for tol in some((1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16)):
+    for tol in ends((1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16), quick):
         runs.append(work("event-driven", TAYLOR, f"tol {tol:g}", event_driven.ours, "taylor", tol))
-    for tol in some((1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13)):
+    for tol in ends((1e-7, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13), quick):
         runs.append(work("event-driven", "our DOP853", f"tol {tol:g}", event_driven.ours, "dop853", tol))
     for method, tolerances in {
         "DOP853": (1e-6, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13),
         "LSODA": (1e-9, 1e-10, 1e-11, 1e-12),
         "Radau": (1e-9, 1e-10),
     }.items():
-        for tol in some(tolerances):
+        for tol in ends(tolerances, quick):
             name = f"solve_ivp {method}"
             runs.append(work("event-driven", name, f"tol {tol:g}", event_driven.with_solve_ivp, method, tol))
     for method in NAIVE:
-        for tol in some((1e-4, 1e-6, 1e-8, 1e-10)):
+        for tol in ends((1e-4, 1e-6, 1e-8, 1e-10), quick):
             runs.append(work("naive sign()", method, f"tol {tol:g}", naive_sign, method, tol))
     for start, stop, longest in middle(((1e-3, 1e-3, 0.1), (1e-4, 1e-4, 0.01), (1e-5, 1e-5, 3e-3), (1e-5, 1e-10, 0.1))):
         setting = f"start {start:g}, stop {stop:g}, steps <= {longest:g}"
         runs.append(work("slip tolerance", "DOP853", setting, slip_tolerance, start, stop, longest, 1e-9))
-    for width in some((1e-2, 1e-3, 1e-4, 1e-5, 1e-6)):
+    for width in ends((1e-2, 1e-3, 1e-4, 1e-5, 1e-6), quick):
         runs.append(work("tanh", "LSODA", f"width {width:g}", tanh_regularised, "LSODA", width, 1e-3 * width))
-    for width in some((1e-2, 1e-3, 1e-4)):
+    for width in ends((1e-2, 1e-3, 1e-4), quick):
         runs.append(work("tanh", "Radau", f"width {width:g}", tanh_regularised, "Radau", width, 1e-2 * width))
-    for step in some((1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4)):
+    for step in ends((1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4), quick):
         runs.append(work("Moreau", "time-stepping", f"step {step:g}", moreau, step))
     if case.name != "sticking":
         for method, some_runs in groupby(peers.runs(case), itemgetter(0)):
@@ -114,7 +111,7 @@ def _proofs_of_engines(case):
 
 def prove() -> list[Record]:
     """Run the proofs. Raises ArithmeticError where a method does not compute the same motion."""
-    records = [measure(work, repeats=1) for work in proofs()]
+    records = measured(proofs(), repeats=1)
     judged = [r for r in records if not r.left_out]
     wrong = [f"{r.family} {r.method}: {r.failure or f'{r.error:.2g}'}" for r in judged if not r.error <= PROOF]
     if wrong:
@@ -126,11 +123,8 @@ def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the chart; `watch(share, note)` is called before every run."""
     prove()
     cases = (conservative(), published(10.0 if quick else 50.0), sticking())
-    all_works, records = [w for case in cases for w in works(case, quick)], []
-    for i, work in enumerate(all_works):
-        watch(i / len(all_works), f"{work.case}: {work.family}, {work.method}, {work.setting}")
-        records.append(measure(work, warm=work.method in COMPILED, repeats=1 if quick else REPEATS))
-    return records
+    runs = [work for case in cases for work in works(case, quick)]
+    return measured(runs, watch, lambda work: work.method in COMPILED, 1 if quick else REPEATS)
 
 
 def cheapest(records: list[Record], case: str, method: str, error: float) -> Record | None:

@@ -1,6 +1,7 @@
 """Naive sign(): the right-hand side jumps wherever a velocity changes sign, and the integrator is not told.
 
 Below a slip speed TOLERANCE the contact rolls while the cone allows it, and is pushed along -F_f where it does not.
+Here is also what all methods without events need: the equations of a state, and an integration that may be given up.
 """
 
 import math
@@ -8,16 +9,17 @@ import warnings
 
 from scipy.integrate import solve_ivp
 
-from dynamics.equations import Law
+from dynamics.equations import Law, solve
+from dynamics.regime import projections
 from sonify.charts.motion_case import Case, answer_of
 from sonify.charts.records import Answer, Failure
-from sonify.charts.smooth_state import ROLLING, SLIDING, contact, rates, turnings
 
+ROLLING, SLIDING = False, True
+FREE = (False, False, False)
 TOLERANCE = 1e-6
 """Slip speed, over R/chi, below which the contact is taken to roll."""
 BUDGET = 60_000
 """Evaluations of the right-hand side after which a run is given up; the event-driven runs need a tenth of it."""
-
 FIRST = 1e-4
 """First step over the span: what an integrator tries by itself may leap off the table."""
 
@@ -25,6 +27,21 @@ FIRST = 1e-4
 def sign(x: float) -> float:
     """The naive sign: sign(0) = 0."""
     return (x > 0) - (x < 0)
+
+
+def turnings(state) -> tuple[float, float, float]:
+    """Return omega.a_1, omega.a_2, omega.a_3 of a state."""
+    return projections(*state[:4], math.sin, math.cos)
+
+
+def contact(state, sliding: bool, direction, senses, law: Law):
+    """Solve the balance laws (4.1), (4.2) with slip `direction` and the senses of the moments given, none sticking."""
+    return solve(*state, *direction, sliding, *FREE, *senses, law)
+
+
+def rates(state, solved) -> list[float]:
+    """Return the rates of (inclination, omega_1..3, slip_1, slip_2)."""
+    return [-state[1], solved.domega1, solved.domega2, solved.domega3, solved.du1, solved.du2]
 
 
 def forces(state, law: Law):

@@ -74,7 +74,7 @@ def deck(case: ModesCase, points, cells, held, count: int) -> str:
     elements = "\n".join(
         ",\n".join(",".join(map(str, row[a : a + 10])) for a in range(0, len(row), 10)) for row in rows
     )
-    material = f"*ELASTIC\n{case.material.young:.12e},{case.material.poisson:.12e}\n*DENSITY\n{case.density:.12e}"
+    material = f"*ELASTIC\n{case.plate.material.young:.12e},{case.plate.material.poisson:.12e}\n*DENSITY\n{case.plate.density:.12e}"
     support = "*BOUNDARY\n" + "\n".join(f"{i + 1},1,3" for i in held) + "\n" if len(held) else ""
     return (
         f"*NODE,NSET=ALL\n{nodes}\n*ELEMENT,TYPE=C3D{cells.shape[1]},ELSET=DISK\n{elements}\n"
@@ -106,16 +106,16 @@ def ngsolve_modes(case: ModesCase, element: str, refinements: int, layers: int) 
     except ImportError:
         raise Failure("NGSolve is not installed") from None
     degree = int(element[1])
-    size = case.thickness / layers
+    size = case.plate.thickness / layers
     mesh = ngsolve.Mesh(cylinder(case, size, refinements).GenerateMesh(maxh=size, grading=0.5))
     mesh.Curve(degree)
     space = ngsolve.VectorH1(mesh, order=degree, dirichlet="patch")
     u, v = space.TnT()
-    lam, mu = lame(case.material)
+    lam, mu = lame(case.plate.material)
     strain, virtual = (ngsolve.Sym(ngsolve.Grad(field)) for field in (u, v))
     energy = lam * ngsolve.div(u) * ngsolve.div(v) + 2 * mu * ngsolve.InnerProduct(strain, virtual)
     stiffness = ngsolve.BilinearForm(energy * ngsolve.dx).Assemble()
-    mass = ngsolve.BilinearForm(case.density * u * v * ngsolve.dx).Assemble()
+    mass = ngsolve.BilinearForm(case.plate.density * u * v * ngsolve.dx).Assemble()
     values = about_shift(stiffness.mat, mass.mat, space.FreeDofs(), case)
     return Answer(elastic(values, len(case.reference)), space.ndof)
 
@@ -146,16 +146,16 @@ def cylinder(case: ModesCase, size: float, refinements: int):
     """Return NGSolve's geometry of the disk, meshed to `size` [m]; the lateral side of the sector held is "patch"."""
     from netgen.occ import Cylinder, Dir, Glue, HalfSpace, OCCGeometry, Pnt, Z
 
-    disk = Cylinder(Pnt(0, 0, -case.thickness / 2), Z, r=case.radius, h=case.thickness)
+    disk = Cylinder(Pnt(0, 0, -case.plate.thickness / 2), Z, r=case.plate.radius, h=case.plate.thickness)
     if case.half_angle is None:
         return OCCGeometry(disk)
     sine, cosine = np.sin(case.half_angle), np.cos(case.half_angle)
     sides = [HalfSpace(Pnt(0, 0, 0), Dir(-sine, sign * cosine, 0)) for sign in (1, -1)]
     sector = disk * sides[0] * sides[1]
     for face in sector.faces:
-        if face.center.x > 0.9 * case.radius:
+        if face.center.x > 0.9 * case.plate.radius:
             face.name = "patch"
             for edge in face.edges:
-                if abs(edge.center.z) < case.thickness / 4:
+                if abs(edge.center.z) < case.plate.thickness / 4:
                     edge.maxh = size / 2**refinements
     return OCCGeometry(Glue([disk - sector, sector]))

@@ -6,9 +6,9 @@ A dot where a method is fine, a ring where it is degraded, a cross where it fail
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from sonify.charts.chart import save
 from sonify.charts.hazards import DEGRADED, FAILED, FINE, HAZARDS, rows, state
 from sonify.charts.records import Record
-from sonify.files import whole
 
 DPI = 100
 STYLES = {
@@ -37,8 +37,7 @@ def draw_map(records: list[Record], title: str, path):
     handles = [Line2D([], [], ls="", label=name, **style) for name, style in STYLES.items()]
     figure.legend(handles=handles, loc="outside upper right", ncols=3)
     figure.suptitle(f"{title} (ours in bold; the edge is to the right)")
-    with whole(path) as temporary:
-        figure.savefig(temporary, metadata={"Software": None})
+    save(figure, path)
 
 
 def _label(axes, y, runs):

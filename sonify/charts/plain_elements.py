@@ -53,15 +53,15 @@ def plain_modes(case: ModesCase, element: str, refinements: int, layers: int) ->
 
 def uniform(case: ModesCase, element: str, refinements: int, layers: int):
     """Return the basis on a uniform mesh of the disk, and the number of sides that its rim has."""
-    heights = np.linspace(-case.thickness / 2, case.thickness / 2, layers + 1)
+    heights = np.linspace(-case.plate.thickness / 2, case.plate.thickness / 2, layers + 1)
     if case.half_angle is not None:
-        segments, plane = SECTORS, sectors(refinements) * case.radius
+        segments, plane = SECTORS, sectors(refinements) * case.plate.radius
         curved = hexahedra(extrude(plane, heights))
         solid = MeshHex(np.ascontiguousarray(curved.doflocs[:, : curved.t.max() + 1]), curved.t)
         solid = MeshHex2.from_mesh(solid) if "hexahedra" in element else solid.to_meshtet()
     else:
         flat = MeshTri.init_circle(refinements)
-        segments, flat = len(flat.boundary_nodes()), flat.scaled(case.radius)
+        segments, flat = len(flat.boundary_nodes()), flat.scaled(case.plate.radius)
         solid = (flat * MeshLine(heights)).to_meshtet()
         if "hexahedra" in element:
             solid = hexahedra(extrude(quadrilaterals(flat), heights))
@@ -97,11 +97,11 @@ def quadrilaterals(triangles: MeshTri) -> np.ndarray:
 
 def matrices(basis, case: ModesCase):
     """Return stiffness and mass of a basis."""
-    material = case.material
+    material = case.plate.material
 
     @BilinearForm
     def inertia(u, v, w):
-        return case.density * helpers.dot(u, v)
+        return case.plate.density * helpers.dot(u, v)
 
     return linear_elasticity(*lame_parameters(material.young, material.poisson)).assemble(basis), inertia.assemble(
         basis
@@ -113,7 +113,7 @@ def patch_unknowns(basis, case: ModesCase, segments: int):
     if case.half_angle is None:
         return np.zeros(0, int)
     x, y, _ = basis.doflocs
-    outside = np.hypot(x, y) > case.radius * np.cos(np.pi / segments) * (1 - 1e-9)
+    outside = np.hypot(x, y) > case.plate.radius * np.cos(np.pi / segments) * (1 - 1e-9)
     spacing = np.diff(np.unique(np.arctan2(y[outside], x[outside]).round(9))).min()
     reach = max(1, round(case.half_angle / spacing)) + 0.25
     return np.flatnonzero(outside & (np.abs(np.arctan2(y, x)) <= reach * spacing))
@@ -125,6 +125,6 @@ def strain_energy_error(case: ModesCase, element: str) -> float:
     stiffness, mass = matrices(basis, case)
     stretch = basis.project(lambda x: np.stack([x[0], 0 * x[0], 0 * x[0]]))
     shift = basis.project(lambda x: np.stack([1 + 0 * x[0], 0 * x[0], 0 * x[0]]))
-    volume = shift @ mass @ shift / case.density
-    lam, mu = lame_parameters(case.material.young, case.material.poisson)
+    volume = shift @ mass @ shift / case.plate.density
+    lam, mu = lame_parameters(case.plate.material.young, case.plate.material.poisson)
     return abs(stretch @ stiffness @ stretch / ((lam + 2 * mu) * volume) - 1)

@@ -98,6 +98,22 @@ def measure(work: Work, warm: bool = False, repeats: int = REPEATS) -> Record:
     )
 
 
+def measured(
+    works: list[Work], watch=lambda share, note: None, warm=lambda work: False, repeats: int = REPEATS
+) -> list[Record]:
+    """Return the records of all works, those that are `warm` run once before; `watch(share, note)` comes before each."""
+    records = []
+    for i, work in enumerate(works):
+        watch(i / len(works), ", ".join(filter(None, (f"{work.case}: {work.family}", work.method, work.setting))))
+        records.append(measure(work, warm(work), repeats))
+    return records
+
+
+def ends(values, quick: bool):
+    """Return all values of a path, or if `quick` its ends."""
+    return (values[0], values[-1]) if quick and len(values) > 1 else values
+
+
 def relative(reference) -> Callable[[tuple], float]:
     """Return the largest relative error against the values `reference`."""
     return lambda values: max(abs(a / b - 1) for a, b in zip(values, reference, strict=True))

@@ -12,9 +12,8 @@ from scipy.optimize import brentq
 
 from dynamics.equations import Law
 from sonify.charts.motion_case import Case
-from sonify.charts.naive import BUDGET, integrate
+from sonify.charts.naive import BUDGET, SLIDING, contact, integrate, rates, turnings
 from sonify.charts.records import Answer
-from sonify.charts.smooth_state import SLIDING, contact, rates, turnings
 
 FADE = 10.0
 """Widths over which the static coefficient fades to the dynamic one."""

@@ -10,9 +10,8 @@ import numpy as np
 from scipy.integrate import DOP853
 
 from sonify.charts.motion_case import Case, answer_of
-from sonify.charts.naive import sign
+from sonify.charts.naive import ROLLING, contact, rates, sign, turnings
 from sonify.charts.records import Answer, Failure
-from sonify.charts.smooth_state import ROLLING, contact, rates, turnings
 
 MOST_EVALUATIONS = 250_000
 """Evaluations of the right-hand side after which a run is given up."""

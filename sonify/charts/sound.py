@@ -10,7 +10,7 @@ import numpy as np
 from numba import njit
 
 from sonify.charts.page import number
-from sonify.charts.records import Answer, Failure, Record, Work, measure
+from sonify.charts.records import Answer, Failure, Record, Work, measure, measured
 from sonify.charts.sound_case import RATE, SoundCase, sound_case
 from sonify.charts.steps import STEPS, explicit_euler, matrices
 from sonify.sound.oscillators import OscillatorBank
@@ -41,7 +41,7 @@ def pressure(case: SoundCase, method: str, factor: int) -> Answer:
     else:
         table = np.ascontiguousarray(matrices(STEPS[method], case.omega, case.decay, h))
         heard = _run(g, table, case.omega**2, 2 * case.decay, factor) @ case.radiated
-    if not np.isfinite(heard).all() or np.abs(heard).max() > BLOWN_UP * np.abs(_exact(case.name)).max():
+    if not np.isfinite(heard).all() or np.abs(heard).max() > BLOWN_UP * np.abs(case.exact).max():
         raise Failure("blows up")
     return Answer(heard, len(g) - 1)
 
@@ -76,14 +76,9 @@ def _samples(name, factor):
     return case_of(name).samples(factor * RATE)
 
 
-@cache
-def _exact(name):
-    return case_of(name).exact()
-
-
 def error(name: str, heard) -> float:
     """Return the rms of the difference from the exact pressure over that of the pressure."""
-    exact = _exact(name)
+    exact = case_of(name).exact
     return float(np.sqrt(np.mean((heard - exact) ** 2) / np.mean(exact**2)))
 
 
@@ -124,12 +119,8 @@ def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the chart; `watch(share, note)` is called before every run."""
     prove()
     factors = (1, 4) if quick else (1, 2, 4, 8, 16, 32)
-    all_works = [work(name, m, k) for name in CASES for m in (*STEPS, OURS) for k in factors]
-    records = []
-    for i, one in enumerate(all_works):
-        watch(i / len(all_works), f"{one.case}: {one.method}, {one.setting}")
-        records.append(measure(one, warm=True))
-    return records
+    runs = [work(name, m, k) for name in CASES for m in (*STEPS, OURS) for k in factors]
+    return measured(runs, watch, warm=lambda work: True)
 
 
 def conclusion(records: list[Record]) -> list[str]:

@@ -5,6 +5,7 @@ swing, at no sample. So the pressure is known exactly.
 """
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -50,8 +51,9 @@ class SoundCase:
         bend = self.smooth(self.jumps) - left - (right - left) * since * rate
         return Knots(before, since, until, np.outer(np.full(len(before), JUMP), self.drive), np.outer(bend, self.drive))
 
+    @cached_property
     def exact(self) -> np.ndarray:
-        """Return the pressure (k,) [Pa] at the samples of RATE, by the closed form of every mode."""
+        """The pressure (k,) [Pa] at the samples of RATE, by the closed form of every mode."""
         t = np.arange(round(self.duration * RATE)) / RATE
         return sum(
             factor * self._acceleration(t, w, d)

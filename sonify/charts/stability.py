@@ -6,7 +6,7 @@ a record is its place on the path.
 
 from sonify.charts import stability_modes, stability_motion, stability_sound
 from sonify.charts.hazards import DEGRADED, FAILED, FINE, HAZARDS, rows, state
-from sonify.charts.records import WRONG, Record, measure
+from sonify.charts.records import WRONG, Record, measured
 
 PROBLEM = r"""
 Every hazard is a path: a parameter goes to its edge, and each method solves the same small problem at every place of
@@ -19,12 +19,8 @@ are closed forms, quadruple precision, and converged solutions by another method
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the map; `quick` keeps both ends of every path."""
     works = [*stability_motion.works(quick), *stability_modes.works(quick)]
-    records = stability_sound.records()
-    for i, work in enumerate(works):
-        watch(i / len(works), f"{work.case}: {work.family}, {work.method}, {work.setting}")
-        records.append(measure(work, repeats=1))
-    order = list(HAZARDS)
-    return sorted(records, key=lambda r: order.index(r.case))
+    records = stability_sound.records() + measured(works, watch, repeats=1)
+    return sorted(records, key=lambda r: list(HAZARDS).index(r.case))
 
 
 def draw(records: list[Record], title: str, path):

@@ -15,7 +15,7 @@ from sonify.charts.motion_case import (
     published,
 )
 from sonify.charts.naive import naive_sign
-from sonify.charts.records import Work
+from sonify.charts.records import Work, ends
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
 
@@ -65,21 +65,17 @@ RESOLVED = {
 
 def works(quick: bool) -> list[Work]:
     """Return every run; `quick` keeps both ends of the paths, and one kind of sticking."""
-
-    def some(values):
-        return (values[0], values[-1]) if quick else values
-
     runs = []
     for hazard, (case_of, parameters, methods) in PATHS.items():
         if quick and hazard == "pivoting sticks":  # the same methods as where the nutation sticks
             continue
         for about, (function, *arguments) in methods.items():
-            for x in some(parameters):
+            for x in ends(parameters, quick):
                 case = case_of(x)
                 runs.append(Work(*about, f"{x:g}", hazard, partial(function, case, *arguments), case.error))
     case = published(10.0)
     for about, function in RESOLVED.items():
         allowed = [x for x in RESOLUTIONS if about[0] != "ours" or x <= ALLOWED]
-        for x in some(allowed):
+        for x in ends(allowed, quick):
             runs.append(Work(*about, f"{x:g}", "small slip", partial(function, case, x), case.error))
     return runs

@@ -97,9 +97,11 @@ def graded(accuracy):
 def peers():
     """The same for CalculiX on the mesh of the standard level mirrored to the whole disk, and NGSolve on its own."""
     case = modes_case("patch")
-    part = sector(case.radius, case.thickness, Support(), LEVELS["standard"][0])
+    part = sector(case.plate.radius, case.plate.thickness, Support(), LEVELS["standard"][0])
     points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
-    held = np.intersect1d(np.flatnonzero(held_there(points, case.radius, case.half_angle, part.patch)), cells[:, :20])
+    held = np.intersect1d(
+        np.flatnonzero(held_there(points, case.plate.radius, case.half_angle, part.patch)), cells[:, :20]
+    )
     yield "CalculiX C3D20, graded mesh", lambda: calculix(case, points, cells[:, :20], held)
     for degree, levels in ((2, 4), (2, 6), (3, 4), (3, 6)):
         element = f"P{degree} tetrahedra"
