@@ -104,16 +104,17 @@ def test_a_narrow_patch_does_not_ask_for_more_tractions_than_a_wide_one(free_dis
     assert free_disk.frequencies(narrow, below=20e3) == pytest.approx(more, rel=5e-4)
 
 
+WIDE = {"narrow": 0.5, "45 degrees": 45, "60 degrees": 60, "130 degrees": 130}
+
+
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["published", "narrow", "45 degrees", "130 degrees", *OTHERS])
+@pytest.mark.parametrize("name", ["published", *WIDE, *OTHERS])
 def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
     """Oracle: synthesis with twice as much of everything, where it differs by more than its own estimate.
 
-    On patches far wider than the disk is thick the estimate may be twice as large as that. What is wrong by less comes
-    of parts of both signs that cancel; its estimate stays below 2e-4. At a small hinge it may be half the error.
+    What is wrong by less comes of parts of both signs that cancel; its estimate stays below 2e-4.
     """
-    wide = {"narrow": 0.5, "45 degrees": 45, "130 degrees": 130}
-    poisson, aspect, support = OTHERS.get(name, (0.28, 0.34, Support(half_angle_deg=wide.get(name, 5))))
+    poisson, aspect, support = OTHERS.get(name, (0.28, 0.34, Support(half_angle_deg=WIDE.get(name, 5))))
     material, below = Material(young=195e9, poisson=poisson), min(20e3, 60e3 * aspect)
     disk = Plate(radius=RADIUS, thickness=aspect * RADIUS, material=material, density=DENSITY)
     rich = Richness(size=(16, 10), around=14, through=8, cutoff=2.0)
@@ -121,9 +122,9 @@ def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
     (f, estimate), (g, unsure) = (np.concatenate([[c.frequency, c.error] for c in k], axis=1) for k in (found, exact))
     error = np.abs(f / g - 1)
     assert error.max() < 1e-3
-    large, least = error > 5e-5, 0.4 if name == "hinged at a small patch" else 1.2
-    assert (estimate > least * (error - unsure))[large].all()
-    assert (estimate < (10 if name in wide else 5) * (error + unsure))[large].all()
+    large = error > 5e-5
+    assert (estimate > 1.2 * (error - unsure))[large].all()
+    assert (estimate < 5 * (error + unsure))[large].all()
     assert estimate[~large].max(initial=0.0) < 2e-4
 
 

@@ -74,7 +74,8 @@ def deck(case: ModesCase, points, cells, held, count: int) -> str:
     elements = "\n".join(
         ",\n".join(",".join(map(str, row[a : a + 10])) for a in range(0, len(row), 10)) for row in rows
     )
-    material = f"*ELASTIC\n{case.plate.material.young:.12e},{case.plate.material.poisson:.12e}\n*DENSITY\n{case.plate.density:.12e}"
+    solid = case.plate.material
+    material = f"*ELASTIC\n{solid.young:.12e},{solid.poisson:.12e}\n*DENSITY\n{case.plate.density:.12e}"
     support = "*BOUNDARY\n" + "\n".join(f"{i + 1},1,3" for i in held) + "\n" if len(held) else ""
     return (
         f"*NODE,NSET=ALL\n{nodes}\n*ELEMENT,TYPE=C3D{cells.shape[1]},ELSET=DISK\n{elements}\n"

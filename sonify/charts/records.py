@@ -101,7 +101,8 @@ def measure(work: Work, warm: bool = False, repeats: int = REPEATS) -> Record:
 def measured(
     works: list[Work], watch=lambda share, note: None, warm=lambda work: False, repeats: int = REPEATS
 ) -> list[Record]:
-    """Return the records of all works, those that are `warm` run once before; `watch(share, note)` comes before each."""
+    """Return the records of all works, those that are `warm` run once before. `watch(share, note)` is called before
+    each."""
     records = []
     for i, work in enumerate(works):
         watch(i / len(works), ", ".join(filter(None, (f"{work.case}: {work.family}", work.method, work.setting))))
