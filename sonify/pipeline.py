@@ -9,6 +9,8 @@ from dynamics.simulation import prepare
 from modal import Modes, eigenmodes
 from modal.one_thread import one_blas_thread
 from sonify.claims.checks import all_checks
+from sonify.claims.contact import contact_findings
+from sonify.claims.literature import literature_findings
 from sonify.claims.motion import all_findings
 from sonify.claims.sound import all_verdicts, hear
 from sonify.files import claimed
@@ -59,9 +61,11 @@ def solve(
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
+        on_contact, several = contact_findings(scene, motion, sound)
+        findings += on_contact + literature_findings(scene, motion, modes, sound)
     return Result(
         scene=scene,
-        plan=with_end(plan, motion, [*strayed(scene, motion), *silence]),
+        plan=with_end(plan, motion, [*strayed(scene, motion), *silence, *several]),
         motion=motion,
         modes=modes,
         table=table,

@@ -9,6 +9,7 @@ import pytest
 
 from dynamics import simulate
 from dynamics.coupled.choice import choice, first_force, shaken
+from dynamics.film.acting import carried_below
 from sonify import load_scene
 
 GENTLE = ("release.inclination_deg=3", "release.omega=[0.0, 0.0, 7.0]", "friction.mu_static=2.0")
@@ -39,6 +40,20 @@ def test_rough_scenes_are_solved_in_full_from_where_contact_is_lost(elastic):
         assert (chosen.kind, chosen.predicted) == (kind, pytest.approx(0.3 * factor))
         assert chosen.lost_below == (beta[np.argmax(share)] if factor > 1 else 0.0)
         assert "0.3 " in chosen.reason
+
+
+def test_a_disk_that_the_air_carries_does_not_break_its_contact_below(elastic):
+    """The inclination is that where the solved motion is AIRBORNE; on the way down to it the filter is enough."""
+    fine = elastic.replace(
+        *GENTLE, "release.inclination_deg=12", "release.omega=[0.0, 2.0, 14.0]", "roughness.rms=3e-8"
+    )
+    blown = fine.replace("air.film=acts", "friction.arm_rolling=0.0", "dissipation.contour_moment=1e-4")
+    assert choice(fine).kind == "full"
+    assert (choice(blown).kind, choice(blown).predicted < 0.3) == ("filter", True)
+    flown = simulate(blown.replace("contact.law=rigid"))
+    assert flown.outcome.name == "AIRBORNE"
+    assert carried_below(blown) == pytest.approx(flown.state[-1, 1], rel=0.2)
+    assert carried_below(fine) == 0.0
 
 
 def test_slides_and_what_is_asked_for(elastic):

@@ -7,7 +7,7 @@ import numpy as np
 
 from ..dissipation import resistance, together
 from ..equations import law_of
-from ..film.acting import film_of
+from ..film.acting import carried_below, film_of
 from ..regime import FLOAT, Branch
 from ..rolling import RollingDisk, released
 from ..steady import steady_precession
@@ -57,10 +57,11 @@ def choice(scene: ContactScene) -> Choice:
 
 
 def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
-    """Return inclinations (k,) [rad] from the release to the end, and the rms of N' over the weight (k,) in the steady
-    motion there."""
+    """Return inclinations (k,) [rad] from the release to the end, or to where the air carries the disk, and the rms of
+    N' over the weight (k,) in the steady motion there."""
     disk, first = scene.disk, radians(scene.release.inclination_deg)
-    beta = np.geomspace(first, last_inclination(scene), PLACES)
+    last = max(last_inclination(scene), min(carried_below(scene), first / 2))
+    beta = np.geomspace(first, last, PLACES)
     if scene.roughness is None:
         return beta, np.zeros(PLACES)
     speed = np.array([disk.radius * steady_rate(disk, b) * (np.cos(b) - disk.aspect * np.sin(b)) for b in beta])

@@ -154,7 +154,7 @@ def modes_carry_the_end(sound: Sound, error: float = 0.0) -> Finding:
 
     What differs by the relative `error` in quadratic mean has an energy within a factor of (1 + error)^2.
     """
-    heave, tilt, smooth, jumps = (_weighted_power(sound, sound.track(name)) for name in STEMS)
+    heave, tilt, smooth, jumps = (weighted_power(sound, sound.track(name)) for name in STEMS)
     return Finding(
         key="modes_carry_the_end",
         claim="The vibration of the modes is what is heard in the last second",
@@ -224,7 +224,7 @@ def _ratio(tone, here, motion, sound, solved):
     return median(tone.frequency[here] / rate, INDEPENDENT)
 
 
-def _weighted_power(sound, stem):
+def weighted_power(sound, stem):
     """Mean square of a stem over the last second of the motion, A-weighted [Pa^2]."""
     span = (max(sound.source_end - LAST, 0.0), sound.source_end)
     seen = spectrogram(stem, 0.1, span=span)

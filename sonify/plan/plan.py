@@ -194,7 +194,7 @@ WALL = {
     ),
 }
 LEFT_OUT = (
-    "Sound of impacts and of roughness; the action of the elastic modes on the motion.",
+    "Sound of impacts; the action of the elastic modes on the motion.",
     "Air that flows round the rim while the film below the disk is open: until late in the motion the true pressure of "
     "heave and tilt is lower.",
     "The resisting moments and the centrifugal loads as drivers of the modes.",

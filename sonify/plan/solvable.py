@@ -10,6 +10,7 @@ from dynamics.simulation import chosen_integrator
 from modal import Modes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP
 from modal.solve import check
+from sonify.plan.contact import with_contact
 from sonify.plan.plan import Plan, plan_of, with_voices
 from sonify.plan.supports import compared
 from sonify.plan.table import check_table
@@ -35,7 +36,7 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
     """Return what is to be computed, and the modes, which the plan needs to say which of them sound; `eigenmodes` finds
     these. Raises SceneError where there are too many modes, where the patch is lost in round-off, and where decay rates
     are given for more modes than there are."""
-    plan = plan_of(scene)
+    plan = with_contact(plan_of(scene), scene)
     try:
         elastic = eigenmodes(scene, below=plan.highest_mode)
     except UnsolvableError as error:

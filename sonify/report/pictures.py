@@ -10,6 +10,7 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from dynamics.rates import nutation_frequency, precession_frequency, precession_rate
+from sonify.claims.contact import carrier_line
 from sonify.claims.sound import LAST
 from sonify.files import whole
 from sonify.hearing.loudness import audibility
@@ -69,7 +70,8 @@ def _spectrogram(found):
     rates = [median_filter(rate, 5) for rate in (precession, nutation)]
     seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
     delay = sound.source_end - motion.t[-1]
-    return seen | {"time": peaks + delay, "rates": rates, "frequencies": found.modes.frequency}
+    carrier = carrier_line(found.scene, motion, delay)
+    return seen | {"time": peaks + delay, "rates": rates, "frequencies": found.modes.frequency, "carrier": carrier}
 
 
 def _stems(found):

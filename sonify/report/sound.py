@@ -26,9 +26,10 @@ EDGE = [withStroke(linewidth=2.5, foreground="k")]
 """Makes a white line visible on white."""
 
 
-def draw_spectrogram(path, low: Spectrogram, high: Spectrogram, spans, time, rates, frequencies):
+def draw_spectrogram(path, low: Spectrogram, high: Spectrogram, spans, time, rates, frequencies, carrier=None):
     """Draw the pressure in the bands of the contact rates and of the modes, over both `spans` [s], with the precession
-    and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it."""
+    and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it; and where the
+    contact is elastic, the times [s] and frequencies [Hz] of its resonance, the `carrier`."""
     floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
@@ -39,6 +40,9 @@ def draw_spectrogram(path, low: Spectrogram, high: Spectrogram, spans, time, rat
             ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
             bottom.set(ylim=(0, high.frequency[-1] / 1e3), xlim=span, xlabel="time at the listener [s]")
             _mode_lines(bottom, frequencies, span)
+            if carrier is not None:
+                label = "resonance of the contact, solved"
+                bottom.plot(carrier[0], carrier[1] / 1e3, color="w", lw=0.7, label=label, path_effects=EDGE)
         _rate_lines(axes[1, 1], time, rates, 1e3)
         _legend(axes[1, 0])
         axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")

@@ -1,0 +1,286 @@
+"""ELASTIC CONTACT -> FINDINGS: whether a carrier rises, whether it is the contact's, and whether contact is lost."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.integrate import trapezoid
+from scipy.special import ndtr
+
+from dynamics import Motion
+from dynamics.coupled.choice import SHAKEN
+from dynamics.coupled.contact import LEAST_INCLINATION
+from dynamics.coupled.filter import gain, predicted_rms, predicted_spectrum
+from dynamics.coupled.from_scene import contact_law
+from dynamics.coupled.resonance import carrier, linear
+from dynamics.coupled.roughness import density, shift_of_contact, window
+from dynamics.coupled.table import LawTable
+from sonify.claims.motion import Finding, median
+from sonify.hearing.noise_band import NoiseBand, middle, noise_band
+from sonify.scene import Scene
+from sonify.sound.pressure import Sound
+
+PLACES = 96
+"""Instants of the motion at which its vibration is predicted."""
+FINE = 800
+"""Instants of the line in a picture: early in a motion it swings with the nutation."""
+STRETCH, READINGS = 0.5, 12
+"""The carrier is heard in stretches of so many seconds, and expected at so many instants in each."""
+
+RECORDED, CONSTANT = (1840.0, 2280.0), (5040.0, 8230.0)
+"""Peaks recorded of the toy on granite [Hz]: those between which the carrier passes, and two that stay."""
+LEAST_LOSS = 1e-4
+"""Contact that is lost for a smaller part of the time is not broken by vibrations: a slip may do that."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Vibration:
+    """What the linear contact lets expect along a motion, at even times t (k,) [s].
+
+    Inclination [rad], normal force without the vibration [N], speed of the contact [m/s], whether it rolls; the `rms`
+    of N' [N], the power [W] that roughness takes, and rms(z'') R/beta of the several contacts.
+    """
+
+    table: LawTable
+    t: np.ndarray
+    inclination: np.ndarray
+    load: np.ndarray
+    speed: np.ndarray
+    rolls: np.ndarray
+    rms: np.ndarray
+    power: np.ndarray
+    shift: np.ndarray
+
+
+def vibration(scene: Scene, motion: Motion) -> Vibration:
+    """Return what the heights and the law of a scene let expect along its motion, while one ellipse is the contact."""
+    table = LawTable(law=contact_law(scene))
+    t = last_ellipse(motion) * (np.arange(PLACES) + 0.5) / PLACES
+    inclination, load, speed, rolls = course(motion, t)
+    rms, power, shift = np.zeros((3, PLACES))
+    if scene.roughness is not None:
+        rms = predicted_rms(table, scene.roughness, inclination, load, speed)
+        power = np.array([taken(table, scene.roughness, *one) for one in zip(inclination, load, speed, strict=True)])
+        half = table.law.semi_axes(inclination, load)[0]
+        shift = shift_of_contact(scene.roughness, inclination, half, scene.disk.radius)
+    return Vibration(
+        table=table,
+        t=t,
+        inclination=inclination,
+        load=load,
+        speed=speed,
+        rolls=rolls,
+        rms=rms,
+        power=power,
+        shift=shift,
+    )
+
+
+def course(motion: Motion, t):
+    """Return inclination [rad], normal force [N], speed of the contact on the table [m/s], whether it rolls, (k,)."""
+    state = motion.at(t)
+    load = motion.steady_load(t) if hasattr(motion, "steady_load") else motion.force(t)[:, 2]
+    turning = state[:, 6] - state[:, 7] / np.tan(state[:, 1])
+    speed = np.abs(motion.disk.radius * turning + state[:, 8])
+    return state[:, 1], np.maximum(load, 0.01 * motion.disk.weight), speed, np.char.startswith(motion.regime(t), "roll")
+
+
+def taken(table: LawTable, roughness, inclination, load, speed) -> float:
+    """Return the mean power [W] that heights take from a disk in steady motion: N' times the rate at which they rise.
+
+    The mean over the waves z of their spectrum of omega Im(N'/z).
+    """
+    springs, a, c = table.springs(np.array([inclination]), np.array([load]))
+    k, heights = density(roughness)
+    response = gain(linear(table.law.disk, inclination, springs, speed, c), k * speed)
+    return float(trapezoid(heights * window(k * a) ** 2 * k * speed * response.imag, k))
+
+
+def contact_findings(scene: Scene, motion: Motion, sound: Sound) -> tuple[list[Finding], list[str]]:
+    """The claims on an elastic contact that this run can judge, on a carrier where there is roughness to ring it; and
+    from when on one ellipse is not the contact."""
+    if scene.contact.law == "rigid":
+        return [], []
+    expected = vibration(scene, motion)
+    marked = several_contacts(expected.t, expected.shift)
+    broken = [contact_is_lost(motion, expected), *micro_flights(motion)]
+    if scene.roughness is None:
+        return broken, marked
+    heard = carrier_heard(sound, motion, expected)
+    found = carrier_findings(scene, motion, expected, heard) if np.isfinite(heard.frequency).sum() >= 3 else []
+    rough = [loss_begins_at(scene.roughness.rms, expected)] if scene.roughness.rms else []
+    return [*found, *broken, *rough, roughness_ends_it(motion, expected)], marked
+
+
+def carrier_findings(scene, motion, expected: Vibration, heard: NoiseBand) -> list[Finding]:
+    """The claims on the carrier that is heard."""
+    recorded = [passes_recorded_peaks(expected), constant_peaks_are_the_contact(expected)]
+    return [carrier_rises(heard), carrier_is_contact(scene, motion, expected, heard), *recorded]
+
+
+def carrier_heard(sound: Sound, motion: Motion, expected: Vibration) -> NoiseBand:
+    """Return the band of noise in the pressure, in the time of the motion, while the contact is one ellipse."""
+    delay = sound.source_end - motion.t[-1]
+    heard = noise_band(sound.pressure, delay, delay + expected.t[-1], STRETCH)
+    return heard._replace(time=heard.time - delay)
+
+
+def carrier_rises(heard: NoiseBand) -> Finding:
+    """The frequency of the carrier at the end over that at the beginning, each the median of a tenth of the run."""
+    found = heard.frequency[np.isfinite(heard.frequency)]
+    tenth = max(len(found) // 10, 1)
+    (first, about), (last, on) = (median(part) for part in (found[:tenth], found[-tenth:]))
+    return Finding(
+        key="carrier_rises",
+        claim="A carrier rises",
+        value=last / first,
+        unit=f"times, from {first:.0f} Hz to {last:.0f} Hz",
+        at_least=1.2,
+        margin=last / first * float(np.hypot(about / first, on / last)),
+        source="abstract: the rising pitch; from the sound alone",
+    )
+
+
+def carrier_is_contact(scene, motion, expected: Vibration, heard: NoiseBand) -> Finding:
+    """The frequency of the carrier heard over the middle of the spectrum that is expected of N', median."""
+    f = np.arange(500.0, 20e3, 10.0)
+    shown = np.flatnonzero(np.isfinite(heard.frequency))[:: max(np.isfinite(heard.frequency).sum() // READINGS, 1)]
+    ratios = []
+    for i in shown:
+        t = heard.time[i] + STRETCH * ((np.arange(READINGS) + 0.5) / READINGS - 0.5)
+        places = zip(*course(motion, np.minimum(t, expected.t[-1])), strict=True)
+        power = np.mean(
+            [predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r) for b, N, V, r in places], 0
+        )
+        ratios.append(heard.frequency[i] / middle(f, power, f[power.argmax()]))
+    ratio, error = median(np.array(ratios))
+    return Finding(
+        key="carrier_is_contact",
+        claim="The carrier is the resonance of the disk on its elastic contact",
+        value=ratio,
+        unit="heard / expected of the contact along the motion, median",
+        at_least=0.98,
+        at_most=1.02,
+        margin=error,
+        source="Hertz, Mindlin and Kalker; the carrier from the sound alone",
+    )
+
+
+def passes_recorded_peaks(expected: Vibration) -> Finding:
+    """For how long the resonance of the contact lies where peaks were recorded."""
+    when = expected.t[(frequency(expected) > RECORDED[0]) & (frequency(expected) < RECORDED[1])]
+    span = f", from {when[0]:.3g} s to {when[-1]:.3g} s" if len(when) else ""
+    return Finding(
+        key="carrier_passes_recorded_peaks",
+        claim="The carrier passes the peaks recorded on granite, 1.84 to 2.28 kHz",
+        value=float(len(when) * expected.t[-1] / PLACES),
+        unit=f"s between them{span}",
+        at_least=1.0,
+        source="recordings of the toy on granite, 2026",
+    )
+
+
+def constant_peaks_are_the_contact(expected: Vibration) -> Finding:
+    """For how long, at most, the resonance of the contact stays within 2 % of a peak that recordings keep."""
+    step = expected.t[1] - expected.t[0]
+    stays = [float(np.sum(np.abs(frequency(expected) / peak - 1) < 0.02) * step) for peak in CONSTANT]
+    return Finding(
+        key="constant_peaks_are_the_contact",
+        claim="The constant peaks of recordings, 5.04 and 8.23 kHz, are the contact's",
+        value=max(stays) / expected.t[-1],
+        unit="of the motion, within 2 % of either",
+        at_least=0.5,
+        source="recordings of the toy on granite, 2026; what stays while the disk falls is of the table",
+    )
+
+
+def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
+    """The share of the time without contact: as solved, or, where the motion keeps it, of a Gaussian vibration."""
+    flights = motion.contact_losses
+    if flights:
+        share, first = sum(f.duration for f in flights) / motion.t[-1], flights[0].t
+    else:
+        lost = np.where(expected.rms > 0, ndtr(-expected.load / np.maximum(expected.rms, 1e-300)), 0.0)
+        share, first = lost.mean(), expected.t[lost > LEAST_LOSS].min(initial=np.inf)
+    when = f"first {first:.3g} s after the release" if np.isfinite(first) else "never"
+    return Finding(
+        key="contact_is_lost",
+        claim="Vibrations finally break the contact",
+        value=float(share),
+        unit=f"of the time without contact, {'solved' if flights else 'expected of the filter'}; {when}",
+        at_least=LEAST_LOSS,
+        source="abstract: the vibrations will result in a loss of contact",
+    )
+
+
+def micro_flights(motion: Motion) -> list[Finding]:
+    """The longest loss of contact; nothing where there is none."""
+    flights = motion.contact_losses
+    if not flights:
+        return []
+    longest, highest = max(f.duration for f in flights), max(f.height for f in flights)
+    micro = Finding(
+        key="micro_flights",
+        claim="Contact is lost in micro-flights, too short to be seen",
+        value=float(longest),
+        unit=f"s, the longest of {len(flights)}; the highest {1e6 * highest:.2g} um",
+        at_most=1e-3,
+        source="Borisov et al. (2015)",
+    )
+    return [micro]
+
+
+def loss_begins_at(rms: float, expected: Vibration) -> Finding:
+    """The rms of heights at which N' would reach SHAKEN of the weight at some time, by proportion."""
+    most = expected.rms.max() / expected.table.law.disk.weight
+    return Finding(
+        key="loss_begins_at",
+        claim="The roughness of an ordinary surface, 0.1 um, breaks the contact",
+        value=float(rms * SHAKEN / most),
+        unit="m, the rms of the table's heights from which on contact is lost",
+        at_most=1e-7,
+        source="abstract; N' is proportional to the heights",
+    )
+
+
+def roughness_ends_it(motion: Motion, expected: Vibration) -> Finding:
+    """The share of the energy lost that goes to roughness: what the contact and its creep took, or would take."""
+    if hasattr(motion, "lost"):
+        lost = motion.lost(motion.t[-1:])[0]
+        share = lost[:2].sum() / lost.sum()
+    else:
+        share = expected.power.mean() * expected.t[-1] / motion.state[-1, 10]
+    return Finding(
+        key="roughness_ends_it",
+        claim="Roughness is what ends the motion",
+        value=float(share),
+        unit="of the energy lost" + (", in addition to friction" if hasattr(motion, "lost") else ", held by friction"),
+        at_least=0.5,
+        source="the power of N' at the rate at which the heights rise",
+    )
+
+
+def several_contacts(t, shift) -> list[str]:
+    """Return from when on one ellipse is an approximation: rms(z'') R/beta (k,) at times (k,) [s] is above 1."""
+    late = np.flatnonzero(np.asarray(shift) > 1)
+    if not len(late):
+        return []
+    return [f"From t = {t[late[0]]:.4g} s on the disk touches at several places at once: one ellipse stands for them."]
+
+
+def carrier_line(scene: Scene, motion: Motion, delay: float) -> tuple[np.ndarray, np.ndarray] | None:
+    """Return times (k,) [s], `delay` after those of the motion, and the resonance of an elastic contact (k,) [Hz]."""
+    if scene.contact.law == "rigid":
+        return None
+    t = last_ellipse(motion) * (np.arange(FINE) + 0.5) / FINE
+    inclination, load, speed, _ = course(motion, t)
+    return t + delay, carrier(contact_law(scene), inclination, load, speed).frequency
+
+
+def frequency(expected: Vibration) -> np.ndarray:
+    """Return the resonance of the contact (k,) [Hz] along a motion."""
+    return carrier(expected.table.law, expected.inclination, expected.load, expected.speed).frequency
+
+
+def last_ellipse(motion: Motion) -> float:
+    """Return until when [s] the contact of a motion is one ellipse."""
+    return float(motion.t[np.flatnonzero(motion.state[:, 1] >= LEAST_INCLINATION)[-1]])
