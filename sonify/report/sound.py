@@ -28,7 +28,7 @@ EDGE = [withStroke(linewidth=2.5, foreground="k")]
 
 def draw_spectrogram(path, low: Spectrogram, high: Spectrogram, spans, time, rates, frequencies, carrier=None):
     """Draw the pressure in the bands of the contact rates and of the modes, over both `spans` [s], with the precession
-    and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it; and where the
+    and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it; where the
     contact is elastic, the times [s] and frequencies [Hz] of its resonance, the `carrier`."""
     floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
