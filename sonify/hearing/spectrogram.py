@@ -6,6 +6,7 @@ from math import inf
 from pathlib import Path
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 from sonify.hearing.source import BLOCK, Source, pieces, source_of
 
@@ -49,18 +50,22 @@ def spectrogram(sound: Source | str | Path, window: float, columns: int = MOST_C
     Windows overlap by three quarters, in a long sound by less: there are at most `columns`. Only the part within `span`
     [s] is looked at. A part shorter than the window is padded with silence. Memory does not grow with the length.
     """
-    from scipy.signal import ShortTimeFFT, get_window  # loads slowly, and who only draws needs it not
-
     source = source_of(sound)
     rate, size = source.sample_rate, max(int(window * source.sample_rate), 16)
     first, last = int(span[0] * rate), int(min(span[1] * rate, source.frames))
     hop = max(size // 4, -(-(last - first) // columns))
     count, group = max(last - size - first, 0) // hop + 1, max(BLOCK // hop, 1)
-    shape = ShortTimeFFT(get_window("hann", size), hop, rate, scale_to="magnitude", phase_shift=None)
-    seen = islice(pieces(source, group * hop, max(size - hop, 0), first), -(-count // group))
-    power = [shape.spectrogram(part.T, p0=0, p1=group, k_offset=shape.m_num_mid).mean(axis=0) for part in seen]
+    shape = 1 - np.cos(2 * np.pi * np.arange(size) / size)
+    parts = islice(pieces(source, group * hop, max(size - hop, 0), first), -(-count // group))
+    power = np.concatenate([_power(part, shape / shape.sum(), hop) for part in parts])[:count]
     return Spectrogram(
         time=(first + hop * np.arange(count) + size / 2) / rate,
-        frequency=shape.f,
-        power=2 * np.concatenate(power, axis=1, dtype=np.float32)[:, :count],
+        frequency=np.fft.rfftfreq(size, 1 / rate),
+        power=np.ascontiguousarray(power.T),
     )
+
+
+def _power(samples, shape, hop):
+    """Mean squares (t, f) of sines, means of the channels (n, c), in windows of a `shape` that begin `hop` apart."""
+    seen = np.fft.rfft(sliding_window_view(samples, len(shape), axis=0)[::hop] * shape)
+    return 2 * np.mean(seen.real**2 + seen.imag**2, axis=1).astype(np.float32)
