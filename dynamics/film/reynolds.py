@@ -1,0 +1,177 @@
+"""Reynolds' equation on the film under the disk, by finite elements that are graded to the contact.
+
+Lengths over the radius R, gaps over the mean gap g = R sin(beta): the wedge is h = 1 + x, and x = -1 the contact, where
+it closes. The inversion z = 2/(X + i Y) - 1 takes the half plane X > 1 to the disk, its edge to the rim, infinity to
+the contact, and h is 2 X/(X^2 + Y^2). A mesh in a, b with X = exp(a), Y = sinh(b), even in b and sqrt(a), is graded to
+the contact and to the rim: there a stiff film has its flow, and next to the contact its gap is nearly closed.
+tests/test_film_solved.py.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from scipy.sparse.linalg import splu
+from skfem import Basis, BilinearForm, ElementQuad2, LinearForm, MeshQuad
+
+TOLERANCE, MOST_STEPS = 1e-9, 30
+"""Of Newton's method for the compressible film."""
+LARGEST_FALL = 0.7
+"""Part of a pressure that a step of it takes away at most: behind the contact it comes near to nothing."""
+
+
+def wedge(x, y):
+    """Return the gap of a flat disk on its edge, over the mean gap."""
+    return 1 + x
+
+
+class Response(NamedTuple):
+    """What a film answers to a gap that opens at the velocity V, of unit order.
+
+    `pressure` (n,) over 12 mu R^2 V/g^3 on the nodes of the mesh; `works` of it on given shapes, int p W dA/R^2; and
+    `rim` (2 k + 1,), of the orders 0, 1, .., k, -k, .., -1, the flow out of the rim int q exp(-i n theta) ds/(R^2 V).
+    """
+
+    pressure: np.ndarray
+    works: np.ndarray
+    rim: np.ndarray
+
+
+class FilmMesh:
+    """Quadratic elements on the film of a gap `height`(x, y), `cells` of them inwards from the rim, twice as many along it.
+
+    The mesh ends where the contact is as near as exp(-nearest) of the radius.
+
+    `points` (e, q) are the places x + i y at which velocities and shapes are given, `area` (e, q) their weights in an
+    integral over the face. At the rim the pressure is that of the air around.
+    """
+
+    def __init__(self, cells: int = 16, height: Callable = wedge, nearest: float = 7.0):
+        across, along = nearest * np.linspace(0, 1, cells + 1) ** 2, np.linspace(-nearest, nearest, 2 * cells + 1)
+        self.basis = Basis(MeshQuad.init_tensor(across, along), ElementQuad2())
+        a, b = self.basis.global_coordinates().value
+        t, dX, dY = np.exp(a) + 1j * np.sinh(b), np.exp(a), np.cosh(b)
+        self.points, self.area = 2 / t - 1, 4 / np.abs(t) ** 4 * dX * dY * self.basis.dx
+        around = 1j * self.points * np.conj(-2 / t**2)
+        self._metric = {"first": dY / dX, "second": dX / dY}
+        self._around = {"first": around.real * dY, "second": around.imag * dX}
+        self._measure = 4 / np.abs(t) ** 4 * dX * dY
+        self.height = height(self.points.real, self.points.imag)
+        a, b = self.basis.doflocs
+        self.nodes, self._inner = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1, np.flatnonzero(a > 1e-9)
+
+    def linear(self, velocities, shapes, sigma: float = 0.0, inertia: complex = 0.0, orders: int = 3) -> list[Response]:
+        """Return the Response to each of `velocities` (v, e, q) at the rate e^{i w t}, whose work is done on `shapes`.
+
+        div(m(h) grad p) - i sigma h p = V, sigma = 12 mu w R^2/(p_a g^2), the air isothermal, its pressure little
+        changed; `inertia` is g sqrt(i w rho/mu), with which the mobility m, h^3 without it, is that of unsteady flow.
+        """
+        matrix = self._stiffness(mobility_of(self.height, inertia), 1j * sigma * self.height)
+        loads, works = (
+            np.array([self._load(w) for w in some]).reshape(-1, self.basis.N) for some in (velocities, shapes)
+        )
+        inner, p = self._inner, np.zeros(loads.shape, complex)
+        factors = splu(matrix[inner][:, inner].tocsc())
+        p[:, inner] = [factors.solve(-row[inner]) for row in loads.astype(complex)]
+        rim = -(matrix @ p.T + loads.T).T @ self._waves(orders)
+        return [Response(*answer) for answer in zip(p, p @ works.T, rim, strict=True)]
+
+    def turning(self, Lam: float, guess=None) -> np.ndarray:
+        """Return the pressure (n,) over that around of a gap that turns steadily, Lam = 12 mu Omega/(p_a beta^2).
+
+        div(P h^3 grad P) = -Lam d(P h)/dtheta in the frame that turns, isothermal, by Newton's method from `guess`.
+        Raises ArithmeticError where that does not converge.
+        """
+        P, inner = np.ones(self.basis.N) if guess is None else guess.copy(), self._inner
+        for _ in range(MOST_STEPS):
+            slope = self._assembled(_turning_slope, P, Lam)[inner][:, inner].tocsc()
+            step = splu(slope).solve(-self._assembled(_turning, P, Lam)[inner])
+            change = np.maximum(step, -LARGEST_FALL * P[inner])
+            P[inner] += change
+            if np.abs(change).max() < TOLERANCE * P.max():
+                return P
+        raise ArithmeticError(f"the compressible film does not converge at Lam = {Lam:g}")
+
+    def flow_out(self, P, Lam: float, orders: int = 3) -> np.ndarray:
+        """Return the mass that leaves at the rim under `turning`, of the orders of Response.rim, over p_a g^3/(12 mu)."""
+        return -self._assembled(_turning, P, Lam) @ self._waves(orders)
+
+    def integral(self, p, shape=1.0) -> float:
+        """Return int p W dA over the face, of a nodal field p (n,) and a shape W at the points."""
+        return float((self.area * np.asarray(self.basis.interpolate(p)) * shape).sum())
+
+    def _waves(self, orders):
+        """exp(-i n theta) on the rim, continued inwards as z^n, at the nodes, (n, 2 k + 1)."""
+        n = np.concatenate([np.arange(orders + 1), np.arange(-orders, 0)])
+        z = self.nodes[:, None]
+        return np.where(n > 0, np.conj(z) ** np.abs(n), z ** np.abs(n))
+
+    def _stiffness(self, mobility, storage):
+        first, second = self._metric.values()
+        return _linear.assemble(
+            self.basis, first=mobility * first, second=mobility * second, storage=storage * self._measure
+        )
+
+    def _load(self, shape):
+        return _load.assemble(self.basis, weight=shape * self._measure)
+
+    def _assembled(self, form, P, Lam):
+        cube, flow = self.height**3, Lam * self.height
+        fields = {f"along_{key}": cube * value for key, value in self._metric.items()}
+        fields |= {f"around_{key}": flow * value for key, value in self._around.items()}
+        return form.assemble(self.basis, P=self.basis.interpolate(P), **fields)
+
+
+def mobility_of(height, inertia: complex):
+    """Return the mobility of air in a gap, h^3 where it has no inertia: 12/k^2 (h - 2/k tanh(k h/2)), k = `inertia`."""
+    x = inertia * height / 2
+    small = np.abs(x) < 0.05
+    safe = np.where(small, 1.0, x)
+    return height**3 * np.where(small, 1 - 0.4 * x**2 + 17 / 105 * x**4, 3 * (1 - np.tanh(safe) / safe) / safe**2)
+
+
+def compressible(
+    numbers: Sequence[float], mesh: FilmMesh, orders: int = 3
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return lift over p_a pi R^2 (l,), power over that of incompressible air (l,), and the orders of the flow out of the
+    rim (l, 2 k + 1) over the dipole of the face, of a wedge that turns, for numbers Lam (l,) in ascending order.
+
+    The dipole int V (x + i y) dA is i pi/4: so row[-1], of exp(i theta), is g1, which leads where its phase does.
+    """
+    y, P, rows = mesh.points.imag, None, []
+    slow = mesh.linear([y], [y])[0].works[0].real
+    for Lam in numbers:
+        P = mesh.turning(Lam, P)
+        power = mesh.integral(P - 1, y) / (Lam * slow)
+        rows.append((mesh.integral(P - 1) / np.pi, power, mesh.flow_out(P, Lam, orders) / (-0.25j * np.pi * Lam)))
+    return tuple(np.array(column) for column in zip(*rows, strict=True))  # type: ignore[return-value]
+
+
+@BilinearForm(dtype=np.complex128)
+def _linear(p, q, w):
+    """int m grad p . grad q + i sigma h p q dA."""
+    return w.first * p.grad[0] * q.grad[0] + w.second * p.grad[1] * q.grad[1] + w.storage * p * q
+
+
+@LinearForm
+def _load(q, w):
+    return w.weight * q
+
+
+def _along(p, q, w):
+    return w.along_first * p.grad[0] * q.grad[0] + w.along_second * p.grad[1] * q.grad[1]
+
+
+def _around(q, w):
+    return w.around_first * q.grad[0] + w.around_second * q.grad[1]
+
+
+@LinearForm
+def _turning(q, w):
+    """int P h^3 grad P . grad q + Lam P h dq/dtheta dA."""
+    return w.P * (_along(w.P, q, w) + _around(q, w))
+
+
+@BilinearForm
+def _turning_slope(p, q, w):
+    return p * (_along(w.P, q, w) + _around(q, w)) + w.P * _along(p, q, w)
