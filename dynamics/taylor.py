@@ -28,7 +28,8 @@ class Compiled:
     """The integrator of one branch. It holds the state of a run, so that each run borrows a copy of its own.
 
     heyoka keeps what it has compiled on disk, so the branches that most motions have are compiled for speed. Those in
-    which something sticks, or another law than the film of air resists, are compiled in compact mode, ready ten times sooner and half as fast.
+    which something sticks, or another law than the film of air resists, are compiled in compact mode, ready ten times
+    sooner and half as fast.
     """
 
     def __init__(self, branch: Branch, tolerance: float):

@@ -89,6 +89,7 @@ def test_the_share_of_the_heave_that_leaves_at_the_rim(gap, rate, share):
     assert -mesh.linear([one], [], sigma, inertia)[0].rim[0] / np.pi == pytest.approx(share, abs=0.02)
 
 
+@pytest.mark.slow
 def test_the_compressible_wedge_is_that_of_other_programs():
     """Lift and g1 at Lam = 0.3, 1, 10, 100; the power there. The last row differs by a fifth in the power, which there
     is one part in seventy of what an incompressible film takes."""

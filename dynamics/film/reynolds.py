@@ -38,7 +38,7 @@ class Response(NamedTuple):
 
 
 class FilmMesh:
-    """Quadratic elements on the film of a gap `height`(x, y), `cells` of them inwards from the rim, twice as many along it.
+    """Quadratic elements on the film of a gap `height`(x, y), `cells` of them inwards from the rim, twice as many along.
 
     The mesh ends where the contact is as near as exp(-nearest) of the radius.
 
@@ -49,7 +49,7 @@ class FilmMesh:
     def __init__(self, cells: int = 16, height: Callable = wedge, nearest: float = 7.0):
         across, along = nearest * np.linspace(0, 1, cells + 1) ** 2, np.linspace(-nearest, nearest, 2 * cells + 1)
         self.basis = Basis(MeshQuad.init_tensor(across, along), ElementQuad2())
-        a, b = self.basis.global_coordinates().value
+        a, b = np.asarray(self.basis.global_coordinates())
         t, dX, dY = np.exp(a) + 1j * np.sinh(b), np.exp(a), np.cosh(b)
         self.points, self.area = 2 / t - 1, 4 / np.abs(t) ** 4 * dX * dY * self.basis.dx
         around = 1j * self.points * np.conj(-2 / t**2)
@@ -67,9 +67,7 @@ class FilmMesh:
         changed; `inertia` is g sqrt(i w rho/mu), with which the mobility m, h^3 without it, is that of unsteady flow.
         """
         matrix = self._stiffness(mobility_of(self.height, inertia), 1j * sigma * self.height)
-        loads, works = (
-            np.array([self._load(w) for w in some]).reshape(-1, self.basis.N) for some in (velocities, shapes)
-        )
+        loads, works = (self._loads(some) for some in (velocities, shapes))
         inner, p = self._inner, np.zeros(loads.shape, complex)
         factors = splu(matrix[inner][:, inner].tocsc())
         p[:, inner] = [factors.solve(-row[inner]) for row in loads.astype(complex)]
@@ -93,7 +91,7 @@ class FilmMesh:
         raise ArithmeticError(f"the compressible film does not converge at Lam = {Lam:g}")
 
     def flow_out(self, P, Lam: float, orders: int = 3) -> np.ndarray:
-        """Return the mass that leaves at the rim under `turning`, of the orders of Response.rim, over p_a g^3/(12 mu)."""
+        """Return the mass that leaves at the rim under `turning`, as Response.rim, over p_a g^3/(12 mu)."""
         return -self._assembled(_turning, P, Lam) @ self._waves(orders)
 
     def integral(self, p, shape=1.0) -> float:
@@ -112,8 +110,9 @@ class FilmMesh:
             self.basis, first=mobility * first, second=mobility * second, storage=storage * self._measure
         )
 
-    def _load(self, shape):
-        return _load.assemble(self.basis, weight=shape * self._measure)
+    def _loads(self, shapes):
+        loads = [_load.assemble(self.basis, weight=shape * self._measure) for shape in shapes]
+        return np.reshape(loads, (-1, self.basis.N))
 
     def _assembled(self, form, P, Lam):
         cube, flow = self.height**3, Lam * self.height
@@ -130,11 +129,9 @@ def mobility_of(height, inertia: complex):
     return height**3 * np.where(small, 1 - 0.4 * x**2 + 17 / 105 * x**4, 3 * (1 - np.tanh(safe) / safe) / safe**2)
 
 
-def compressible(
-    numbers: Sequence[float], mesh: FilmMesh, orders: int = 3
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return lift over p_a pi R^2 (l,), power over that of incompressible air (l,), and the orders of the flow out of the
-    rim (l, 2 k + 1) over the dipole of the face, of a wedge that turns, for numbers Lam (l,) in ascending order.
+def compressible(numbers: Sequence[float], mesh: FilmMesh, orders: int = 3):
+    """Return lift over p_a pi R^2 (l,), power over that of incompressible air (l,), and the orders of the flow out of
+    the rim (l, 2 k + 1) over the dipole of the face, of a wedge that turns, for numbers Lam (l,) in ascending order.
 
     The dipole int V (x + i y) dA is i pi/4: so row[-1], of exp(i theta), is g1, which leads where its phase does.
     """
@@ -144,7 +141,7 @@ def compressible(
         P = mesh.turning(Lam, P)
         power = mesh.integral(P - 1, y) / (Lam * slow)
         rows.append((mesh.integral(P - 1) / np.pi, power, mesh.flow_out(P, Lam, orders) / (-0.25j * np.pi * Lam)))
-    return tuple(np.array(column) for column in zip(*rows, strict=True))  # type: ignore[return-value]
+    return tuple(np.array(column) for column in zip(*rows, strict=True))
 
 
 @BilinearForm(dtype=np.complex128)
