@@ -64,8 +64,10 @@ class RollingDisk:
     def _is_stiff(self, y, regime) -> bool:
         if not (regime.sliding and self.law.mu_dynamic > 0):
             return False
-        branch = Branch.of(regime, self.law, self.loads)
-        return is_stiff(y, FLOAT.contact(y, branch, regime.senses, self.law), self.law)
+        return is_stiff(y, self._contact(y, regime), self.law)
+
+    def _contact(self, y, regime):
+        return FLOAT.contact(y, Branch.of(regime, self.law, self.loads), regime.senses, self.law)
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Decide what follows when `guard` has fallen through zero."""
@@ -108,6 +110,8 @@ class RollingDisk:
 
         end, axis, _ = first_fall(step.at, 0.0, step.duration, guards, guards(step.at(0.0)))
         step = step._replace(duration=end)
+        if self._contact(step.end, step.regime).Phi <= 0:  # the guard is lost below zero: it could not fall any more
+            return Switch(None, step.end, (step,), ended="lift-off")
         if axis is None:
             return Switch(step.regime, step.end, (step,))
         y, held = at_rest(step.end, AXES.index(axis)), {*at_zero, AXES.index(axis) + 1} - {0}

@@ -38,7 +38,7 @@ class Response(NamedTuple):
 
 
 class FilmMesh:
-    """Quadratic elements on the film of a gap `height`(x, y), `cells` of them inwards from the rim, twice as many along.
+    """Quadratic elements on the film of a gap `height`(x, y), `cells` of them inwards from the rim, twice that along.
 
     The mesh ends where the contact is as near as exp(-nearest) of the radius.
 
