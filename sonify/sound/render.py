@@ -87,7 +87,8 @@ class Renderer:
 
         columns = kept(rows(), self.samples)
         energies = {name: np.concatenate(parts, axis=1) for name, parts in noted.items()}
-        time, energy = energies["ringing_smooth"]
+        table_energy = energies.pop("table", (None, None))[1]
+        ((time, energy),) = energies.values()  # the disk's
         return Sound(
             name=self.scene.name,
             sample_rate=self.sample_rate,
@@ -97,7 +98,7 @@ class Renderer:
             source_end=self.source_end,
             energy_time=time,
             energy=energy,
-            table_energy=energies["table"][1] if "table" in energies else None,
+            table_energy=table_energy,
         )
 
     def _channels(self, force, state):
