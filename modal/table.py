@@ -62,12 +62,7 @@ class SurfaceModes:
 
         Points off the table have the values of the nearest place of the rectangle.
         """
-        (a, i), (b, j) = (_basis(t, v, d) for t, v, d in zip(self.knots, (x, y), slope, strict=True))
-        flat = self.coefficients.reshape(-1, len(self))
-        value = a[:, :, None] * b[:, None, :]
-        where = i[:, :, None] * self.coefficients.shape[1] + j[:, None, :]
-        ends = np.arange(len(a) + 1) * (DEGREE + 1) ** 2
-        return sp.csr_matrix((value.ravel(), where.ravel(), ends), shape=(len(a), len(flat))) @ flat
+        return spline_values(self.knots, self.coefficients, x, y, slope)
 
     def select(self, indices: Sequence[int] | np.ndarray) -> "SurfaceModes":
         """Return the modes of these indices (k,), or a mask (m,), in that order."""
@@ -87,6 +82,16 @@ def splined(x, y, values):
     first = make_interp_spline(x, values, DEGREE, axis=0)
     second = make_interp_spline(y, first.c, DEGREE, axis=1)
     return (first.t, second.t), np.ascontiguousarray(np.moveaxis(second.c, 0, 1))
+
+
+def spline_values(knots, coefficients, x, y, slope=(0, 0)):
+    """Return the splines, or their derivatives, at x, y (k,) [m]: (k, m)."""
+    (a, i), (b, j) = (_basis(t, v, d) for t, v, d in zip(knots, (x, y), slope, strict=True))
+    flat = coefficients.reshape(-1, coefficients.shape[2])
+    value = a[:, :, None] * b[:, None, :]
+    where = i[:, :, None] * coefficients.shape[1] + j[:, None, :]
+    ends = np.arange(len(a) + 1) * (DEGREE + 1) ** 2
+    return sp.csr_matrix((value.ravel(), where.ravel(), ends), shape=(len(a), len(flat))) @ flat
 
 
 def _basis(knots, x, slope):

@@ -123,7 +123,16 @@ def load_scene(source: str | Path = "published") -> Scene:
         raise SceneError(f"{source}: not {form}: {error}") from None
     except (LookupError, TypeError, AttributeError):
         raise SceneError(f"{source}: not the run.json of a run: it holds no scene") from None
-    return from_document(document)
+    return from_document(_with_mesh(document, Path(str(_find(source))).parent))
+
+
+def _with_mesh(document, folder):
+    """The document with the path of a mesh that lies beside it."""
+    surface = document.get("surface")
+    file = surface.get("file") if isinstance(surface, dict) else None
+    if isinstance(file, str) and (folder / file).is_file():
+        surface["file"] = str(folder / file)
+    return document
 
 
 def scene_of(scene: Scene | str | Path, accuracy: str | None = None) -> Scene:

@@ -14,7 +14,7 @@ from dynamics import Outcome, simulate
 from modal import Plate, plate_modes
 from sonify import examples, load_scene
 
-TESTED = ("one_motion", "mode_table", "own_mesh", "own_recording", "own_dissipation", "many_scenes")
+TESTED = ("one_motion", "mode_table", "own_mesh", "own_recording", "own_dissipation", "many_scenes", "table_mesh")
 
 
 def told(name, capsys):

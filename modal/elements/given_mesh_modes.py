@@ -32,9 +32,10 @@ INWARDS = (0.0, 1e-6, 1e-3, 3e-3, 0.01, 0.03)
 
 
 def on_face(solid, shapes, height, points):
-    """Displacement (m, n, 3) at points (n, 2) of the face at a height: cubic between nodes, the nearest's beyond."""
+    """Displacement (m, n, c) at points (n, 2) of the face at a height, of shapes (m, p, c): cubic between nodes, the
+    nearest's beyond."""
     if not len(shapes):
-        return np.zeros((0, len(points), 3))
+        return np.zeros((0, len(points), shapes.shape[2]))
     nodes = np.flatnonzero(np.abs(solid.points[:, 2] - height) < 1e-3 * np.ptp(solid.points[:, 2]))
     known = shapes[:, nodes].transpose(1, 0, 2).reshape(len(nodes), -1)
     between = CloughTocher2DInterpolator(solid.points[nodes, :2], known)
@@ -45,7 +46,7 @@ def on_face(solid, shapes, height, points):
         within = ~np.isnan(found[:, 0])
         inside = np.flatnonzero(outside)[within]
         values[inside], outside[inside] = found[within], False
-    return values.reshape(len(points), len(shapes), 3).transpose(1, 0, 2)
+    return values.reshape(len(points), len(shapes), -1).transpose(1, 0, 2)
 
 
 def record(element, solid, material, values, shapes, residual, error, radius) -> Modes:

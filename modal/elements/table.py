@@ -14,7 +14,7 @@ from modal.elements.patch import shift_for
 from modal.mesh.read import read_checked
 from modal.modes import Support
 from modal.radiation import SOUND_SPEED
-from modal.table import SAMPLED, SurfaceModes, splined
+from modal.table import SAMPLED, SurfaceModes, spline_values, splined
 
 LEVEL = 1e-6
 """Facets of the top face lie at the greatest height within this share of the size of the mesh."""
@@ -45,7 +45,7 @@ def table_on_mesh(surface, reach, below, refine=False) -> SurfaceModes:
     height = mesh.p[2].max()
 
     def shape(x, y):
-        return on_face(finer.solid, shapes, height, np.column_stack([x, y]))[..., 2]
+        return on_face(finer.solid, shapes[..., 2:], height, np.column_stack([x, y]))[..., 0]
 
     return SurfaceModes(
         frequency=frequency,
@@ -117,7 +117,10 @@ def facets_between(mesh, points):
 
 
 def sampled(shape, top, length, below):
-    """The fields points, weights, face, knots and coefficients of shape(x (k,), y (k,)) -> (m, k) on the triangles."""
+    """The fields points, weights, face, knots and coefficients of shape(x (k,), y (k,)) -> (m, k) on the triangles.
+
+    The face is read off the splines: between the nodes they are as near as what goes through the nodes.
+    """
     longest = np.linalg.norm(top - np.roll(top, 1, axis=1), axis=2).max()
     order = min(HIGHEST_ORDER, SPARE_ORDERS + ceil(2 * pi * below / SOUND_SPEED * longest))
     (u, v), share = get_quadrature(RefTri, order)
@@ -132,7 +135,7 @@ def sampled(shape, top, length, below):
     return {
         "points": points,
         "weights": weights.ravel(),
-        "face": shape(*points.T),
+        "face": spline_values(knots, coefficients, *points.T).T,
         "knots": knots,
         "coefficients": coefficients,
     }

@@ -1,0 +1,175 @@
+"""Claim: the modes of a table are those of its plate or its mesh, whichever way they are found.
+
+Source: Leissa, Vibration of Plates, ch. 2; Timoshenko & Woinowsky-Krieger, Theory of Plates and Shells, section 16.
+Oracle: thin plates in closed form, the static deflection under a point load, the spectral method against finite
+elements on a mesh, modal mass and shapes by quadrature.
+"""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import meshio
+import numpy as np
+import pytest
+
+from dynamics import MeshSurface, ModesSurface, PlateSurface, Surface, SurfaceMode
+from modal import UnsolvableError, surface_modes
+from modal.theory import thin_plate_frequencies
+from sonify import load_scene
+from sonify.examples import own_mesh, table_mesh
+from sonify.plan.table import bending, check_table, off_since, strayed, with_table
+from sonify.scene_errors import SceneError
+
+GLASS = {"young": 70e9, "poisson": 0.22, "density": 2500.0}
+WOOD = {"young": 11e9, "poisson": 0.3, "density": 700.0}
+
+
+def modes_of(surface, below, accuracy="standard"):
+    scene = SimpleNamespace(surface=surface, disk=SimpleNamespace(radius=0.03755))
+    scene.numerics = SimpleNamespace(accuracy=accuracy)
+    return surface_modes(scene, below)
+
+
+@pytest.mark.parametrize("edge", ["free", "supported", "clamped"])
+def test_thin_plates_are_those_of_the_closed_forms(edge):
+    """R/h = 200: shear and rotary inertia change a frequency by some (n pi h/R)^2, below 1e-3; a clamped edge converges
+    slowest."""
+    size = {"radius": 0.2, "thickness": 0.001}
+    found = modes_of(PlateSurface(**size, **GLASS, edge=edge), 500.0)
+    for n in range(4):
+        frequency = np.unique(found.frequency[found.order == n].round(6))
+        thin = thin_plate_frequencies(n, len(frequency), **size, **GLASS, edge=edge)
+        assert frequency == pytest.approx(thin, rel=2e-3)
+    assert found.residual.max() < 1e-6
+    assert found.mass == pytest.approx(2500 * np.pi * 0.2**2 * 0.001)
+    assert (found.frequency > 1).all()  # no rigid body among them
+
+
+def test_the_glass_plate_of_the_levels():
+    size = {"radius": 0.15, "thickness": 0.006}
+    thin = np.sort(np.concatenate([thin_plate_frequencies(n, 2, **size, **GLASS, edge="supported") for n in range(4)]))
+    assert thin[:4] == pytest.approx([319.9, 916.9, 1695.9, 1969.0], abs=0.05)
+    found = np.unique(modes_of(PlateSurface(**size, **GLASS), 2000.0).frequency.round(6))
+    assert ((0.98 * thin[:4] < found) & (found < thin[:4])).all()  # shear makes a plate softer
+
+
+def test_shapes_have_modal_mass_1_and_are_the_same_on_the_face_and_between_its_points():
+    found = modes_of(PlateSurface(radius=0.2, thickness=0.002, **GLASS), 1500.0)
+    mass = 2500 * 0.002 * (found.face**2 @ found.weights)
+    assert mass == pytest.approx(1, abs=2e-3)  # the rest, (h k)^2/6, moves in the plane
+    inside = np.hypot(*found.points.T) < 0.165  # five steps of the splines from the edge
+    assert np.abs(found.at(*found.points[inside].T).T - found.face[:, inside]).max() < 1e-3 * np.abs(found.face).max()
+    x, step = np.linspace(-0.1, 0.1, 20), 1e-6
+    quotient = (found.at(x + step, x) - found.at(x - step, x)) / (2 * step)
+    assert np.abs(found.at(x, x, (1, 0)) - quotient).max() < 1e-6 * np.abs(quotient).max()
+
+
+def test_the_modes_add_up_to_the_static_deflection():
+    """w(0) = P R^2 (3 + nu)/(16 pi B (1 + nu)); what modes above the highest add is below the spacing's share."""
+    plate = PlateSurface(radius=0.15, thickness=0.003, **GLASS)
+    stiffness = plate.young * plate.thickness**3 / (12 * (1 - plate.poisson**2))
+    exact = plate.radius**2 * (3 + plate.poisson) / (16 * np.pi * stiffness * (1 + plate.poisson))
+    assert modes_of(plate, 12000.0).compliance() == pytest.approx(exact, rel=5e-3)
+
+
+def test_an_elastic_ring_carries_a_free_plate():
+    """On a ring much softer than itself a plate heaves as a rigid body: w^2 = 2 pi r k/m."""
+    plate = PlateSurface(radius=0.1, thickness=0.01, **GLASS, edge="free", ring_radius=0.08, ring_stiffness=1e4)
+    found = modes_of(plate, 200.0)
+    heave = found.frequency[found.order == 0]
+    assert heave == pytest.approx([np.sqrt(2 * np.pi * 0.08 * 1e4 / found.mass) / (2 * np.pi)], rel=1e-3)
+
+
+def test_a_mesh_and_the_spectral_method_agree(tmp_path):
+    """A free disk of 72 straight cells is too stiff by up to 5 %; pairs move alike, however they are turned."""
+    path = own_mesh.disk(tmp_path / "disk.vtu", radius=0.1, thickness=0.01)
+    meshed = modes_of(MeshSurface(file=str(path), **GLASS), 8000.0)
+    round_ = modes_of(PlateSurface(radius=0.1, thickness=0.01, **GLASS, edge="free"), 8000.0)
+    assert len(meshed) == len(round_)
+    assert meshed.frequency == pytest.approx(round_.frequency, rel=0.05)
+    assert meshed.mass == pytest.approx(round_.mass, rel=0.05)
+    assert meshed.residual.max() < 1e-6
+    x, y = np.array([0.0, 0.02, 0.03, 0.05]), np.array([0.0, 0.01, -0.03, 0.04])
+    square = [(found.at(x, y)[:, :7] ** 2).sum(axis=1) for found in (meshed, round_)]
+    assert square[0] == pytest.approx(square[1], rel=0.05)
+
+
+def test_the_table_that_comes_with_the_program_stands_on_its_feet(tmp_path):
+    """The file is what its script makes; held by a surface or by the same nodes it is the same, free it floats."""
+    shipped = load_scene("wood-table").surface
+    made = table_mesh.table(tmp_path / "table.msh")
+    assert made.read_bytes() == Path(shipped.file).read_bytes()
+    mesh = meshio.read(made)
+    mesh.point_sets = {"low": np.flatnonzero(mesh.points[:, 2] < -0.039), "one": np.array([0])}
+    mesh.write(tmp_path / "sets.inp")
+    held = modes_of(MeshSurface(file=shipped.file, **WOOD, held=("feet",)), 1500.0)
+    again = modes_of(MeshSurface(file=str(tmp_path / "sets.inp"), **WOOD, held=("low",)), 1500.0)
+    free = modes_of(MeshSurface(file=shipped.file, **WOOD), 1500.0)
+    assert again.frequency == pytest.approx(held.frequency, rel=1e-9)
+    assert free.frequency[0] != pytest.approx(held.frequency[0], rel=0.05)
+    assert held.mass == pytest.approx(700 * (0.6 * 0.4 * 0.02 + 4 * 0.04**2 * 0.02))
+    assert held.weights.sum() == pytest.approx(0.6 * 0.4)
+    for change, message in [
+        ({"held": ("legs",)}, "has no 'legs', only"),
+        ({"held": ("one",)}, "single nodes hold no solid"),
+        ({"place": (0.28, 0.0)}, "is not on the top face"),
+    ]:
+        with pytest.raises(ValueError, match=message):
+            modes_of(MeshSurface(**{"file": str(tmp_path / "sets.inp"), **WOOD} | change), 1500.0)
+
+
+def test_a_mesh_without_a_top_face_is_refused(tmp_path):
+    mesh = meshio.read(own_mesh.disk(tmp_path / "disk.vtu"))
+    tilted = meshio.Mesh(mesh.points @ np.array([[1, 0, 0], [0, 0.8, 0.6], [0, -0.6, 0.8]]), mesh.cells)
+    tilted.write(tmp_path / "tilted.vtu")
+    with pytest.raises(ValueError, match="no level face at its greatest height"):
+        modes_of(MeshSurface(file=str(tmp_path / "tilted.vtu"), **GLASS), 5000.0)
+
+
+def test_modes_by_number_are_what_they_say():
+    given = (
+        SurfaceMode(order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0),
+        SurfaceMode(order=0, frequency=500.0, damping_ratio=0.1, modal_mass=4.0),
+    )
+    found = modes_of(ModesSurface(modes=given), 20000.0)
+    assert found.frequency.tolist() == [500, 600, 600]
+    assert found.decay_rate == pytest.approx(2 * np.pi * np.array([50, 12, 12]))
+    angle = np.linspace(0, 2 * np.pi, 7)
+    w = found.at(0.03755 * np.cos(angle), 0.03755 * np.sin(angle))
+    assert w == pytest.approx(np.column_stack([0.5 + 0 * angle, np.cos(2 * angle), np.sin(2 * angle)]), abs=1e-4)
+
+
+def test_a_rigid_table_has_no_modes_and_a_soft_one_too_many():
+    assert len(modes_of(Surface(), 20000.0)) == 0
+    with pytest.raises(UnsolvableError, match="no more than 600 can be sought"):
+        modes_of(PlateSurface(radius=2.0, thickness=0.001, **GLASS), 20000.0)
+
+
+def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(tmp_path):
+    scene = load_scene("glass-plate")
+    with pytest.raises(SceneError, match=r"surface.file = 'none.msh': no such file"):
+        check_table(scene.replace("surface={kind='mesh', file='none.msh', young=1e9, poisson=0.3, density=600.0}"))
+    broken = tmp_path / "broken.msh"
+    broken.write_text("no mesh")
+    text = f"surface={{kind='mesh', file='{broken.as_posix()}', young=1e9, poisson=0.3, density=600.0}}"
+    with pytest.raises(SceneError, match=r"surface: .*broken.msh: no mesh that can be read"):
+        with_table(SimpleNamespace(highest_mode=1000.0), scene.replace(text))
+    thin = scene.replace("surface.thickness=0.0003")
+    assert bending(modes_of(scene.surface, 5000.0), scene) == []
+    assert "linear theory is left" in bending(modes_of(thin.surface, 500.0), thin)[0]
+
+
+def test_a_disk_that_goes_over_the_edge_is_said_to():
+    """The contact circle of a flat disk, turning about a centre that drifts by 1 cm a second."""
+    scene = load_scene("glass-plate").replace("surface.radius=0.05")
+    t = np.array([0.0, 2.0])
+
+    def at(t):
+        state = np.zeros((len(t), 11))
+        state[:, 0], state[:, 3] = 50 * t, 0.01 * t
+        return state
+
+    motion = SimpleNamespace(t=t, at=at)
+    assert off_since(scene, motion) == pytest.approx(1.245, abs=0.13)  # a turn takes 0.126 s
+    assert "beyond the edge" in strayed(scene, motion)[0]
+    assert strayed(load_scene("glass-plate"), motion) == []
