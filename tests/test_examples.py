@@ -11,10 +11,15 @@ import numpy as np
 import pytest
 
 from dynamics import Outcome, simulate
+from dynamics.rates import slips
 from modal import Plate, plate_modes
 from sonify import examples, load_scene
+from sonify.examples.sweep_table import SWEEP as SLIPS
 
-TESTED = ("one_motion", "mode_table", "own_mesh", "own_recording", "own_dissipation", "many_scenes", "table_mesh")
+TESTED = (
+    *("one_motion", "mode_table", "own_mesh", "own_recording", "own_dissipation", "many_scenes", "table_mesh"),
+    "sweep_table",
+)
 
 
 def told(name, capsys):
@@ -74,3 +79,14 @@ def test_a_loop_over_scenes(capsys):
     assert all(row["passed"] and row["outcome"] == "SETTLED" for row in rows)
     assert (np.diff([row["t_end"] for row in rows]) < 0).all()
     assert len(lines) == len(rows) == 3
+
+
+@pytest.mark.slow
+def test_a_sweep_as_a_table(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    table, lines = told("sweep_table", capsys)
+    for row in table.to_dict("records"):
+        own = [f"{key}={row[key]}" for key in ("friction.arm_rolling", "friction.mu_static")]
+        falling = load_scene("published").replace("numerics.accuracy=draft", *SLIPS["set"], *own)
+        assert row["repeated_slips"] == len(slips(simulate(falling)))
+    assert (len(table), len(lines)) == (4, 4)

@@ -28,6 +28,7 @@ from sonify.sweeps.command import plan, says
 from sonify.sweeps.hand import Hand, solve_apart
 from sonify.sweeps.sweep import load_sweep, shipped_sweeps
 from sonify.sweeps.table import JOURNAL, NAME, Table, read_table
+from sonify.sweeps.version import version
 
 AXIS = "friction.mu_static"
 
@@ -60,7 +61,7 @@ def test_paired_keys_move_together():
 
 @pytest.mark.parametrize("method", ["latin", "sobol"])
 def test_samples_are_those_of_scipy_and_of_their_seed(method):
-    axes = {"a.x": {"from": 1.0, "to": 100.0, "n": 1, "scale": "log"}, "a.y": ["one", "two"]}
+    axes = {"a.x": {"from": 1.0, "to": 100.0, "scale": "log"}, "a.y": ["one", "two"]}
     drawn = values("a.x", axes, Samples(method=method, n=64, seed=3))
     assert drawn == values("a.x", axes, Samples(method=method, n=64, seed=3))
     assert drawn != values("a.x", axes, Samples(method=method, n=64, seed=4))
@@ -317,6 +318,23 @@ def test_a_full_disk_loses_no_row_that_was_added(tmp_path, room):
         assert resumed.done.sum() == added == room // 640
 
 
+def test_a_journal_that_someone_else_removed_is_told(tmp_path, monkeypatch):
+    rows_of = command.rows_of
+
+    def disturbed(*asked):
+        for rows in rows_of(*asked):
+            yield rows
+            (tmp_path / JOURNAL).unlink(missing_ok=True)
+
+    monkeypatch.setattr(command, "rows_of", disturbed)
+    monkeypatch.setattr("sonify.sweeps.engine.solve_apart", lambda *_: {"version": version(), "seconds": 1.0})
+    with pytest.raises(OutputError, match="of 8 rows: its files were changed meanwhile"):
+        sonify.sweep(QUICK, out=tmp_path)
+    monkeypatch.undo()
+    monkeypatch.setattr("sonify.sweeps.engine.solve_apart", lambda *_: {"version": version(), "seconds": 1.0})
+    assert read_table(sonify.sweep(QUICK, out=tmp_path))[0].num_rows == 8
+
+
 def test_what_is_not_finite_is_no_value_and_axes_keep_it(tmp_path):
     with table(tmp_path) as written:
         written.add([ROWS[0] | {"t_end": float("nan"), "a.x": inf}, ROWS[1] | {"t_end": inf}])
@@ -343,7 +361,7 @@ def test_processes_that_cannot_start_stop_the_sweep(monkeypatch, tmp_path):
 
 def test_a_failed_check_is_told(tmp_path):
     with table(tmp_path) as written:
-        written.add([ROWS[0], ROWS[1] | {"passed": False}])
+        written.add([ROWS[0] | {"version": "1"}, ROWS[1] | {"passed": False, "version": "1"}])
     assert says(tmp_path / NAME) == (["2 runs: 2 SETTLED, 1 with a FAILED self-check"], False)
 
 

@@ -77,7 +77,7 @@ class Points:
 
     @cached_property
     def _shares(self):
-        return self.samples.shares(len(self.axes))
+        return self.samples.shares(len(self.axes)) if self.samples else None
 
     @property
     def count(self) -> int:
@@ -98,7 +98,9 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
     """Return the points of a sweep file. Raises InputError for an axis that is empty, reversed or named twice."""
     if not axes:
         raise InputError('axes: none is given; name what differs between runs, as "friction.mu_static" = [0.3, 0.4]')
-    found = sorted((axis_of(name, given) for name, given in axes.items()), key=lambda a: not _shapes(a))
+    least = {"n": 2} if samples else {}
+    found = [axis_of(name, least | given if isinstance(given, dict) else given) for name, given in axes.items()]
+    found.sort(key=lambda axis: not _shapes(axis))
     keys = [key for axis in found for key in axis.keys]
     if twice := [key for key in keys if keys.count(key) > 1]:
         raise InputError(f"axes.{twice[0]}: on more than one axis")

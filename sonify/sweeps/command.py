@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from sonify.files import whole
+from sonify.files import OutputError, whole
 from sonify.progress import Stages
 from sonify.scene_errors import InputError
 from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.engine import Submit, cores, engine, rows_of
 from sonify.sweeps.hand import Hand
 from sonify.sweeps.sweep import Sweep, load_sweep
-from sonify.sweeps.table import Table, read_table
+from sonify.sweeps.table import NAME, Table, read_table
 
 UNASKED = 1_000_000
 """Runs of which no more are begun without `yes`."""
@@ -52,14 +52,17 @@ def sweep(
         for rows in _rows(asked, _tasks(asked, table, folder.absolute()), submit, capacity):
             table.add(rows)
             watch(table.done.mean(), f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error")
+    held = read_table(folder / NAME)[0].num_rows
+    if held < asked.points.count:
+        raise OutputError(f"{folder}: holds {held} of {asked.points.count} rows: its files were changed meanwhile")
     with stages.stage("pictures"):
         from sonify.sweeps.maps import draw_maps  # drawing loads slowly
 
         draw_maps(folder, asked.find)
     if asked.name in CONCLUSIONS:
         with whole(folder / "conclusion.md") as temporary:
-            temporary.write_text("\n".join(conclude(folder / "runs.parquet", asked.name)) + "\n", "utf-8")
-    return folder / "runs.parquet"
+            temporary.write_text("\n".join(conclude(folder / NAME, asked.name)) + "\n", "utf-8")
+    return folder / NAME
 
 
 def conclude(path: str | Path, name: str) -> list[str]:
@@ -74,6 +77,7 @@ def says(path: str | Path) -> tuple[list[str], bool]:
     errors, failed = sum(error is not None for error in table["error"]), table.get("passed", []).count(False)
     told = [f"{n} {name}" for name, n in ends.most_common()]
     told += [f"{errors} with an error"] * bool(errors) + [f"{failed} with a FAILED self-check"] * bool(failed)
+    told += [f"by {len(set(table['version']))} versions of the program"] * (len(set(table["version"])) > 1)
     return [f"{len(table['run'])} runs: {', '.join(told)}"], not failed
 
 

@@ -63,7 +63,6 @@ def cluster(address: str):
     try:
         _same_version(client)
         yield client.get_executor(pure=False).submit, _capacity(client)
-        client.run(end_all)
     finally:
         client.close(timeout=1)
 
@@ -95,7 +94,7 @@ def _same_version(client):
 def rows_of(tasks: Iterable[tuple[int, dict]], limit: float, submit: Submit, processes: Callable[[], int]):
     """Yield what is done of `tasks`, numbers and what to solve, as lists of (number, row), in any order; an empty list
     after a second without news. Raises BrokenOffError where no more can be done."""
-    tasks, running = iter(tasks), {}
+    tasks, running = iter(tasks), dict[Future, int]()
     while True:
         for run, task in islice(tasks, max(AHEAD * max(processes(), 1) - len(running), 0)):
             running[submit(solve_apart, task, limit)] = run
@@ -110,6 +109,8 @@ def _row(future):
         row = future.result()
     except (CancelledError, EndedError) as error:
         raise BrokenOffError(f"{GONE}: {error or 'the scheduler does not answer'}") from None
+    except Exception as error:  # as Dask's KilledWorker: a run that took several workers with it
+        return {"error": f"{type(error).__name__}: {' '.join(str(error).split())}", "version": version()}
     if row["version"] != version():
         raise InputError(f"a process has another version of the program, {row['version']}: here it is {version()}")
     if "stop" in row:

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import threading
 from pathlib import Path
-from typing import Any
+from typing import IO, Any, cast
 
 import sonify
 
@@ -22,15 +22,23 @@ HANDS: set["Hand"] = set()
 
 
 class Hand:
-    """A process that waits for tasks. `killed` says that it was ended from outside."""
+    """A process that waits for tasks; `late` where it was ended because one took too long."""
 
     def __init__(self):
         home = str(Path(sonify.__file__).parent.parent)
         environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in ONE_THREAD}
         environment["PYTHONPATH"] = os.pathsep.join(filter(None, [home, os.environ.get("PYTHONPATH")]))
         call = [sys.executable, "-m", "sonify.sweeps.worker"]
-        pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
-        self.process = subprocess.Popen(call, env=environment, text=True, encoding="utf-8", **pipes)
+        self.process = subprocess.Popen(
+            call,
+            env=environment,
+            text=True,
+            encoding="utf-8",
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            start_new_session=True,  # Ctrl-C of a terminal is for the driver
+        )
+        self._tasks, self._answers = cast(IO[str], self.process.stdin), cast(IO[str], self.process.stdout)
         self.late = False
         HANDS.add(self)
         self.version = (self._answer() or {}).get("version")
@@ -40,8 +48,8 @@ class Hand:
         clock = threading.Timer(limit, self._too_late)
         clock.start()
         try:
-            self.process.stdin.write(json.dumps(task) + "\n")
-            self.process.stdin.flush()
+            self._tasks.write(json.dumps(task) + "\n")
+            self._tasks.flush()
             return self._answer()
         except OSError:
             return None
@@ -55,7 +63,7 @@ class Hand:
         self.process.wait()
 
     def _answer(self):
-        line = self.process.stdout.readline()
+        line = self._answers.readline()
         return json.loads(line) if line.endswith("\n") else None
 
     def _too_late(self):
@@ -71,7 +79,7 @@ def solve_apart(task: dict, limit: float) -> dict[str, Any]:
     """Return the row of a task, solved in the process of this thread within `limit` [s]; if that process dies, in a new
     one; if that dies too, or is late, the row says so."""
     for _ in range(TRIES):
-        hand = OWN.hand = getattr(OWN, "hand", None) or Hand()
+        hand = own_hand()
         if (row := hand.row(task, limit)) is not None:
             return row
         OWN.hand, ended = None, hand not in HANDS
@@ -84,6 +92,15 @@ def solve_apart(task: dict, limit: float) -> dict[str, Any]:
         raise EndedError("python -m sonify.sweeps.worker does not start")
     told = f"its process ended with status {hand.process.returncode}, {TRIES} times"
     return {"error": told, "seconds": None, "version": hand.version}
+
+
+def own_hand() -> Hand:
+    """Return the living process of this thread; one that had nothing to do has ended itself."""
+    hand: Hand | None = getattr(OWN, "hand", None)
+    if hand is None or hand.process.poll() is not None:
+        HANDS.discard(hand)  # type: ignore[arg-type]
+        hand = OWN.hand = Hand()
+    return hand
 
 
 def end_all():

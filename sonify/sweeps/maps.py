@@ -4,7 +4,7 @@ from pathlib import Path
 
 from sonify.report.maps import Map, draw_map
 from sonify.scene_errors import InputError
-from sonify.sweeps.axes import points_of
+from sonify.sweeps.axes import Samples, points_of
 from sonify.sweeps.table import NAME, read_table
 
 USUAL = ("outcome", "t_end")
@@ -17,7 +17,7 @@ def make_map(
     """Draw the column `of` of a table over its columns `x` and `y`, unless given its first two axes, into `out`, unless
     given <of>.png beside the table; return the path. Raises InputError where a column is missing or holds nothing."""
     table, about = read_table(path)
-    axes = points_of(about["axes"], None).axes
+    axes = points_of(about["axes"], about["samples"] and Samples(**about["samples"])).axes
     keys = [axis.keys[0] for axis in axes]
     x, y = (x, y) if x else (keys[0], y or (keys[1] if len(keys) > 1 else None))
     for name in (x, y, of):

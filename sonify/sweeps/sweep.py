@@ -82,12 +82,12 @@ class Sweep:
 
     @cached_property
     def _texts(self):
-        kinds = {key: set() for axis in self.points.axes for key in axis.keys}
+        kinds: dict[str, list[type]] = {key: [] for axis in self.points.axes for key in axis.keys}
         for axis in self.points.axes:
             for values in axis.values or axis.ends:
                 for key, value in zip(axis.keys, values, strict=True):
-                    kinds[key].add(float if type(value) is int else type(value))
-        return {key for key, found in kinds.items() if found not in ({float}, {bool}, {str})}
+                    kinds[key].append(float if type(value) is int else type(value))
+        return {key for key, found in kinds.items() if {*found} not in ({float}, {bool}, {str})}
 
     def check(self):
         """Prove that every value of a list and both ends of every range can be in a scene. Raises SceneError for one

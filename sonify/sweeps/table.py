@@ -7,6 +7,7 @@ into the table, which is replaced as a whole. A line that was cut short fails it
 import json
 import os
 from contextlib import ExitStack
+from io import FileIO
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -38,7 +39,8 @@ class Table:
         self.folder, self.identity, self.axes = Path(folder), identity, axes
         self.path, self.journal = self.folder / NAME, self.folder / JOURNAL
         self.done, self.failed = np.zeros(count, bool), 0
-        self._retry, self._file, self._moved, self._took = retry, None, monotonic(), 0.0
+        self._retry, self._moved, self._took = retry, monotonic(), 0.0
+        self._file: FileIO | None = None
 
     def __enter__(self):
         with ExitStack() as stack:
@@ -71,10 +73,9 @@ class Table:
             return
         if not self._file:
             self._file = open(self.journal, "ab", buffering=0)  # noqa: SIM115
-            self._put(_line({"sweep": self.identity}))
+            self._put(self._file, _line({"sweep": self.identity}))
             _sync_folder(self.folder)
-        self._put(b"".join(map(_line, rows)))
-        os.fsync(self._file.fileno())
+        self._put(self._file, b"".join(map(_line, rows)))
         self.done[[row["run"] for row in rows]] = True
         self.failed += sum(row.get("error") is not None for row in rows)
         if monotonic() - self._moved > max(PAUSE, SHARE * self._took):
@@ -92,10 +93,11 @@ class Table:
         self.journal.unlink(missing_ok=True)
         self._moved, self._took = monotonic(), monotonic() - began
 
-    def _put(self, content):
+    def _put(self, file, content):
         try:
             while content:
-                content = content[self._file.write(content) :]
+                content = content[file.write(content) :]
+            os.fsync(file.fileno())
         except OSError as error:
             raise OSError(error.errno, error.strerror, str(self.journal)) from None
 

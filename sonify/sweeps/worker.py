@@ -1,6 +1,7 @@
 """A process that solves one scene after the other: tasks come as JSON on its standard input, rows go out on its output.
 
-`hand.py` starts it. It ends when its input does, which is when whoever started it has died, by whatever way.
+`hand.py` starts it. It ends when its input does, which is when whoever started it has died, by whatever way, and when
+there is nothing to do.
 """
 
 import json
@@ -8,15 +9,18 @@ import os
 import signal
 import sys
 import threading
-from queue import SimpleQueue
+from queue import Empty, SimpleQueue
 from time import perf_counter
 
 from sonify.sweeps.version import version
 
+IDLE = 60.0
+"""Time without a task [s] after which the process gives its memory back."""
+
 
 def main():
     """Say which version this is, then answer every task, until there is no one left to answer."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C reaches all processes of a terminal; the driver ends them
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # on Windows, Ctrl-C reaches all processes of a terminal
     with os.fdopen(os.dup(1), "w", encoding="utf-8") as answers:
         os.dup2(2, 1)  # what a library prints is no answer
         tasks: SimpleQueue = SimpleQueue()
@@ -25,7 +29,11 @@ def main():
 
         _say(answers, {"version": version()})
         while True:
-            task, began = tasks.get(), perf_counter()
+            try:
+                task = tasks.get(timeout=IDLE)
+            except Empty:
+                return
+            began = perf_counter()
             try:
                 row = row_of(**task)
             except OSError as error:
