@@ -21,11 +21,16 @@ SLOW = 101
 def literature_findings(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Finding]:
     """The claims of other authors that this run can judge: on impacts where contact is lost, on peaks of the force
     where roughness sounds, on modes where they are those of the free disk."""
-    found = [slip_is_the_loss(motion)]
-    found += [impacts_are_not_the_loss(motion)] if motion.contact_losses and hasattr(motion, "lost") else []
+    found = motion_findings(motion)
     found += [force_peaks_sound(motion, sound)] if scene.contact.law == "elastic" and scene.roughness else []
     found += [deformation_makes_the_tone(sound)] if motion.outcome.name == "SETTLED" else []
     return found + ([mode_ratio(modes)] if scene.support.kind == "free" and len(set(modes.order)) > 1 else [])
+
+
+def motion_findings(motion: Motion) -> list[Finding]:
+    """Those of them that the motion alone can judge."""
+    lossy = motion.contact_losses and hasattr(motion, "lost")
+    return [slip_is_the_loss(motion), *([impacts_are_not_the_loss(motion)] if lossy else [])]
 
 
 def slip_is_the_loss(motion: Motion) -> Finding:

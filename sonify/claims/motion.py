@@ -231,6 +231,11 @@ def motion_findings(motion: Motion) -> list[Finding]:
     return [claim(motion) for claim in claims]
 
 
+def mode_findings(modes: Modes) -> list[Finding]:
+    """The claims that the modes alone can judge."""
+    return [audible_modes(modes)]
+
+
 def all_findings(motion: Motion, modes: Modes) -> list[Finding]:
     """Every claim of the paper that this run can judge."""
-    return [*motion_findings(motion), audible_modes(modes)]
+    return [*motion_findings(motion), *mode_findings(modes)]

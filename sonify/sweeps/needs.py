@@ -1,10 +1,11 @@
 """QUESTION -> STAGES: which stages of a run answer it, read from what the claims are functions of."""
 
 import inspect
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cache
 from importlib import import_module
 from pkgutil import iter_modules
+from types import ModuleType
 
 from sonify import claims
 from sonify.claims.checks import Check
@@ -17,22 +18,40 @@ SCALARS = {"outcome": "motion", "t_end": "motion", "passed": "motion"}
 SCALARS |= dict.fromkeys(("sound_seconds", "peak_pascal", "energy_below_100_hz", "energy_below_300_hz"), "sound")
 READ = {"motion": {"motion", "scene", "friction"}, "modes": {"modes", "scene", "disk"}}
 """What the claims on a stage may be functions of; those of anything else are on the sound."""
+HOOKS = {"motion": ("motion_findings", "motion_checks"), "modes": ("mode_findings", "mode_checks")}
+"""Stage -> functions by which a module of the claims returns what that stage can judge by itself."""
 KEPT = {"arrays": "motion", "wav": "sound", "page": "sound"}
 """What a run may write -> the stage it needs."""
 
 
 @cache
+def modules() -> tuple[ModuleType, ...]:
+    """Return the modules of the claims."""
+    return tuple(import_module(f"{claims.__name__}.{module.name}") for module in iter_modules(claims.__path__))
+
+
+def judges(hook: str) -> list[Callable[..., list]]:
+    """Return what the modules of the claims define under the name `hook`, as motion_findings."""
+    found = [getattr(module, hook, None) for module in modules()]
+    return [f for f, module in zip(found, modules(), strict=True) if f and f.__module__ == module.__name__]
+
+
+@cache
 def stage_of() -> dict[str, str]:
     """Return the stage that finds it by the name of every scalar, finding and check."""
-    modules = [import_module(f"{claims.__name__}.{module.name}") for module in iter_modules(claims.__path__)]
-    functions = {name: f for module in modules for name, f in inspect.getmembers(module, inspect.isfunction)}
-    told = {name: inspect.signature(f) for name, f in functions.items() if name[0] != "_"}
-    judges = {name: s for name, s in told.items() if s.return_annotation in (Finding, Check)}
-    return SCALARS | {name: _stage(set(signature.parameters)) for name, signature in judges.items()}
+    stages = dict(SCALARS)
+    for module in modules():
+        for name, function in inspect.getmembers(module, inspect.isfunction):
+            told = inspect.signature(function)
+            if name[0] != "_" and told.return_annotation in (Finding, Check):
+                stages[name] = _stage(set(told.parameters), function.__module__)
+    return stages
 
 
-def _stage(parameters):
-    return next((stage for stage, read in READ.items() if parameters <= read), "sound")
+def _stage(parameters, module):
+    """A stage tells by itself what is a function of nothing else, and is asked for by a hook of its module."""
+    hooked = {stage for stage, hooks in HOOKS.items() for hook in hooks for f in judges(hook) if f.__module__ == module}
+    return next((stage for stage, read in READ.items() if parameters <= read and stage in hooked), "sound")
 
 
 def needed(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:

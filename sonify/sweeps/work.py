@@ -8,13 +8,13 @@ from typing import Any
 
 from modal import Modes, as_json, eigenmodes
 from sonify.claims.checks import mode_checks, motion_checks
-from sonify.claims.motion import audible_modes, motion_findings
 from sonify.pipeline import solve, write
 from sonify.plan.solvable import planned, solvable, solve_motion
 from sonify.progress import Stages
 from sonify.report.write import judged, summary, timed, write_json, write_motion
 from sonify.scene import Scene, from_document
 from sonify.sound.wav import write_sound
+from sonify.sweeps.needs import judges
 
 KNOWN: deque = deque(maxlen=4)
 """What this process has last solved of modes: the sections that they read, what else was asked, and the modes."""
@@ -75,14 +75,16 @@ def _motion(scene, folder):
     if folder:
         write_motion(motion, folder / "motion.npz")
     row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])}
-    return row | judged(motion_findings(motion), motion_checks(scene, motion))
+    findings = [finding for judge in judges("motion_findings") for finding in judge(motion)]
+    return row | judged(findings, motion_checks(scene, motion))
 
 
 def _modes(scene, folder):
     _, modes = planned(scene, remembered)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
-    return judged([audible_modes(modes)], mode_checks(scene, modes))
+    findings = [finding for judge in judges("mode_findings") for finding in judge(modes)]
+    return judged(findings, mode_checks(scene, modes))
 
 
 def _arrays(result, folder, _):
