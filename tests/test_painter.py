@@ -27,21 +27,21 @@ def painter():
 def test_both_processes_draw_the_same_bytes_also_once_one_is_dead(painter):
     here = drawn("motion", "draw_motion", CURVES)
     assert here.startswith(b"\x89PNG")
-    assert painter.draw("motion", "draw_motion", CURVES).result() == here
+    assert painter.draw("motion", "draw_motion", lambda: CURVES).result() == here
     painter.close()
-    assert painter.draw("motion", "draw_motion", CURVES).result() == here
+    assert painter.draw("motion", "draw_motion", lambda: CURVES).result() == here
 
 
 def test_what_goes_wrong_there_is_raised_here(painter):
     with pytest.raises(TypeError, match="weight"):
-        painter.draw("motion", "draw_motion", {"curves": CURVES["curves"]}).result()
+        painter.draw("motion", "draw_motion", lambda: {"curves": CURVES["curves"]}).result()
 
 
 SCRIPT = """
 import numpy as np
 from sonify.report.painter import painter
 data = {"curves": [(np.arange(5.0), np.arange(5.0))] * 6, "weight": 1.0}
-print(painter()._process.pid, len(painter().draw("motion", "draw_motion", data).result()), flush=True)
+print(painter()._process.pid, len(painter().draw("motion", "draw_motion", lambda: data).result()), flush=True)
 END
 """
 

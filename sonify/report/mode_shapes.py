@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle
 
 from modal.modes import Modes, Support
+from sonify.report.captions import caption, stiff_share  # noqa: F401, found here, too
 from sonify.report.solid_view import skin, view
 
 COLUMNS = 5
@@ -17,10 +18,6 @@ INCH = 0.95
 """Size of a radius [in]."""
 STRETCH = 0.16
 """Largest drawn displacement over the radius, of the rim seen from above."""
-
-
-SWING = 0.97
-"""A mode of a held disk of which so much is motion of the stiff disk is called a swing."""
 
 
 def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None = None, moving: str = "") -> None:
@@ -102,25 +99,6 @@ def draw_above(axis, modes: Modes, i, at, support: Support | None):
     if support and support.kind == "patch":
         reach = support.half_angle_deg
         axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
-
-
-def caption(modes: Modes, i, held=False):
-    """Number, frequency, family, order and T60 of mode i; a swing about the patch that holds a disk has no order."""
-    time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
-    pair = f"{modes.parity[i]}, " if modes.partner[i] >= 0 else ""
-    kind = f"{modes.family[i]}, {pair}order {modes.order[i]}"
-    if held and stiff_share(modes, i) > SWING:
-        kind = f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
-    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{kind}"
-
-
-def stiff_share(modes: Modes, i) -> float:
-    """Return the share of the mean square of a rim's motion, in mode i, that the six motions of a stiff rim make up."""
-    c, s, none = np.cos(modes.rim_angle), np.sin(modes.rim_angle), 0 * modes.rim_angle
-    one = none + 1
-    motions = [(c, -s, none), (s, c, none), (none, one, none), (none, none, one), (none, none, c), (none, none, s)]
-    shape, basis = modes.rim_shape[i].T.ravel(), np.reshape(motions, (6, -1)).T
-    return float(1 - np.linalg.lstsq(basis, shape)[1][0] / (shape @ shape))
 
 
 def top_face(modes: Modes, i, radius, hole):

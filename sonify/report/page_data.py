@@ -4,18 +4,19 @@ Arrays are base64 of little-endian floats or integers, sounds are data URLs of F
 """
 
 from base64 import b64encode
+from concurrent.futures import ThreadPoolExecutor
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import soundfile
-from matplotlib import colormaps
 from scipy.ndimage import median_filter
 
 from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_frequency
 from modal import Modes, Support
-from sonify.report.mode_shapes import caption
+from sonify.report.captions import caption
+from sonify.report.painter import painter
 from sonify.report.solid_view import skin
 from sonify.sound.listening import Copy
 from sonify.sound.pressure import Sound
@@ -31,7 +32,6 @@ MOST_SOUND = 24_000_000
 """Bytes of FLAC in the page. A sound of more is in the files beside it."""
 PER_SAMPLE = 1.0
 """Bytes that FLAC of 16 bits takes for a sample of a disk, or a little less."""
-COLOURS = "magma"
 
 
 def page_data(result: "Result") -> dict[str, Any]:
@@ -45,7 +45,7 @@ def page_data(result: "Result") -> dict[str, Any]:
         "delay": sound.source_end - float(motion.t[-1]),
         "sounds": sounds(sound),
         "lines": {"rates": rates(motion), "modes": packed(np.unique(result.modes.frequency.round(1)))},
-        "colours": packed((255 * colormaps[COLOURS](np.arange(256))[:, :3]).round().astype(np.uint8)),
+        "colours": packed(np.frombuffer(painter().draw("sound", "draw_colours", dict).result(), np.uint8)),
         "disk": {
             "radius": motion.disk.radius,
             "thickness": motion.disk.thickness,
@@ -71,8 +71,9 @@ def sounds(sound: Sound) -> dict[str, Any]:
 
 def tracks(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
     """Return the stems over `full_scale` [Pa] by name; a stem alone may be louder than their sum, and is clipped."""
-    copies = {name: Copy(track=t, full_scale=full_scale, weighted=weighted) for name, t in sound.stems.items()}
-    return {name: compressed(copy) for name, copy in copies.items()}
+    copies = [Copy(track=track, full_scale=full_scale, weighted=weighted) for track in sound.stems.values()]
+    with ThreadPoolExecutor() as pool:  # libsndfile lets go of Python's lock
+        return dict(zip(sound.stems, pool.map(compressed, copies), strict=True))
 
 
 def compressed(source) -> str:

@@ -5,6 +5,7 @@ import os
 import pickle
 import signal
 import sys
+from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import suppress
 from functools import lru_cache
@@ -31,11 +32,12 @@ class Painter:
         self._process = Popen([sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, start_new_session=True)
         self._waiting = ThreadPoolExecutor(1, "painter")
 
-    def draw(self, module: str, name: str, data: dict) -> Future:
-        """Return the future of `drawn`; the pictures come one after the other."""
-        return self._waiting.submit(self._ask, (module, name, data))
+    def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
+        """Return the future of `drawn`; the pictures come one after the other. A thread calls `data`."""
+        return self._waiting.submit(self._ask, module, name, data)
 
-    def _ask(self, work):
+    def _ask(self, module, name, data):
+        work = module, name, data()
         try:
             pickle.dump(work, self._process.stdin)
             self._process.stdin.flush()

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from concurrent.futures import Future
+from functools import partial
 from io import BytesIO
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
@@ -34,7 +35,7 @@ class Pictures:
         """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as a Result has."""
         for name, (needs, module, function, shown) in PICTURES.items():
             if hasattr(found, needs) and name not in self._futures and not _left_out(name, found):
-                self._futures[name] = painter().draw(module, function, shown(found))
+                self._futures[name] = painter().draw(module, function, partial(shown, found))
 
     def write(self, result: "Result"):
         """Write every picture of a result into its folder; in a draft not that of the stems."""

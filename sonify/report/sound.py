@@ -96,6 +96,11 @@ def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
     return axes.imshow(level, origin="lower", aspect="auto", interpolation="nearest", extent=extent, **options)
 
 
+def draw_colours(path):
+    """Write the colours of a `level_image` from dark to bright into a file, (256, 3) bytes."""
+    path.write((255 * colormaps["magma"](np.arange(256))[:, :3]).round().astype(np.uint8).tobytes())
+
+
 def _rate_lines(axes, time, rates, unit):
     for rate, color, style, name in zip(rates, ("w", "#56b4e9"), ("-", "--"), ("precession", "nutation"), strict=True):
         axes.plot(time, rate / unit, color=color, lw=1.2, ls=style, label=f"{name}, solved", path_effects=EDGE)

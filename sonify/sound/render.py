@@ -1,6 +1,7 @@
 """FORCE + MODES -> SOUND: the pressure at the listener, as separate causes that add up to it."""
 
 from collections import defaultdict
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from itertools import pairwise
 from math import ceil
@@ -72,9 +73,14 @@ class Renderer:
             )
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
-        for n in range(0, self.samples, size):
-            force = self.sampler.block(n, min(size, self.samples - n))
-            yield self._enveloped(np.hstack([advance(force.channels(part)) for advance, part in sounding]), n)
+        counts = {n: min(size, self.samples - n) for n in range(0, self.samples, size)}
+        with ThreadPoolExecutor(1) as reader:  # the next block is read while this one sounds
+            coming = reader.submit(self.sampler.block, 0, counts[0])
+            for n in counts:
+                force = coming.result()
+                if n + size in counts:
+                    coming = reader.submit(self.sampler.block, n + size, counts[n + size])
+                yield self._enveloped(np.hstack([advance(force.channels(part)) for advance, part in sounding]), n)
 
     def sound(self, watch=lambda share: None) -> Sound:
         """Return the whole sound; `watch(share)` is called with the share done."""
