@@ -61,7 +61,7 @@ def solve(
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
-        on_contact, several = contact_findings(scene, motion, sound)
+        on_contact, several = contact_findings(scene, motion, sound, heard)
         findings += on_contact + literature_findings(scene, motion, modes, sound)
     return Result(
         scene=scene,

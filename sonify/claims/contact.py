@@ -16,6 +16,7 @@ from dynamics.coupled.roughness import density, shift_of_contact, window
 from dynamics.coupled.table import LawTable
 from sonify.claims.motion import Finding, median
 from sonify.hearing.noise_band import NoiseBand, middle, noise_band
+from sonify.hearing.recording import Heard
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
@@ -26,6 +27,8 @@ FINE = 800
 STRETCH, READINGS = 0.5, 12
 """The carrier is heard in stretches of so many seconds, and expected at so many instants in each."""
 
+STEADY = 5.0
+"""Spread of a steady carrier [cents]."""
 RECORDED, CONSTANT = (1840.0, 2280.0), (5040.0, 8230.0)
 """Peaks recorded of the toy on granite [Hz]: those between which the carrier passes, and two that stay."""
 LEAST_LOSS = 1e-4
@@ -95,9 +98,11 @@ def taken(table: LawTable, roughness, inclination, load, speed) -> float:
     return float(trapezoid(heights * window(k * a) ** 2 * k * speed * response.imag, k))
 
 
-def contact_findings(scene: Scene, motion: Motion, sound: Sound) -> tuple[list[Finding], list[str]]:
+def contact_findings(
+    scene: Scene, motion: Motion, sound: Sound, known: Heard | None = None
+) -> tuple[list[Finding], list[str]]:
     """The claims on an elastic contact that this run can judge, on a carrier where there is roughness to ring it; and
-    from when on one ellipse is not the contact."""
+    from when on one ellipse is not the contact. Of what is `known` of the sound, its steady carriers are no band."""
     if scene.contact.law == "rigid":
         return [], []
     expected = vibration(scene, motion)
@@ -105,9 +110,11 @@ def contact_findings(scene: Scene, motion: Motion, sound: Sound) -> tuple[list[F
     broken = [contact_is_lost(motion, expected), *micro_flights(motion)]
     if scene.roughness is None:
         return broken, marked
-    heard = carrier_heard(sound, motion, expected)
+    lines = [c.frequency for c in known.carriers if c.spread < STEADY] if known else []
+    heard = carrier_heard(sound, motion, expected, lines)
     found = carrier_findings(scene, motion, expected, heard) if np.isfinite(heard.frequency).sum() >= 3 else []
-    rough = [loss_begins_at(scene.roughness.rms, expected)] if scene.roughness.rms else []
+    rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms) / 2**0.5
+    rough = [loss_begins_at(float(rms), expected)] if rms and not scene.roughness.profile else []
     return [*found, *broken, *rough, roughness_ends_it(motion, expected)], marked
 
 
@@ -117,10 +124,10 @@ def carrier_findings(scene, motion, expected: Vibration, heard: NoiseBand) -> li
     return [carrier_rises(heard), carrier_is_contact(scene, motion, expected, heard), *recorded]
 
 
-def carrier_heard(sound: Sound, motion: Motion, expected: Vibration) -> NoiseBand:
+def carrier_heard(sound: Sound, motion: Motion, expected: Vibration, lines=()) -> NoiseBand:
     """Return the band of noise in the pressure, in the time of the motion, while the contact is one ellipse."""
     delay = sound.source_end - motion.t[-1]
-    heard = noise_band(sound.pressure, delay, delay + expected.t[-1], STRETCH)
+    heard = noise_band(sound.pressure, delay, delay + expected.t[-1], STRETCH, lines)
     return heard._replace(time=heard.time - delay)
 
 
@@ -236,7 +243,7 @@ def loss_begins_at(rms: float, expected: Vibration) -> Finding:
         key="loss_begins_at",
         claim="The roughness of an ordinary surface, 0.1 um, breaks the contact",
         value=float(rms * SHAKEN / most),
-        unit="m, the rms of the table's heights from which on contact is lost",
+        unit="m, the rms of table and edge each from which on contact is lost",
         at_most=1e-7,
         source="abstract; N' is proportional to the heights",
     )

@@ -16,6 +16,8 @@ STEPS = 48
 """Steps an octave of the spectrum in which the highest peak is taken."""
 LINE = 5
 """What is narrower than half of so many steps is a line, and no band."""
+NEAR = 0.02
+"""Half of what is left out around a line, relative."""
 FAINTEST_DB = 10.0
 """A carrier stands out by as much above the median of the stretch."""
 
@@ -29,9 +31,10 @@ class NoiseBand(NamedTuple):
     above: np.ndarray
 
 
-def noise_band(sound: Source, start: float, stop: float, length: float) -> NoiseBand:
+def noise_band(sound: Source, start: float, stop: float, length: float, lines=()) -> NoiseBand:
     """Return the band of noise that rises or falls, in stretches of `length` [s] from `start` to `stop` [s].
 
+    Around known steady `lines` [Hz] nothing is looked at.
     The highest peak is sought without lines, as modes are, and without what sounds in most stretches alike;
     a loud line within a third of the band still draws its frequency there.
     """
@@ -39,6 +42,9 @@ def noise_band(sound: Source, start: float, stop: float, length: float) -> Noise
     edges = np.arange(start, stop - length * (1 - 1e-9), length)
     which = [(seen.time >= t) & (seen.time < t + length) for t in edges]
     power = np.array([seen.power[:, here].mean(axis=1) for here in which])
+    for line in lines:
+        near = np.abs(seen.frequency / line - 1) < NEAR
+        power[:, near] = power[:, near].min(axis=1, initial=np.inf, keepdims=True)
     f = np.geomspace(*seen.frequency[[0, -1]], int(STEPS * np.log2(seen.frequency[-1] / seen.frequency[0])))
     level = median_filter([np.interp(f, seen.frequency, row) for row in power], (1, LINE))
     peak = (level - np.percentile(level, QUARTER, axis=0)).argmax(axis=1)
