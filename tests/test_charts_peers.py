@@ -25,10 +25,13 @@ POINT_CONTACT = [name for name in (peers.RUNS | peers.WITHOUT_MOMENTS) if "areas
 
 
 def error(method, case, which):
+    """At the setting of that index, or at a step of that length."""
     package, module, function, first, settings = (peers.RUNS | peers.WITHOUT_MOMENTS)[method]
     if not find_spec(package):
         pytest.skip(f"{peers.ENGINES[package]} is not installed")
-    return case.error(peers.solved(case, module, function, *first, settings[which]).values)
+    return case.error(
+        peers.solved(case, module, function, *first, settings[which] if isinstance(which, int) else which).values
+    )
 
 
 @pytest.mark.parametrize("span", [1.0, 10.0])
@@ -82,6 +85,14 @@ def test_engines_converge_to_the_exact_motion(method):
     coarse, fine = (error(method, conservative(1.0), which) for which in (0, 1))
     assert fine < 2e-3
     assert coarse > 5 * fine
+
+
+@pytest.mark.parametrize("method", peers.RUNS)
+def test_engines_are_of_first_order(method):
+    """The slope of error over step, both as logarithms, is 1 within a tenth."""
+    steps = (2e-3, 1e-3, 5e-4, 2e-4)
+    errors = [error(method, conservative(1.0), step) for step in steps]
+    assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(1, abs=0.1)
 
 
 @pytest.mark.parametrize("method", peers.RUNS)
