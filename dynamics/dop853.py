@@ -6,7 +6,7 @@ from .equations import Law
 from .hybrid import Arc, StalledError
 from .regime import Regime, describe
 from .runge_kutta import STEPS, integrate
-from .symbolic import constants, shape
+from .symbolic import prepared
 from .trace import compiled, machine
 
 FINEST = 1e-15
@@ -17,10 +17,9 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
 
     Safe to call from several threads at once. Raises StalledError where no step is short enough.
     """
-    flow, names = compiled(shape(regime, law, loads))
-    start, parameters = np.array(y, float), np.array(constants(regime, law, loads, r_end))
+    (flow, names), parameters = prepared(compiled, regime, law, loads, r_end)
     times, coefficients, end, fired = machine(integrate, STEPS)(
-        flow, start, parameters, len(names), span, max(tolerance, FINEST)
+        flow, np.array(y, float), parameters, len(names), span, max(tolerance, FINEST)
     )
     if not len(times):
         raise StalledError(f"{describe(y)}: no step is short enough in {regime}")

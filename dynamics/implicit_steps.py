@@ -1,136 +1,195 @@
 """Implicit steps of high order in machine code, until a guard falls: the collocation that collocation.py speaks of.
 
-A flow, of the type of trace.py, gives the rates and the guards of a state at once. Behind the state stands the
-direction in which the slip ran at first, `FORWARD`: a slip that runs back counts as negative.
+A flow, of the type of trace.py, gives the rates and the guards of a state at once. The slip of a state is polar: its
+signed speed over r at V1, its direction at V2; the rate of the direction is that of the direction times the speed.
 """
 
 import numpy as np
 from numba import njit, types
+from numpy.polynomial.chebyshev import cheb2poly, chebint, chebpts1, chebvander
 
 from . import slow_slide
-from .regime import DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, R
-from .runge_kutta import GUARDS, at, fall_between
+from .regime import DISSIPATED, STOP_SPEED, V1, V2, W1, R
+from .runge_kutta import GUARDS, HALVINGS, at, fall_between
 from .trace import FLOW, ROW
 
-ORDER = 9
-NODES = (1 - np.cos(np.pi * (np.arange(ORDER) + 0.5) / ORDER)) / 2
-"""Gauss-Chebyshev points on [0, 1]; the start, where the direction may have no meaning, is not one of them."""
-POWERS = np.arange(1, ORDER + 1)
-TO_POWERS = np.linalg.inv(NODES[:, None] ** (POWERS - 1)) / POWERS[:, None]
-"""The coefficients of x, x^2, ... in the integral of the polynomial through values at the nodes."""
-INTEGRAL = NODES[:, None] ** POWERS @ TO_POWERS
-LENGTH, LONGEST = 0.1, 0.5
-"""First length of a step to try, in units of r, unless the direction relaxes in less; and the longest."""
-GROWTH, SHRINK = 4.0, 0.4
-"""Bounds on the ratio of a step to the last one."""
+ORDER = 14
+NODES = (1 + chebpts1(ORDER)) / 2
+"""Gauss-Chebyshev points on [0, 1]; the start, where the slip may rest, is not one of them."""
+SERIES = np.ascontiguousarray(chebint(np.linalg.inv(chebvander(2 * NODES - 1, ORDER - 1)), lbnd=-1, scl=0.5))
+"""Chebyshev's coefficients (ORDER + 1, ORDER) of the integral of the polynomial through values at the nodes."""
+INTEGRAL = chebvander(2 * NODES - 1, ORDER) @ SERIES
+TO_POWERS = np.zeros((ORDER + 1, ORDER + 1))
+for _k in range(ORDER + 1):
+    TO_POWERS[: _k + 1, _k] = cheb2poly(np.eye(2 * _k + 1)[-1])[::2]
+"""The powers of x in Chebyshev's polynomials on [0, 1]: T_k(2 x - 1) = T_2k(sqrt x)."""
+LENGTH, LONGEST = 0.25, 1.0
+"""Length of the first step from rest, and of the longest, in units of r."""
+GROWTH, SHRINK = 2.5, 0.3
+"""Least growth of a step, for what relaxes is gone after it; and what is left of one that does not converge."""
+RELAXED = 12.0
+"""Times of relaxation in the first step of a slide: as many as the nodes resolve."""
 SHORTEST = 1e-12
 ACCURACY = 1e-12
+SETTLED, STEERED, MOST_TRIES = 1e-14, 3, 40
+"""What the iteration may leave, the try at which the steering is found anew, and the tries it has."""
 TILT = 1e-7
-"""Of the difference quotients for Newton's method, which mends their error."""
-MOST_STEPS, MOST_TRIES = 100, 12
-FORWARD, SIZE = DISSIPATED + 1, DISSIPATED + 3
+"""Of the difference quotient for Newton's method, which mends its error."""
+STAY = 1.5
+"""A stiff slide is left where it is so many times beyond that."""
+MOST_STEPS, SIZE = 20, DISSIPATED + 1
+
 
 is_slow = njit(cache=True, error_model="numpy")(slow_slide.is_slow)
 
 
 @njit(cache=True, error_model="numpy")
-def slopes(flow, p, y, rates):
-    """Return d(rates)/d(y) up to PRECESSION, (k, k), by difference quotients."""
-    out, tilted, tilted_rates, guards = np.empty((PRECESSION, PRECESSION)), y.copy(), np.empty(SIZE), np.empty(GUARDS)
-    speed = np.hypot(y[V1], y[V2])
-    for j in range(PRECESSION):
-        tilted[j] = y[j] + TILT * (speed if j >= V1 else y[R] if j == R else 1.0)
-        flow(tilted, p, tilted_rates, guards)
-        for i in range(PRECESSION):
-            out[i, j] = (tilted_rates[i] - rates[i]) / (tilted[j] - y[j])
-        tilted[j] = y[j]
-    return out
+def steering(flow, p, states, rates, spare):
+    """Return d(rates)/d(direction) at the nodes, (ORDER, SIZE), by difference quotients."""
+    out, tilted = np.empty((ORDER, SIZE)), states.copy()
+    for j in range(ORDER):
+        tilted[j, V2] += TILT
+        flow(tilted[j], p, out[j], spare)
+    return (out - rates) / TILT
 
 
 @njit(cache=True, error_model="numpy")
-def combined(weights, rates, y, dt, out):
-    """Fill out (n, k) with y (k,) + dt weights (n, m) rates (m, k), in loops, which compile soonest."""
-    for i in range(len(out)):
-        out[i] = y
-        for j in range(len(rates)):
-            out[i] += dt * weights[i, j] * rates[j]
+def settle(flow, p, y, dt, states, rates, guards):
+    """Solve states = y + dt INTEGRAL rates(states) from guessed states (ORDER, SIZE); tell whether that converges.
 
-
-@njit(cache=True, error_model="numpy")
-def largest(rows, k):
-    """Return the largest size of the first k columns; not a number where one of them is not."""
-    size = 0.0
-    for row in rows:
-        for value in row[:k]:
-            size = abs(value) if not abs(value) <= size else size
-    return size
-
-
-@njit(cache=True, error_model="numpy")
-def newton(flow, p, states, y, dt, rates, guards):
-    """Solve states = y + dt INTEGRAL rates(states) by Newton's method; tell whether it converges.
-
-    The states (ORDER, SIZE) are changed in place, their rates and guards filled. What is only integrated along, from
-    PRECESSION on, follows when the rest is known; twice, for the path turns with the precession.
+    The direction alone is stiff: it follows by Newton's method, and the rest, corrected for it, by Picard's. At the end
+    the rates at V2 are those of the direction itself.
     """
-    n, k, known = ORDER, PRECESSION, 0
-    ahead, matrix, residual = np.empty((n, SIZE)), np.empty((n * k, n * k)), np.empty((n, k))
-    for _ in range(MOST_TRIES + 3):
-        for j in range(n):
+    turning, last, solved, steer = np.zeros(ORDER), SETTLED, np.empty((ORDER, ORDER)), rates
+    for attempt in range(MOST_TRIES):
+        for j in range(ORDER):
             flow(states[j], p, rates[j], guards[j])
-        combined(INTEGRAL, rates, y, dt, ahead)
-        if known:
-            if known == 3:
-                return True
-            for j in range(n):
-                states[j, k:] = ahead[j, k:]
-            known += 1
-            continue
-        matrix[:] = 0.0
-        for j in range(n):
-            slope = slopes(flow, p, states[j], rates[j])
-            for b in range(k):
-                residual[j, b] = states[j, b] - ahead[j, b]
-                for i in range(n):
-                    for a in range(k):
-                        matrix[i * k + a, j * k + b] = -dt * INTEGRAL[i, j] * slope[a, b]
-                matrix[j * k + b, j * k + b] += 1.0
-        if not (np.isfinite(largest(residual, k)) and np.isfinite(largest(matrix, n * k))):
+        if attempt == 0 or attempt == STEERED:
+            steer = steering(flow, p, states, rates, guards[ORDER])
+            for j in range(ORDER):
+                for i in range(ORDER):
+                    solved[j, i] = -dt * INTEGRAL[j, i] * steer[j, V2]
+                solved[j, j] += states[j, V1]
+            solved[:] = np.linalg.inv(solved)
+        change = np.dot(solved, rates[:, V2] - states[:, V1] * turning)
+        turning += change
+        change = dt * np.dot(INTEGRAL, change)
+        for j in range(ORDER):
+            for a in range(SIZE):
+                rates[j, a] += steer[j, a] * change[j]
+            rates[j, V2] = turning[j]
+        ahead, size = np.dot(INTEGRAL, rates), 0.0
+        for j in range(ORDER):
+            for a in range(SIZE):
+                new = y[a] + dt * ahead[j, a]
+                moved = abs(new - states[j, a]) / max(1.0, abs(new))
+                size = moved if not moved <= size else size
+                states[j, a] = new
+        if size * min(1.0, size / last) < SETTLED:
+            return True
+        if not (size < last or attempt < STEERED):
             return False
-        change = np.linalg.solve(matrix, residual.reshape(n * k)).reshape(n, k)
-        for j in range(n):
-            states[j, :k] -= change[j]
-        known = int(largest(change, k) < ACCURACY * max(1.0, largest(states, k)))
+        last = size
     return False
 
 
 @njit(cache=True, error_model="numpy")
-def collocate(flow, p, states, y, dt, guards):
-    """Return one step from y as powers (ORDER + 1, SIZE) of x in [0, 1], and its error over ACCURACY, inf for none.
+def collocate(flow, p, y, slope, dt, states, rates, guards):
+    """Return one step from y (SIZE,) as powers (ORDER + 1, SIZE) of x in [0, 1], and its error over ACCURACY.
 
-    `states` (ORDER, SIZE) are guessed; the guards (ORDER + 1, GUARDS) at the nodes and the end are filled. The error is
-    the last coefficient in Chebyshev's polynomials.
+    The first guess follows the `slope` at y, with the direction kept. States and rates at the nodes (ORDER, SIZE) are
+    filled, and the guards (ORDER + 1, GUARDS) there and at the end. The error is the last of Chebyshev's coefficients,
+    infinite where the iteration does not converge.
     """
-    c, rates, end = np.zeros((ORDER + 1, SIZE)), np.zeros((ORDER, SIZE)), np.zeros(SIZE)
-    if not newton(flow, p, states, y, dt, rates, guards):
+    c, end = np.zeros((ORDER + 1, SIZE)), np.empty(SIZE)
+    for j in range(ORDER):
+        for a in range(SIZE):
+            states[j, a] = y[a] + dt * NODES[j] * slope[a]
+        states[j, V2] = y[V2]
+    if not settle(flow, p, y, dt, states, rates, guards):
         return c, np.inf
-    combined(TO_POWERS, rates, end, dt, c[1:])
+    series = np.dot(SERIES, rates)
+    c[:] = dt * np.dot(TO_POWERS, series)
     c[0] = y
     at(c, 1.0, end)
-    flow(end, p, rates[0], guards[ORDER])
-    last = largest(c[ORDER:], SIZE) / 2.0 ** (2 * ORDER - 1)
-    return c, last / (ACCURACY * max(1.0, largest(c[:1], SIZE))) + 1e-30
+    flow(end, p, series[0], guards[ORDER])
+    return c, dt * np.max(np.abs(series[ORDER])) / ACCURACY + 1e-30
+
+
+@njit(cache=True, error_model="numpy")
+def first_length(flow, p, y, slope):
+    """Return the length in units of r of a step on which the direction may relax."""
+    tilted, rates, guards = y.copy(), np.empty(SIZE), np.empty(GUARDS)
+    tilted[V2] += TILT
+    flow(tilted, p, rates, guards)
+    return min(LONGEST, RELAXED * TILT * y[V1] / (y[R] * abs(rates[V2] - slope[V2])))
+
+
+@njit(cache=True, error_model="numpy")
+def cartesian(y):
+    """Return a state (SIZE,) whose slip is polar with that along a_1, a_2."""
+    out = y.copy()
+    out[V1], out[V2] = y[V1] * np.cos(y[V2]), y[V1] * np.sin(y[V2])
+    return out
+
+
+@njit(cache=True, error_model="numpy")
+def in_plane(c, states, rates, dt, place):
+    """Return the powers (ORDER + 1, SIZE) of c in time, with the slip along a_1, a_2, exact at 0 and `place`."""
+    out, end, slip = c.copy(), np.empty(SIZE), np.empty((ORDER, 2))
+    for j in range(ORDER):
+        gain, turn = rates[j, V1], states[j, V1] * rates[j, V2]
+        cos, sin = np.cos(states[j, V2]), np.sin(states[j, V2])
+        slip[j, 0], slip[j, 1] = gain * cos - turn * sin, gain * sin + turn * cos
+    out[:, V1 : V2 + 1] = np.dot(TO_POWERS, dt * np.dot(SERIES, slip))
+    out[0] = cartesian(c[0])
+    at(c, place, end)
+    wanted = cartesian(end)
+    at(out, place, end)
+    out[1, V1 : V2 + 1] += (wanted - end)[V1 : V2 + 1] / place
+    for j in range(ORDER + 1):
+        out[j] /= dt**j
+    return out
+
+
+@njit(cache=True, error_model="numpy")
+def slowest(c, low, high):
+    """Return where in [low, high] the speed on the powers c is least, between a fall and a rise; high without these."""
+    if not slope_of_speed(c, low) < 0 < slope_of_speed(c, high):
+        return high
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
+        low, high = (middle, high) if slope_of_speed(c, middle) < 0 else (low, middle)
+    return low
+
+
+@njit(cache=True, error_model="numpy")
+def slope_of_speed(c, x):
+    """Return the derivative at x of the speed on the powers c."""
+    slope = 0.0
+    for j in range(ORDER, 0, -1):
+        slope = slope * x + j * c[j, V1]
+    return slope
 
 
 @njit(cache=True, error_model="numpy")
 def first_fall(flow, p, c, count, before, guards):
     """Return the place in [0, 1] of the first fall of one of `count` guards on the powers c, and which; 1, -1 for none.
 
-    `before` are the guards at 0, `guards` those at the nodes and the end. A guard not positive at 0 cannot fall.
+    `before` are the guards at 0, `guards` those at the nodes and the end; where the slip is slowest they are asked too.
+    A guard not positive at 0 cannot fall.
     """
-    place, fired, low = 1.0, -1, 0.0
+    place, fired, low, y, rates, now = 1.0, -1, 0.0, np.empty(SIZE), np.empty(SIZE), np.empty(GUARDS)
     for look in range(ORDER + 1):
         high = NODES[look] if look < ORDER else 1.0
+        dip = slowest(c, low, high)
+        if dip < high:
+            at(c, dip, y)
+            flow(y, p, rates, now)
+            place, fired = fall_between(flow, p, c, count, before, now, low, dip)
+            if fired >= 0:
+                break
+            low, before = dip, now
         place, fired = fall_between(flow, p, c, count, before, guards[look], low, high)
         if fired >= 0:
             break
@@ -139,45 +198,48 @@ def first_fall(flow, p, c, count, before, guards):
 
 
 CALL, ROWS, INDEX, NUMBER = types.FunctionType(FLOW), types.float64[:, ::1], types.int64, types.float64
-STEP = types.Tuple((ROWS, NUMBER))(CALL, ROW, ROWS, ROW, NUMBER, ROWS)
+STEP = types.Tuple((ROWS, NUMBER))(CALL, ROW, ROW, NUMBER, ROWS)
 STEPS = types.Tuple((ROW, types.float64[:, :, ::1], ROW, INDEX))(CALL, ROW, ROW, *[INDEX] * 3, NUMBER, NUMBER)
-"""The types of `collocate` and of `integrate`."""
+"""The types of `step_from_rest` and of `integrate`."""
+
+
+def step_from_rest(flow, y, p, dt, guards):
+    """Return a step from rest as powers (ORDER + 1, SIZE) of time, and its error; see `collocate`."""
+    slope, states, rates = np.empty(SIZE), np.empty((ORDER, SIZE)), np.empty((ORDER, SIZE))
+    flow(y, p, slope, guards[0])
+    c, error = collocate(flow, p, y, slope, dt, states, rates, guards)
+    return (in_plane(c, states, rates, dt, 1.0) if error < 1 else c), error
 
 
 def integrate(flow, y, p, count, grip, load, mu, span):
     """Integrate a slow slide from y (SIZE,) until a guard falls, for `span`, while it is slow, or for MOST_STEPS steps.
 
     `grip` and `load` are the numbers of these among the `count` guards, the load being Phi. Returns the ends of the
-    steps (n,), their Taylor coefficients (n, ORDER + 1, SIZE), the last state (SIZE,) and the number of the guard, -1
-    for none. Where no step is short enough, the steps before it; there may be none.
+    steps (n,), their Taylor coefficients (n, ORDER + 1, SIZE) and the last state (SIZE,), with the slip along a_1, a_2,
+    and the number of the guard, -1 for none. Where no step is short enough, the steps before it; there may be none.
     """
     times, coefficients = np.empty(MOST_STEPS), np.empty((MOST_STEPS, ORDER + 1, SIZE))
-    slope, states = np.zeros(SIZE), np.empty((ORDER, SIZE))
+    slope, states, rates = np.empty(SIZE), np.empty((ORDER, SIZE)), np.empty((ORDER, SIZE))
     before, guards = np.empty(GUARDS), np.empty((ORDER + 1, GUARDS))
-    t, n, fired, slow, length = 0.0, 0, -1, True, min(LENGTH, 2 * np.hypot(y[V1], y[V2]))
+    t, n, fired, slow = 0.0, 0, -1, True
+    flow(y, p, slope, before)
+    length = first_length(flow, p, y, slope)
     while n < MOST_STEPS and t < span and fired < 0 and slow and length >= SHORTEST:
-        y[FORWARD:] = y[V1 : V2 + 1]
-        flow(y, p, slope, before)
         dt = min(length * y[R], span - t)
-        along = (slope[V1] * y[V1] + slope[V2] * y[V2]) / (y[V1] ** 2 + y[V2] ** 2)
-        slope[V1 : V2 + 1] = along * y[V1 : V2 + 1]  # the slip is guessed to keep its direction
-        for j in range(ORDER):
-            states[j] = y + dt * NODES[j] * slope
-        c, error = collocate(flow, p, states, y, dt, guards)
+        c, error = collocate(flow, p, y, slope, dt, states, rates, guards)
+        scale = 0.8 * error ** (-1 / ORDER) if error < np.inf else SHRINK
         if not error < 1:
-            length *= SHRINK
+            length *= scale
             continue
         place, fired = first_fall(flow, p, c, count, before, guards)
-        for j in range(ORDER + 1):
-            coefficients[n, j] = c[j] / dt**j
+        coefficients[n] = in_plane(c, states, rates, dt, place)
         t = span if fired < 0 and dt == span - t else t + place * dt
         times[n], n = t, n + 1
-        length = min(min(GROWTH, 0.8 * error ** (-1 / ORDER)) * length, LONGEST)
+        length = min(max(GROWTH, error ** (-1 / 3)) * length, LONGEST)
         at(c, place, y)
         flow(y, p, slope, before)
-        speed = np.hypot(y[V1], y[V2])
-        product = y[R] * (slope[V1] * y[V1] + slope[V2] * y[V2]) - y[W1] * speed**2 / 2
-        slow = is_slow(speed, product, mu * before[load])
+        product = (y[R] * slope[V1] - y[W1] * y[V1] / 2) * y[V1]
+        slow = is_slow(y[V1] / STAY, product / STAY**2, mu * before[load])
         if fired < 0 and not slow and before[grip] < STOP_SPEED:  # it stops too fast to be slow, and has no guard left
             fired = grip
-    return times[:n].copy(), coefficients[:n].copy(), y, fired
+    return times[:n].copy(), coefficients[:n].copy(), cartesian(y), fired

@@ -50,11 +50,13 @@ class RollingDisk:
         """
         turned = math.remainder(y[PRECESSION], 2 * math.pi)
         local, offset = [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
-        flow = self.integrate
+        within, arc = (local, regime, self.law, self.loads, self.r_end, span), None
         if self._is_stiff(y, regime):
             self.announce("slow slide")
-            from .collocation import advance as flow  # numba loads slowly
-        arc = flow(local, regime, self.law, self.loads, self.r_end, span, self.tolerance)
+            from .collocation import advance  # numba loads slowly
+
+            arc = advance(*within)
+        arc = arc or self.integrate(*within, self.tolerance)
         if arc.guard is None and len(arc.times) >= MANY and arc.times[-1] < min(CRAWL * y[R] * len(arc.times), span):
             raise StalledError(f"{describe(y)}: every step is too short in {regime}")
         arc.coefficients[:, 0, PRECESSION:] += offset

@@ -4,16 +4,16 @@ import math
 
 from .regime import V1, V2
 
-SLOW, LAZY_GAIN, LAZY_LOSS = 0.05, 0.002, 0.05
+SLOW, LAZY = 0.05, 0.05
 """A slide is stiff while its speed over r, and what it gains or loses, are less than these parts of friction.
 
-Explicit steps are many times cheaper, but as a slide comes to rest their number has no bound.
+Explicit steps are cheaper, but the slower a slide the more it takes, without bound as it comes to rest.
 """
 
 
 def is_slow(speed, product, friction):
     """Tell whether a slide of `speed` over r is slow and lazy; `product` is that speed times the rate of the slip."""
-    return speed < SLOW * friction and -LAZY_LOSS * friction * speed < product < LAZY_GAIN * friction * speed
+    return speed < SLOW * friction and abs(product) < LAZY * friction * speed
 
 
 def is_stiff(y, contact, law) -> bool:

@@ -167,7 +167,7 @@ def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
             if push < GRAZING * law.mu_dynamic * first.Phi:
                 from .collocation import grazing_step  # numba loads slowly
 
-                step = grazing_step(y, nu, first, regime, law, branch.loads)
+                step = grazing_step(y, nu, regime, law, branch.loads)
             else:
                 step = _trapezoidal_step(y, nu, first, regime, branch, law)
             if step:

@@ -1,6 +1,10 @@
 """The formulas of one branch of the flow for compilers: a state and the numbers of a scene go in as symbols."""
 
+from collections.abc import Callable
+from functools import lru_cache
 from itertools import count, islice
+
+import numpy as np
 
 from .equations import Law
 from .regime import Branch, Flow, Regime
@@ -14,6 +18,12 @@ def constants(regime: Regime, law: Law, loads, r_end: float) -> tuple[float, ...
 def shape(regime: Regime, law: Law, loads) -> Branch:
     """Return the branch that is to be compiled: without any of the `constants`."""
     return Branch.of(regime, law, loads and loads.shape)
+
+
+@lru_cache(64)
+def prepared(compiled: Callable, regime: Regime, law: Law, loads, r_end: float, *how):
+    """Return what `compiled(shape, *how)` makes of the flow of a regime, and the constants (n,) of the flow."""
+    return compiled(shape(regime, law, loads), *how), np.array(constants(regime, law, loads, r_end))
 
 
 def formulas(flow: Flow, y, branch: Branch, symbol):

@@ -11,7 +11,7 @@ from .equations import Law
 from .film.law import Film
 from .hybrid import Arc, StalledError
 from .regime import Branch, Flow, Regime, describe
-from .symbolic import constants, formulas, shape
+from .symbolic import formulas, prepared, shape
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
 STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
@@ -73,18 +73,13 @@ def prepare(regime: Regime, law: Law, loads, tolerance: float) -> None:
     compiled(shape(regime, law, loads), tolerance)
 
 
-@lru_cache(MOST_COMPILED)
-def prepared(regime: Regime, law: Law, loads, r_end: float, tolerance: float):
-    """Return the compiled flow of a regime, and its constants (n,)."""
-    return compiled(shape(regime, law, loads), tolerance).result(), np.array(constants(regime, law, loads, r_end))
-
-
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
     """Integrate from y within `regime` until a guard falls through zero, for `span`, or for MOST_STEPS steps.
 
     Safe to call from several threads at once. Raises StalledError where the state overflows.
     """
-    flow, parameters = prepared(regime, law, loads, r_end, tolerance)
+    future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
+    flow = future.result()
     integrator, pars, state, series = borrowed = flow.borrow()
     pars[:], state[:] = parameters, y
     integrator.time = 0.0

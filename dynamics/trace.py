@@ -8,7 +8,7 @@ import functools
 import math
 from typing import NamedTuple
 
-from numba import njit, types
+from numba import cfunc, njit, types
 
 from .regime import Branch, Flow
 from .symbolic import formulas
@@ -67,7 +67,7 @@ for _name, _symbol in (("add", "+"), ("sub", "-"), ("mul", "*"), ("truediv", "/"
 
 
 class Compiled(NamedTuple):
-    """A branch as a function (FLOW), and the names of its guards in their order."""
+    """A branch as an argument of the type FLOW, and the names of its guards in their order."""
 
     flow: object
     guards: tuple[str, ...]
@@ -88,7 +88,7 @@ def compiled(branch: Branch, kind=Flow) -> Compiled:
     source, names = program_of(branch, kind)
     scope = {name: getattr(math, name) for name in kind.FUNCTIONS}
     exec(source, scope)
-    return Compiled(njit(FLOW, error_model="numpy")(scope["flow"]), names)
+    return Compiled(cfunc(FLOW, error_model="numpy")(scope["flow"]), names)
 
 
 def program_of(branch: Branch, kind=Flow) -> tuple[str, tuple[str, ...]]:

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 from arithmetic import UNIT, Rounded, errors, gamma, rounded
 from mpmath import mp
+from numba.types import FunctionType
+from numba.types import void as VOID
 from scipy.integrate import DOP853
 from scipy.optimize import brentq
 
@@ -18,7 +20,7 @@ from dynamics.equations import Law
 from dynamics.regime import FLOAT, Branch, Flow, Regime
 from dynamics.runge_kutta import POWERS, STAGES, STEPS, at, integrate
 from dynamics.symbolic import constants, shape
-from dynamics.trace import compiled, machine
+from dynamics.trace import FLOW, ROW, compiled, machine
 
 LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 STATE = np.array([0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0])
@@ -53,10 +55,15 @@ def bounded_step(y, h, sliding):
     return states[12], c
 
 
+def ask(flow, y, numbers, rates, guards):
+    """Call a flow, which only machine code can."""
+    flow(y, numbers, rates, guards)
+
+
 def by_code(y, *case):
     flow, names, numbers = flow_of(*case)
     rates, guards = np.empty(11), np.empty(16)
-    flow(y, numbers, rates, guards)
+    machine(ask, VOID(FunctionType(FLOW), *[ROW] * 4))(flow, y, numbers, rates, guards)
     return rates, dict(zip(names, guards, strict=False))
 
 
