@@ -46,7 +46,7 @@ def lowest_guards(motion):
 
 def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
     """The state of energy_gain.toml at t = 93.294624074 s, where it rolls: the slide that follows lasts 45 us."""
-    wanted = load_scene(Path(__file__).parent / "references" / "energy_gain.toml")
+    wanted = load_scene(Path(__file__).parent / "references" / "energy_gain.toml").replace("air.film=none")
     release = Release(
         inclination_deg=0.04241320147942413, omega=(1.624116734034412, 0.5311056435179342, 0.4499165719985166)
     )
