@@ -1,0 +1,162 @@
+"""TABLE: what it carries of the sound, and from when on it must act back on the disk; a "no" is a result."""
+
+import numpy as np
+
+from dynamics import Motion
+from sonify.claims.motion import Finding
+from sonify.claims.sound import LAST
+from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
+from sonify.hearing.rising_tone import rising_tone
+from sonify.hearing.spectrogram import spectrogram
+from sonify.sound.pressure import Sound
+from sonify.sound.radiation import Listener
+
+WINDOW = 0.1
+"""Of the levels over time [s]."""
+THIRD = 2 ** (1 / 6)
+"""From the middle of a third octave to its ends."""
+ACTS = 0.01
+"""The share of the energy of the disk with which the table begins to act back."""
+
+
+def table_findings(motion: Motion, sound: Sound, listener: Listener, tone, error: float = 0.0) -> list[Finding]:
+    """Every claim on an elastic table: none of a rigid one, nor on an end that was not reached.
+
+    `tone` is the rising tone of the whole sound, or None; `error` the relative one of the sound, in quadratic mean.
+    """
+    if sound.table_energy is None:
+        return []
+    found = [table_is_louder(motion, sound, error), table_takes_little(motion, sound, error)]
+    found += [table_takes_a_hundredth(motion, sound, error), radiation_takes_little(motion, sound, listener, error)]
+    if motion.outcome.name != "SETTLED":
+        return found
+    return [*found, table_tone_rises(sound), *([] if tone is None else [table_carries_the_tone(sound, tone, error)])]
+
+
+def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:
+    """Return the A-weighted mean square [Pa^2] of every stem in windows of WINDOW from begin to end [s], (t,) each."""
+    found = {}
+    for name, stem in sound.stems.items():
+        seen = spectrogram(stem, WINDOW, span=(begin, end))
+        found[name] = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
+    return found
+
+
+def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
+    """The level of the table over that of everything else, median over the motion [dB(A)]."""
+    levels = stem_levels(sound, sound.source_end - motion.t[-1], sound.source_end)
+    table = levels.pop("table")
+    return Finding(
+        key="table_is_louder",
+        claim="The table, and not the disk, is what is heard",
+        value=float(np.median(level_db(table) - level_db(sum(levels.values())))),
+        unit="dB(A), table over disk, median over the motion",
+        at_least=0.0,
+        margin=20 * np.log10(1 + error),
+        source="section 1: vibrations of disk and surface",
+    )
+
+
+def table_tone_rises(sound: Sound) -> Finding:
+    """The frequency of the rising tone in the sound of the table alone, at its end over that at its beginning."""
+    tone = rising_tone(sound.track("table").read().astype(float), sound.sample_rate)
+    factor = tone.factor if tone else 1.0
+    return Finding(
+        key="table_tone_rises",
+        claim="The tone of the table rises",
+        value=factor,
+        unit="times over the ridge that is heard in its stem alone; 1 if none stands out",
+        at_least=2.0,
+        margin=2 * factor * np.log(factor) * tone.exponent_error / tone.exponent if tone else 0.0,
+        source="section 8: the frequencies rise; a point of the table hears n times the precession",
+    )
+
+
+def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Finding:
+    """The level of the table over that of everything else in the third octave of the tone, in the last second [dB]."""
+    table = rest = 0.0
+    for name, stem in sound.stems.items():
+        seen = spectrogram(stem, WINDOW, span=(max(sound.source_end - LAST, 0.0), sound.source_end))
+        pitch = tone.at(np.minimum(seen.time, tone.end - WINDOW / 2))
+        near = np.abs(np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)) < np.log(THIRD)
+        power = float((seen.power * near).sum())
+        table, rest = (table + power, rest) if name == "table" else (table, rest + power)
+    return Finding(
+        key="table_carries_the_tone",
+        claim="The rising tone of the last second is the table's",
+        value=float(level_db(table) - level_db(rest)),
+        unit="dB, table over disk in the third octave of the tone",
+        at_least=0.0,
+        margin=20 * np.log10(1 + error),
+        source="abstract: the vibrations of disk and surface are the sound",
+    )
+
+
+def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
+    """When the modes of the table first hold as much energy as the disk, while they do not act back on it."""
+    value, margin = _since(motion, sound, 1.0, error)
+    return Finding(
+        key="table_takes_little",
+        claim="The table takes too little energy to act back on the motion",
+        value=value,
+        unit="s before the end when the modes of the table first hold as much energy as the disk",
+        at_most=0.0,
+        margin=margin,
+        source="section 8: the vibrations will result in a loss of contact; here they do not act back",
+    )
+
+
+def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
+    """When the modes of the table first hold ACTS of the energy of the disk."""
+    value, margin = _since(motion, sound, ACTS, error)
+    return Finding(
+        key="table_takes_a_hundredth",
+        claim="The table may be left out of the motion until the last half second",
+        value=value,
+        unit=f"s before the end when the modes of the table first hold {ACTS:.0%} of the energy of the disk",
+        at_most=0.5,
+        margin=margin,
+        source="energy of a motion on a rigid table, and of the modes that its force drives",
+    )
+
+
+def radiation_takes_little(motion: Motion, sound: Sound, listener: Listener, error: float = 0.0) -> Finding:
+    """When what the table goes on to radiate is first more than the energy of the disk; 2 pi r^2 p^2/(rho c) all round.
+
+    Taken to be as loud in every direction as at the listener.
+    """
+    air, rate = listener.air, sound.sample_rate
+    first = int(max(sound.source_end - LAST, 0.0) * rate)
+    pressure = sound.track("table").read(first).astype(float)
+    power = 2 * np.pi * listener.distance**2 * pressure**2 / (air.density * air.sound_speed)
+    still = np.cumsum(power[::-1])[::-1] / rate
+    t = (first + np.arange(len(still))) / rate - listener.delay
+    inside = (t > 0) & (t < motion.t[-1])
+    t, still = t[inside], still[inside]
+
+    def since(factor):
+        more = np.flatnonzero(factor * still > motion.energy(t))
+        return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
+
+    return Finding(
+        key="radiation_takes_little",
+        claim="The energy of the disk is enough for the sound of the table",
+        value=since(1.0),
+        unit="s before the end from when on the table would radiate more than the disk has",
+        at_most=0.0,
+        margin=abs(since(1.0) - since((1 + error) ** 2)),
+        source="balance of energy: a table that sounds so must act back",
+    )
+
+
+def _since(motion, sound, share, error):
+    """Time before the end [s] when the table first holds a share of the energy of the disk, and how wrong it may be."""
+    inside = (sound.energy_time >= 0) & (sound.energy_time <= motion.t[-1])
+    t, energy = sound.energy_time[inside], sound.table_energy[inside]
+    whole = share * motion.energy(t)
+
+    def since(factor):
+        more = np.flatnonzero(factor * energy > whole)
+        return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
+
+    return since(1.0), abs(since(1.0) - since((1 + error) ** 2))
