@@ -13,6 +13,7 @@ from sonify.claims.contact import contact_findings
 from sonify.claims.literature import literature_findings
 from sonify.claims.motion import all_findings
 from sonify.claims.sound import all_verdicts, hear
+from sonify.claims.table import table_findings
 from sonify.files import claimed
 from sonify.plan.plan import with_end
 from sonify.plan.predictions import SOUND
@@ -23,6 +24,7 @@ from sonify.report.pictures import Pictures
 from sonify.report.write import write_record
 from sonify.result import Result
 from sonify.scene import Scene
+from sonify.sound.radiation import listener_of
 from sonify.sound.render import Renderer
 from sonify.sound.wav import write_sound
 
@@ -61,6 +63,7 @@ def solve(
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
+        findings += table_findings(motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND))
         on_contact, several = contact_findings(scene, motion, sound, heard)
         findings += on_contact + literature_findings(scene, motion, modes, sound)
     return Result(

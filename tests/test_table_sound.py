@@ -15,7 +15,9 @@ from scipy.special import iv, jv
 from dynamics import simulate
 from modal import SurfaceModes, surface_modes
 from modal.theory import plate_roots
+from sonify.claims.table import table_findings
 from sonify.hearing.loudness import a_weighting_db
+from sonify.hearing.rising_tone import rising_tone
 from sonify.plan.solvable import planned
 from sonify.plan.table import heard
 from sonify.scene import load_scene
@@ -82,6 +84,33 @@ def test_what_the_plan_leaves_out_of_the_table_is_not_heard(scene, motion, table
     begin = int(0.1 * 48000)
     error = np.linalg.norm((kept - every)[begin:]) / np.linalg.norm(every[begin:])
     assert error < 0.02
+
+
+def answers(motion, sound, tone):
+    found = table_findings(motion, sound, Listener(distance=0.5, elevation=np.pi / 4), tone)
+    return {finding.key: finding.holds for finding in found}
+
+
+def test_the_findings_on_a_table_say_yes_and_no(motion, sound):
+    """The same sound with another table: a thousandth of it neither carries the tone nor takes energy, noise does not
+    rise, and a rigid one has no findings."""
+    tone = rising_tone(sound.pressure.read().astype(float), sound.sample_rate)
+    yes = {"table_is_louder", "table_tone_rises", "table_carries_the_tone"}
+    no = {"table_takes_little", "table_takes_a_hundredth", "radiation_takes_little"}
+    loud = answers(motion, sound, tone)
+    assert {key for key, holds in loud.items() if holds} == yes
+    assert {key for key, holds in loud.items() if not holds} == no
+
+    def with_table(samples, share):
+        columns = np.array(sound.columns)
+        columns[:, -1] = samples
+        return replace(sound, columns=columns, table_energy=share * sound.table_energy)
+
+    faint = answers(motion, with_table(1e-5 * sound.track("table").read(), 1e-10), tone)
+    assert {key for key, holds in faint.items() if holds} == no | {"table_tone_rises"}
+    noise = np.random.default_rng(1).standard_normal(sound.samples) * sound.stem_peak["table"]
+    assert not answers(motion, with_table(noise, 1.0), tone)["table_tone_rises"]
+    assert answers(motion, replace(sound, table_energy=None), tone) == {}
 
 
 def replace_time(motion, end):

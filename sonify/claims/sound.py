@@ -171,23 +171,31 @@ def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0) -> Findi
 
     Their energy is known within a factor of (1 + error)^2, as in `modes_carry_the_end`.
     """
-    inside = (sound.energy_time >= 0) & (sound.energy_time <= motion.t[-1])
-    t, energy, whole = sound.energy_time[inside], sound.energy[inside], motion.energy(sound.energy_time[inside])
-
-    def since(factor):
-        more = np.flatnonzero(factor * energy > whole)
-        return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
-
-    value = since(1.0)
+    value, margin = since_as_much(motion, sound.energy_time, sound.energy, error)
     return Finding(
         key="modes_take_little",
         claim="The modes take too little energy to act back on the motion",
         value=value,
         unit="s before the end when the modes first hold as much energy as the disk",
         at_most=0.0,
-        margin=value - since((1 + error) ** -2) if value else since((1 + error) ** 2),
+        margin=margin,
         source="section 8: the vibrations will result in a loss of contact; here they do not act back",
     )
+
+
+def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -> tuple[float, float]:
+    """Return how long before the end [s] an energy (e,) [J] at t (e,) [s] first is more than a share of the disk's, or
+    0; and how wrong that may be towards its bar where the energy is known within a factor of (1 + error)^2."""
+    inside = (t >= 0) & (t <= motion.t[-1])
+    t, energy = t[inside], energy[inside]
+    whole = share * motion.energy(t)
+
+    def since(factor):
+        more = np.flatnonzero(factor * energy > whole)
+        return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
+
+    value = since(1.0)
+    return value, value - since((1 + error) ** -2) if value else since((1 + error) ** 2)
 
 
 def carriers_are_steady(heard: Heard) -> Finding:

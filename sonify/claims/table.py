@@ -4,15 +4,17 @@ import numpy as np
 
 from dynamics import Motion
 from sonify.claims.motion import Finding
-from sonify.claims.sound import LAST
+from sonify.claims.sound import LAST, since_as_much
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
 from sonify.hearing.rising_tone import rising_tone
 from sonify.hearing.spectrogram import spectrogram
 from sonify.sound.pressure import Sound
 from sonify.sound.radiation import Listener
 
-WINDOW = 0.1
-"""Of the levels over time [s]."""
+WINDOW, SECOND = 0.1, 40
+"""Of the levels over time [s], and how many of these windows, which overlap, make a second."""
+TAIL = 10.0
+"""So long before the end [s] the sound of the table is summed up."""
 THIRD = 2 ** (1 / 6)
 """From the middle of a third octave to its ends."""
 ACTS = 0.01
@@ -34,23 +36,24 @@ def table_findings(motion: Motion, sound: Sound, listener: Listener, tone, error
 
 
 def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:
-    """Return the A-weighted mean square [Pa^2] of every stem in windows of WINDOW from begin to end [s], (t,) each."""
+    """Return the A-weighted mean square [Pa^2] of every stem in each second from begin to end [s], (t,) each."""
     found = {}
     for name, stem in sound.stems.items():
         seen = spectrogram(stem, WINDOW, span=(begin, end))
-        found[name] = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
+        power = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
+        found[name] = np.array([part.mean() for part in np.array_split(power, max(len(power) // SECOND, 1))])
     return found
 
 
 def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
-    """The level of the table over that of everything else, median over the motion [dB(A)]."""
+    """The level of the table over that of everything else in a second, median over the motion [dB(A)]."""
     levels = stem_levels(sound, sound.source_end - motion.t[-1], sound.source_end)
     table = levels.pop("table")
     return Finding(
         key="table_is_louder",
         claim="The table, and not the disk, is what is heard",
         value=float(np.median(level_db(table) - level_db(sum(levels.values())))),
-        unit="dB(A), table over disk, median over the motion",
+        unit="dB(A), table over disk in a second, median over the motion",
         at_least=0.0,
         margin=20 * np.log10(1 + error),
         source="section 1: vibrations of disk and surface",
@@ -94,7 +97,7 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Finding:
 
 def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
     """When the modes of the table first hold as much energy as the disk, while they do not act back on it."""
-    value, margin = _since(motion, sound, 1.0, error)
+    value, margin = since_as_much(motion, sound.energy_time, sound.table_energy, error)
     return Finding(
         key="table_takes_little",
         claim="The table takes too little energy to act back on the motion",
@@ -108,7 +111,7 @@ def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0) -> Find
 
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
     """When the modes of the table first hold ACTS of the energy of the disk."""
-    value, margin = _since(motion, sound, ACTS, error)
+    value, margin = since_as_much(motion, sound.energy_time, sound.table_energy, error, ACTS)
     return Finding(
         key="table_takes_a_hundredth",
         claim="The table may be left out of the motion until the last half second",
@@ -126,37 +129,17 @@ def radiation_takes_little(motion: Motion, sound: Sound, listener: Listener, err
     Taken to be as loud in every direction as at the listener.
     """
     air, rate = listener.air, sound.sample_rate
-    first = int(max(sound.source_end - LAST, 0.0) * rate)
+    first = int(max(sound.source_end - TAIL, 0.0) * rate)
     pressure = sound.track("table").read(first).astype(float)
     power = 2 * np.pi * listener.distance**2 * pressure**2 / (air.density * air.sound_speed)
     still = np.cumsum(power[::-1])[::-1] / rate
-    t = (first + np.arange(len(still))) / rate - listener.delay
-    inside = (t > 0) & (t < motion.t[-1])
-    t, still = t[inside], still[inside]
-
-    def since(factor):
-        more = np.flatnonzero(factor * still > motion.energy(t))
-        return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
-
+    value, margin = since_as_much(motion, (first + np.arange(len(still))) / rate - listener.delay, still, error)
     return Finding(
         key="radiation_takes_little",
         claim="The energy of the disk is enough for the sound of the table",
-        value=since(1.0),
+        value=value,
         unit="s before the end from when on the table would radiate more than the disk has",
         at_most=0.0,
-        margin=abs(since(1.0) - since((1 + error) ** 2)),
+        margin=margin,
         source="balance of energy: a table that sounds so must act back",
     )
-
-
-def _since(motion, sound, share, error):
-    """Time before the end [s] when the table first holds a share of the energy of the disk, and how wrong it may be."""
-    inside = (sound.energy_time >= 0) & (sound.energy_time <= motion.t[-1])
-    t, energy = sound.energy_time[inside], sound.table_energy[inside]
-    whole = share * motion.energy(t)
-
-    def since(factor):
-        more = np.flatnonzero(factor * energy > whole)
-        return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
-
-    return since(1.0), abs(since(1.0) - since((1 + error) ** 2))
