@@ -45,13 +45,13 @@ class Dissipation:
 def power_laws(dissipation: Dissipation, disk: Disk) -> list[tuple[float, float]]:
     """Return (coefficient [W s^b], exponent b) of every power law that acts.
 
-    Moffatt's pi mu g a^2 / beta^2 with beta = 4 g / (a Omega^2) is pi mu a^4 Omega^4 / (16 g). Thin boundary layers
-    take rho sqrt(nu Omega / 2) times the mean square of the flow per area of wall (Stokes); the flow that the turning
-    gap, taken as its mean, drives out of an open rim is the gradient of Omega (a^2 r - r^3) sin(phi) / (8 a), of mean
-    square Omega^2 a^2 / 96; two walls.
+    Moffatt's pi mu g a^2 / beta^2 with beta = 4 g / (a Omega^2) is pi mu a^4 Omega^4 / (16 g); Bildsten's
+    4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) is sqrt(mu rho) a^4 Omega^(5/2) / sqrt(2). These are estimates of their
+    authors: the film that is solved, film/law.py, takes 1.63 times as much as the first where it is thin, and 4.9 times
+    less than the second where it is thick.
     """
     a = disk.radius
-    layer = 2**0.5 * pi / 96 * dissipation.air_density * dissipation.boundary_layer_viscosity**0.5 * a**4
+    layer = dissipation.air_density * dissipation.boundary_layer_viscosity**0.5 * a**4 / 2**0.5
     laws = [
         (dissipation.power_coefficient, dissipation.power_exponent),
         (pi * dissipation.air_viscosity * a**4 / (16 * GRAVITY), 4.0),
