@@ -8,6 +8,7 @@ from types import SimpleNamespace
 from dynamics.simulation import prepare
 from modal import Modes, eigenmodes
 from modal.one_thread import one_blas_thread
+from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.literature import literature_findings
@@ -15,6 +16,7 @@ from sonify.claims.motion import all_findings
 from sonify.claims.sound import all_verdicts, hear
 from sonify.claims.table import table_findings
 from sonify.files import claimed
+from sonify.plan.air import beyond_the_film, with_air
 from sonify.plan.plan import with_end
 from sonify.plan.predictions import SOUND
 from sonify.plan.solvable import planned, solvable, solve_motion
@@ -50,7 +52,7 @@ def solve(
     prepare(scene)
     with stages.stage("modes"):
         plan, modes = planned(scene, eigenmodes)
-        plan, table = with_table(plan, scene)
+        plan, table = with_table(with_air(plan, scene), scene)
     with stages.stage("motion") as watch:
         motion = solve_motion(
             scene, lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")
@@ -65,10 +67,10 @@ def solve(
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
         findings += table_findings(motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND))
         on_contact, several = contact_findings(scene, motion, sound, heard)
-        findings += on_contact + literature_findings(scene, motion, modes, sound)
+        findings += air_findings(scene, motion, sound) + on_contact + literature_findings(scene, motion, modes, sound)
     return Result(
         scene=scene,
-        plan=with_end(plan, motion, [*strayed(scene, motion), *silence, *several]),
+        plan=with_end(plan, motion, [*beyond_the_film(scene, motion), *strayed(scene, motion), *silence, *several]),
         motion=motion,
         modes=modes,
         table=table,

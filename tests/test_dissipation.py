@@ -22,7 +22,7 @@ LAWS = {
     "b = 2": ({"power_coefficient": 3e-9, "power_exponent": 2.0}, 2.0),
     "b = 3": ({"power_coefficient": 1e-11, "power_exponent": 3.0}, 3.0),
     "Moffatt": ({"air_viscosity": 1.8e-7}, 4.0),
-    "Bildsten": ({"boundary_layer_viscosity": 1.5e-5}, 2.5),
+    "Bildsten": ({"boundary_layer_viscosity": 6.4e-8}, 2.5),
     "contour": ({"contour_moment": 1e-7}, 1.0),
 }
 

@@ -47,9 +47,12 @@ class Film(NamedTuple):
         s = flow.sin(beta)
         rate = precession_rate(omega[2], s)
         drag = self.turning * rate / (s * s) * self.heaviness(s, rate, flow.power)
-        push = self.falling * omega[0] / (s * s * s)
-        lift, side = LEVER * push, arms(flow.cos(beta), s, law.h)[1]
-        return Loads(M1=-push - side * lift, M3=-drag, G3=lift)
+        lift, side = self.lift(s, omega[0]), arms(flow.cos(beta), s, law.h)[1]
+        return Loads(M1=-lift / LEVER - side * lift, M3=-drag, G3=lift)
+
+    def lift(self, s, nutation):
+        """Return the lift of the falling film at sin(beta) `s`, whose moment about the contact is 1/LEVER of it."""
+        return LEVER * self.falling * nutation / (s * s * s)
 
     def heaviness(self, s, rate, power):
         """Return by what the inertia of the air raises the drag of the turning film, at sin(beta) `s`."""
@@ -88,3 +91,19 @@ def film_under(disk: Disk, air: Air) -> Film:
     moment = 12 * air.viscosity * R**3 / (disk.mass * R**2 / chi)
     layers = R**2 * air.density / (2 * air.viscosity * chi) / SLOW**2
     return Film(TURNING * moment, FALLING * moment, layers**2)
+
+
+def thickness(beta, rate, radius: float, air: Air):
+    """Return S, the mean gap over sqrt(2) times the depth of the boundary layers, at precession `rate` [rad/s]."""
+    return np.sin(beta) * radius * np.sqrt(np.abs(rate) * air.density / (2 * air.viscosity))
+
+
+def compressibility(beta, rate, air: Air):
+    """Return Lam = 12 mu Omega/(p beta^2), beyond which air is squeezed in the film, at precession `rate` [rad/s]."""
+    return 12 * air.viscosity * np.abs(rate) / (air.pressure * np.sin(beta) ** 2)
+
+
+def film_in(loads) -> Film | None:
+    """Return the film among the loads of a motion."""
+    every = getattr(loads, "laws", (loads,))
+    return next((law for law in every if isinstance(law, Film)), None)

@@ -195,8 +195,6 @@ WALL = {
 }
 LEFT_OUT = (
     "Sound of impacts; the action of the elastic modes on the motion.",
-    "Air that flows round the rim while the film below the disk is open: until late in the motion the true pressure of "
-    "heave and tilt is lower.",
     "The resisting moments and the centrifugal loads as drivers of the modes.",
 )
 IMPACT = "The impact of the face on the table that ends the fall, and all that it would ring."

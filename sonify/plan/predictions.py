@@ -5,6 +5,7 @@ from math import isfinite, pi
 
 import numpy as np
 
+from dynamics.film.acting import film_of
 from dynamics.numerics import LAST_INCLINATION
 from dynamics.time_left import time_left
 from modal import Modes
@@ -30,6 +31,8 @@ class Prediction:
 
 def predicted_end(scene: Scene, final_inclination: float) -> Prediction:
     """By how much a motion that settles stops too early."""
+    if film_of(scene).film:
+        return Prediction(name=END, error=0.0, unit="s", source="the air carries the disk before: that is an event")
     left = [time_left(b, scene.disk, scene.friction, scene.dissipation) for b in (final_inclination, LAST_INCLINATION)]
     early = left[0] - left[1] if isfinite(left[0]) else 0.0
     return Prediction(name=END, error=early, unit="s", source="quasi-steady decline of a steady disk")

@@ -1,0 +1,156 @@
+"""AIR -> FINDINGS: from when it counts, what ends the motion, whether it carries the disk and lets it be heard."""
+
+from math import log
+
+import numpy as np
+from scipy.integrate import cumulative_trapezoid
+
+from dynamics import Motion
+from dynamics.dissipation import resistance
+from dynamics.equations import law_of
+from dynamics.film.acting import MATTERS
+from dynamics.film.law import Film, film_in, film_under
+from dynamics.time_left import steady_power
+from sonify.claims.motion import Finding
+from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, band_levels
+from sonify.hearing.spectrogram import spectrogram
+from sonify.scene import Scene
+from sonify.sound.pressure import Sound
+
+MEASURED, SPREAD = 0.31, 0.03
+"""Exponent of the precession rate in the time left, of recordings of disks on granite (2026), and its error."""
+LAST = 0.1
+"""The end of a motion is what takes this last part of its energy."""
+INCLINATIONS = (1e-3, 1e-2)
+"""Between these the exponent of a friction is read [rad]."""
+
+
+def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
+    """Return what a run says about its air; of a motion in a vacuum, what a film of its air would do along it."""
+    exponent = [friction_exponent(scene)] if steady_friction(scene, INCLINATIONS[0]) > 0 else []
+    if scene.disk.shape != "solid" or not scene.air.pressure or not scene.air.density:
+        return exponent
+    acts = film_in(getattr(motion, "loads", None))
+    film = acts or film_under(scene.disk, scene.air)
+    found = [air_negligible(motion, film), what_ends(motion, film if acts else None), carried_by_air(motion, film)]
+    return found + ([heard_through_film(sound)] if acts else []) + exponent
+
+
+def air_negligible(motion: Motion, film: Film) -> Finding:
+    """The share of the motion that is over when the film first takes 1 % of the power, or would."""
+    film_power = np.sum(film_powers(motion, film), axis=0)
+    work = motion.state[:, 10] + (0.0 if film_in(getattr(motion, "loads", None)) else _integral(film_power, motion))
+    middle, windows = _windows(motion)
+    share = np.diff(np.interp(windows, motion.t, _integral(film_power, motion))) / np.maximum(
+        np.diff(np.interp(windows, motion.t, work)), 1e-300
+    )
+    late = np.flatnonzero(share >= MATTERS)
+    return Finding(
+        key="air_negligible",
+        claim="The film of air under the disk may be neglected",
+        value=float(middle[late[0]] / motion.t[-1]) if len(late) else 1.0,
+        unit="part of the motion that is over when the film takes 1 % of the power",
+        at_least=1.0,
+        margin=float(middle[1] / motion.t[-1]),
+        source="Reynolds' equation on the film; Moffatt (2000)",
+    )
+
+
+def what_ends(motion: Motion, film: Film | None) -> Finding:
+    """The largest of the shares in which film, sliding and the moments at the contact take the last of the energy."""
+    energy = motion.energy(motion.t)
+    last = energy - energy[-1] <= LAST * (energy[0] - energy[-1])
+    total = np.ptp(motion.state[last, 10])
+    force, state = motion.force(motion.t), motion.state
+    slides = _integral(-(force[:, 0] * state[:, 8] + force[:, 1] * state[:, 9]), motion)
+    parts = {"sliding": np.ptp(slides[last]) / total}
+    if film:
+        parts["the film of air"] = np.ptp(_integral(np.sum(film_powers(motion, film), axis=0), motion)[last]) / total
+    parts["friction of rolling and pivoting"] = 1 - sum(parts.values())
+    cause = max(parts, key=lambda name: parts[name])
+    return Finding(
+        key="what_ends",
+        claim=f"What ends the motion is {cause}",
+        value=float(parts[cause]),
+        unit=f"of the last {LAST:.0%} of the energy; " + ", ".join(f"{k} {v:.3f}" for k, v in parts.items()),
+        at_least=0.5,
+        source="work of each cause along the motion",
+    )
+
+
+def carried_by_air(motion: Motion, film: Film) -> Finding:
+    """The greatest lift of the film over what film and contact bear together; in a vacuum over the contact force."""
+    lift, contact = lifts(motion, film), motion.force(motion.t)[:, 2]
+    acts = film_in(getattr(motion, "loads", None))
+    borne = contact + lift if acts else contact
+    return Finding(
+        key="carried_by_air",
+        claim="The contact is lost to the air"
+        if acts
+        else "In its air, which is left out, the contact would be lost to it",
+        value=float(np.max(lift / np.maximum(borne, 1e-9 * motion.disk.weight))),
+        unit="greatest lift of the film / vertical force",
+        at_least=1.0,
+        tolerance=1e-6,
+        source="Reynolds' equation on the falling film",
+    )
+
+
+def heard_through_film(sound: Sound) -> Finding:
+    """By how much heave and tilt of the rigid disk rise above the threshold of hearing, in the loudest third octave."""
+    seen = [band_levels(spectrogram(sound.track(name), WINDOW)) for name in ("heave", "tilt")]
+    return Finding(
+        key="heard_through_film",
+        claim="The motion of the rigid disk is audible through the open film",
+        value=float(max((levels - THRESHOLD_DB[:, None]).max() for levels in seen)),
+        unit="dB above the threshold of hearing",
+        at_least=0.0,
+        source="ISO 226; the air at the rim gives back what the face takes",
+    )
+
+
+def friction_exponent(scene: Scene) -> Finding:
+    """The exponent of the precession rate in the time left that the friction of the scene gives a steady disk.
+
+    Of a power P ~ beta^p it is 1/(2 (1 - p)): 1/3 of contour friction, 1 of the arm k_2. The film is not in it.
+    """
+    low, high = INCLINATIONS
+    slope = log(steady_friction(scene, high) / steady_friction(scene, low)) / log(high / low)
+    return Finding(
+        key="friction_exponent",
+        claim="The friction of the scene lets the precession rate grow as measured",
+        value=1 / (2 * (1 - slope)) if slope < 1 else float("inf"),
+        unit="exponent of the precession rate in the time left",
+        at_least=MEASURED,
+        at_most=MEASURED,
+        tolerance=SPREAD,
+        source="recordings of disks on granite, 2026: 0.31(3)",
+    )
+
+
+def steady_friction(scene: Scene, beta: float) -> float:
+    """Return the power that all but the film takes of a steady disk at inclination `beta` [rad], dimensionless."""
+    return steady_power(beta, law_of(scene.disk, scene.friction), resistance(scene.dissipation, scene.disk))
+
+
+def film_powers(motion: Motion, film: Film):
+    """Return what the turning and the falling film take [W], (2, n), at the times of the motion."""
+    chi, unit = motion.disk.time_unit, motion.disk.mass * motion.disk.radius**2 / motion.disk.time_unit**3
+    return np.array(film.powers(motion.state[:, 1], motion.state[:, 5:8].T * chi)) * unit
+
+
+def lifts(motion: Motion, film: Film):
+    """Return the lift of the film [N], (n,), at the times of the motion."""
+    disk, state = motion.disk, motion.state
+    push = film.lift(np.sin(state[:, 1]), state[:, 5] * disk.time_unit)
+    return push * disk.mass * disk.radius / disk.time_unit**2
+
+
+def _windows(motion):
+    """Even windows of time, and their middles [s]."""
+    edges = np.linspace(0, motion.t[-1], 201)
+    return (edges[1:] + edges[:-1]) / 2, edges
+
+
+def _integral(power, motion):
+    return cumulative_trapezoid(power, x=motion.t, initial=0)

@@ -1,0 +1,73 @@
+"""AIR: whether the film under the disk acts, from when on it matters, and how wrong its law is."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from dynamics import Motion
+from dynamics.film.acting import film_of
+from dynamics.film.law import compressibility, thickness
+from dynamics.rates import precession_rate
+from sonify.plan.plan import Decision, Plan
+from sonify.scene import Scene
+
+ABSORBED = 0.5
+"""Absorption of air of middling humidity at 20 kHz [dB/m], ISO 9613-1; at 10 kHz a third of it."""
+
+
+def with_air(plan: Plan, scene: Scene) -> Plan:
+    """Return the plan with what it does about the air."""
+    told = film_of(scene)
+    acts = "acts on the motion and on the sound" if told.film else "does not act"
+    decision = Decision(subject="film of air under the disk", choice=acts, reason=told.reason)
+    far = f"Absorption on the way to the listener, up to {ABSORBED * scene.audio.distance:.2g} dB at 20 kHz."
+    also = scene.dissipation.air_viscosity or scene.dissipation.boundary_layer_viscosity
+    twice = [TWICE] if told.film and also else []
+    return replace(
+        plan,
+        decisions=(*plan.decisions, decision),
+        modelled=(*plan.modelled, *(MODELLED if told.film else ())),
+        left_out=(*plan.left_out, *(LEFT_OUT if told.film else VACUUM), *twice, far),
+    )
+
+
+def beyond_the_film(scene: Scene, motion: Motion) -> list[str]:
+    """Return how far the law of the film is left by the end of a motion: thick, compressible, or no continuum."""
+    if not film_of(scene).film:
+        return []
+    air, radius, beta = scene.air, scene.disk.radius, motion.state[:, 1]
+    rate = np.abs(precession_rate(motion.state))
+    thick, squeezed = thickness(beta, rate, radius, air), compressibility(beta, rate, air)
+    told = [
+        f"Inertia of the air in the film is a fit, within 5 % while S <= 3: S falls from {thick[0]:.2g} to {thick[-1]:.2g}. "
+        f"Its air is taken as incompressible: at the end 12 mu Omega/(p beta^2) is {squeezed[-1]:.2g}; "
+        f"for that the drag is {100 * min(0.25 * squeezed[-1], 1):.2g} % too large."
+    ]
+    rarefied = np.flatnonzero(radius * np.sin(beta) < air.mean_free_path)
+    if len(rarefied):
+        told.append(
+            f"From t = {motion.t[rarefied[0]]:.6g} s on the mean gap is less than the mean free path of the air, "
+            f"{air.mean_free_path:.2g} m: there the film is no continuum."
+        )
+    return told
+
+
+MODELLED = (
+    "The film of air between disk and table (Reynolds' equation on the wedge): it slows the precession, damps the "
+    "fall, and lifts the disk; friction acts on what it leaves of the contact force.",
+    "Heave and tilt of the rigid disk radiate through the film as it is at each instant: open, its rim gives back what "
+    "the face takes; closed, the face alone sounds. The modes are damped, detuned and muffled by it.",
+)
+LEFT_OUT = (
+    "The disk that the air carries, after its contact is lost.",
+    "Slip of the air at the walls, cavities, and the pressure of the film as a direct driver of the modes.",
+    "The second harmonic of the flow at the rim, which at the rates of the last seconds is 20 dB below the tilt.",
+    "Of modes with two and more waves round the axis the height of the disk: 1 to 3 dB; the azimuth at which the flow "
+    "at the rim leaves, of which the mean is taken: 1.5 dB.",
+    "The film in a steep position, where the disk is no baffle: above 0.3 rad its sound is wrong by several dB.",
+)
+VACUUM = (
+    "Air under the disk: it would slow and lift it, and flow round the rim while the film is open: until late in the "
+    "motion the true pressure of heave and tilt is lower.",
+)
+TWICE = "The scene has a paper's law of the air beside the film: the same air acts twice."
