@@ -39,7 +39,7 @@ def beyond_the_film(scene: Scene, motion: Motion) -> list[str]:
     rate = np.abs(precession_rate(motion.state))
     thick, squeezed = thickness(beta, rate, radius, air), compressibility(beta, rate, air)
     told = [
-        f"Inertia of the air in the film is a fit, within 5 % while S <= 3: S falls from {thick[0]:.2g} to {thick[-1]:.2g}. "
+        f"Inertia of the air in the film is a fit, within 5 % below S = 3: S goes {thick[0]:.2g} to {thick[-1]:.2g}. "
         f"Its air is taken as incompressible: at the end 12 mu Omega/(p beta^2) is {squeezed[-1]:.2g}; "
         f"for that the drag is {100 * min(0.25 * squeezed[-1], 1):.2g} % too large."
     ]
