@@ -104,7 +104,7 @@ def test_how_far_the_papers_laws_are_from_the_film_that_is_solved():
 
     assert ratio(papers[0], 1e-4) == pytest.approx(1.63, rel=0.01)
     assert 1 / ratio(papers[1], 0.5) == pytest.approx(4.9, rel=0.1)
-    assert 0.5 < ratio(papers[1], 0.03) < 1 < ratio(papers[1], 0.005)  # they cross near the end of most motions
+    assert ratio(papers[1], 0.03) < 0.6 < 1 < ratio(papers[1], 0.005)  # they cross near the end of most motions
 
 
 def test_a_power_law_can_end_in_a_fall_with_energy_left():
