@@ -1,8 +1,9 @@
 """Time of `run published`: cold, in a process with empty caches, and warm, again in a process that has run it before.
 
 Run as `python -m tests.benchmarks.cold_and_warm [PAIRS]`. A cold and a warm run take turns, so that what else the
-machine does falls on both; printed are the medians by stage, and the processor time of all threads. A cold process
-starts as a fresh environment does: without byte code, compiled functions, or fonts.
+machine does falls on both; printed are the medians by stage, and the processor time of all threads: of a cold run with
+the process that draws, of a warm one without it. A cold process starts as a fresh environment does: without byte code,
+compiled functions, fonts, or what only the tests install, which heyoka loads where it finds it.
 """
 
 import json
@@ -14,7 +15,9 @@ from tempfile import TemporaryDirectory
 from time import perf_counter, process_time
 
 ONCE = """
+import sys
 from time import perf_counter
+sys.modules["sympy"] = sys.modules["mpmath"] = None
 began = perf_counter()
 from sonify import load_scene, run
 seconds = {"imports": perf_counter() - began} | run(load_scene("published"), out=OUT).seconds
