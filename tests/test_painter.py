@@ -32,6 +32,11 @@ def test_both_processes_draw_the_same_bytes_also_once_one_is_dead(painter):
     assert painter.draw("motion", "draw_motion", lambda: CURVES).result() == here
 
 
+def test_where_no_process_can_be_had_this_one_draws(monkeypatch):
+    monkeypatch.setattr(sys, "executable", "")
+    assert Painter().draw("motion", "draw_motion", lambda: CURVES).result() == drawn("motion", "draw_motion", CURVES)
+
+
 def test_what_goes_wrong_there_is_raised_here(painter):
     with pytest.raises(TypeError, match="weight"):
         painter.draw("motion", "draw_motion", lambda: {"curves": CURVES["curves"]}).result()
@@ -41,7 +46,7 @@ SCRIPT = """
 import numpy as np
 from sonify.report.painter import painter
 data = {"curves": [(np.arange(5.0), np.arange(5.0))] * 6, "weight": 1.0}
-print(painter()._process.pid, len(painter().draw("motion", "draw_motion", lambda: data).result()), flush=True)
+print(painter()._process.result().pid, len(painter().draw("motion", "draw_motion", lambda: data).result()), flush=True)
 END
 """
 

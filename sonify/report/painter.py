@@ -28,9 +28,8 @@ class Painter:
     """Draws in a process of its own, which ends when this one does; where that cannot be had, in this process."""
 
     def __init__(self):
-        code = f"import sys; sys.path[:] = {sys.path!r}; from sonify.report.painter import serve; serve()"
-        self._process = Popen([sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, start_new_session=True)
         self._waiting = ThreadPoolExecutor(1, "painter")
+        self._process = self._waiting.submit(_started)
 
     def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
         """Return the future of `drawn`; the pictures come one after the other. A thread calls `data`."""
@@ -39,10 +38,11 @@ class Painter:
     def _ask(self, module, name, data):
         work = module, name, data()
         try:
-            pickle.dump(work, self._process.stdin)
-            self._process.stdin.flush()
-            png, error = pickle.load(self._process.stdout)
-        except (OSError, EOFError, pickle.UnpicklingError):  # it is dead
+            process = self._process.result()
+            pickle.dump(work, process.stdin)
+            process.stdin.flush()
+            png, error = pickle.load(process.stdout)
+        except (OSError, EOFError, pickle.UnpicklingError):  # there is none, or it is dead
             return drawn(*work)
         if error:
             raise error
@@ -50,8 +50,15 @@ class Painter:
 
     def close(self):
         """End the process."""
-        self._process.kill()
-        self._process.wait()
+        with suppress(OSError):
+            process = self._process.result()
+            process.kill()
+            process.wait()
+
+
+def _started():
+    code = f"import sys; sys.path[:] = {sys.path!r}; from sonify.report.painter import serve; serve()"
+    return Popen([sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, start_new_session=True)
 
 
 @lru_cache(1)
