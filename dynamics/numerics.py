@@ -1,4 +1,7 @@
-"""How exactly to solve: the section of a scene, and the one table of what an accuracy means in numbers."""
+"""How exactly to solve: the section of a scene, and the one table of what an accuracy means in numbers.
+
+The meshes and tolerances of the modes stand under the same names in `modal/accuracy.py`.
+"""
 
 from dataclasses import dataclass
 from importlib.util import find_spec

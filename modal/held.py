@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from modal.accuracy import LEVELS
 from modal.elements import patch as elements
 from modal.elements import sample
 from modal.elements.elastic import lame
@@ -20,18 +21,17 @@ from modal.spectral.converge import first_size
 from modal.synthesis.patches import FreeDisk
 from modal.synthesis.tractions import STANDARD, WIDEST
 
-RICHNESSES = {
-    "draft": replace(STANDARD, size=(9, 6), around=4, through=3),
-    "standard": STANDARD,
-    "reference": replace(STANDARD, size=(12, 8), around=9, through=6),
-}
-"""How much of everything synthesis has at an accuracy, at least."""
 APART, MOST = 2.0, 4.0
 """Free modes are kept up to so many times the highest frequency sought, but not so many as `Richness.cutoff` of MOST
 asks for."""
 NEAR, ALIKE = 0.04, 0.9
 """A shape of the elements belongs to a frequency by synthesis if its own is no further above it, and if so much of the
 square of the motion of the rim is the same."""
+
+
+def richness_of(accuracy):
+    """How much of everything synthesis has at an accuracy, at least."""
+    return replace(STANDARD, **LEVELS[accuracy].richness)
 
 
 def held_modes(disk, material, support, density, below, accuracy) -> Modes:
@@ -44,7 +44,7 @@ def held_modes(disk, material, support, density, below, accuracy) -> Modes:
 def synthesis(disk, material, support, density, below, accuracy):
     """The `HeldClass` of every symmetry class; None where the patch is not for synthesis, or too much is sought."""
     plate = Plate(radius=disk.radius, thickness=disk.thickness, material=material, density=density)
-    least, waves = RICHNESSES[accuracy], below * disk.radius / (lame(material)[1] / density) ** 0.5
+    least, waves = richness_of(accuracy), below * disk.radius / (lame(material)[1] / density) ** 0.5
     part = held_height(disk.thickness, support) < disk.thickness
     if part or support.half_angle_deg > WIDEST or APART * waves > MOST:
         return None

@@ -15,7 +15,7 @@ from scipy.optimize import linear_sum_assignment
 
 from modal.elements.sample import polar_components, strongest_order
 from modal.elements.unfold import rigid_fields
-from modal.held import APART, RICHNESSES
+from modal.held import APART, richness_of
 from modal.modes import Modes, UnsolvableError
 from modal.spectral.axisymmetric import plate_modes
 from modal.spectral.basis import Plate
@@ -102,7 +102,7 @@ def with_rigid(plate, below, accuracy) -> Modes:
 def left_out(plate, below, accuracy, fillet):
     """Flexibility (3, 3) [m/N] at the bottom edge of the modes that `with_rigid` lacks, in the frame of the patch, and
     how much of its diagonal is in doubt (3,)."""
-    whole, doubt = regular_flexibility(FreeDisk(plate=plate, richness=RICHNESSES[accuracy]), fillet)
+    whole, doubt = regular_flexibility(FreeDisk(plate=plate, richness=richness_of(accuracy)), fillet)
     free = with_rigid(plate, below, accuracy)
     there = free.rim_shape[6:, 0].T / (2 * pi * free.frequency[6:])
     return whole - there @ there.T, doubt

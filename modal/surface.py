@@ -6,12 +6,13 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from modal.accuracy import LEVELS
 from modal.elements.elastic import bending_number, mode_count
 from modal.modes import UnsolvableError
 from modal.one_thread import one_blas_thread
 from modal.radiation import SOUND_SPEED
 from modal.solve import BELOW, MOST
-from modal.spectral.axisymmetric import TOLERANCES, parities
+from modal.spectral.axisymmetric import parities
 from modal.spectral.basis import Plate
 from modal.spectral.converge import all_pairs, amplitudes
 from modal.table import SAMPLED, SurfaceModes, splined
@@ -55,7 +56,7 @@ def plate_table(surface, disk, below, accuracy):
         ring_stiffness=surface.ring_stiffness or 0.0,
     )
     refuse_too_many(mode_count(plate, surface, surface.density, below), below)
-    found = all_pairs(plate, below, TOLERANCES[accuracy])
+    found = all_pairs(plate, below, LEVELS[accuracy].free)
     members = [(pairs, odd) for pairs in found for odd in parities(pairs)]
     frequency = np.concatenate([np.sqrt(p.values) / (2 * pi) for p, _ in members] or [np.zeros(0)])
     ascending = np.argsort(frequency, kind="stable")

@@ -18,8 +18,8 @@ from dynamics.coupled.contact import Elastic
 from dynamics.coupled.resonance import damping, linear, resonances
 from dynamics.coupled.suspension import suspension
 from modal import FreeDisk, Material, Plate, Support, UnsolvableError, eigenmodes
+from modal.accuracy import MIDDLE
 from modal.elements.elastic import assemble
-from modal.elements.patch import MIDDLE
 from modal.elements.sample import quadratic, slope
 from modal.elements.unfold import FACES, rigid_fields
 from modal.mesh.sector import sector

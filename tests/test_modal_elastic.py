@@ -11,8 +11,8 @@ from skfem.helpers import dot
 from skfem.models.elasticity import linear_elasticity
 
 from modal import Material
+from modal.accuracy import COARSE
 from modal.elements.elastic import assemble, lame
-from modal.elements.patch import COARSE
 from modal.mesh.half_disk import half_disk
 from modal.mesh.sector import extrude, hexahedra
 

@@ -14,7 +14,8 @@ from arithmetic import gamma
 from skfem import CellBasis
 
 from modal import Material, Support
-from modal.elements.patch import COARSE, MIDDLE, NARROW, ROUGH, WIDE, resolving
+from modal.accuracy import COARSE, MIDDLE, NARROW, ROUGH, WIDE
+from modal.elements.patch import resolving
 from modal.elements.sample import locate, mapped, quadratic
 from modal.mesh.half_disk import Blocks, about_edge, half_disk
 from modal.mesh.sector import sector

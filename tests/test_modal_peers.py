@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from modal import Support, eigenmodes
-from modal.elements.patch import MIDDLE, held_modes
+from modal.accuracy import MIDDLE
+from modal.elements.patch import held_modes
 from modal.elements.unfold import whole_mesh
 from modal.mesh.sector import sector
 from modal.mesh.symmetry import on_patch

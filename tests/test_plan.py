@@ -13,6 +13,7 @@ import pytest
 import soundfile
 from arithmetic import gamma
 
+import modal.accuracy
 from dynamics import RigidMotion, simulate
 from dynamics.numerics import LEVELS, inclination_at
 from dynamics.time_left import time_left
@@ -112,6 +113,7 @@ def test_the_force_is_read_no_more_often_than_the_plan_says(counted):
 
 
 def test_the_motion_stops_where_the_plan_says(scene):
+    assert list(modal.accuracy.LEVELS) == list(LEVELS)
     for accuracy, level in LEVELS.items():
         wanted = scene.replace(f"numerics.accuracy={accuracy}")
         plan, motion = plan_of(wanted), simulate(wanted)

@@ -7,27 +7,13 @@ from math import pi
 import numpy as np
 from skfem import ElementHex2
 
+from modal.accuracy import LEVELS
 from modal.elements.elastic import assemble, bending_number, lowest
 from modal.elements.unfold import unfolded
-from modal.mesh.half_disk import Blocks
 from modal.mesh.sector import held_height, sector
 from modal.mesh.symmetry import Mirror, classes, free_unknowns, on_patch
 from modal.modes import Modes, UnsolvableError
 
-COARSE = Blocks(width=pi / 4, depth=0.5, rings=1, lead=0.25, legs=1)
-WIDE = Blocks(width=pi / 5, depth=0.5, rings=1, lead=0.4)
-ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
-MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=2)
-NARROW = Blocks(width=pi / 10, depth=0.32, rings=4, ratio=0.5)
-FINE = Blocks(width=pi / 8, depth=0.38, rings=3, split=2)
-
-LEVELS = {"draft": (ROUGH, COARSE), "standard": (NARROW, WIDE), "reference": (FINE, MIDDLE)}
-"""Accuracy -> the mesh whose modes are given, and the coarser one whose distance from them estimates their error."""
-PART = LEVELS | {
-    "draft": (replace(ROUGH, rings=1), replace(COARSE, rings=0)),
-    "standard": (MIDDLE, replace(COARSE, lead=0.15)),
-}
-"""The same for a patch over part of the thickness, which needs many more cells."""
 SAFETY = 1.8
 """Errors are estimated as so many times that distance: the coarser mesh may be as little as 1.6 times as wrong."""
 LEAST = 0.5
@@ -65,9 +51,9 @@ def resolving(size, disk, material, density, below):
 
 
 def meshes(accuracy, disk, support):
-    """The two meshes of a level."""
+    """The two meshes of an accuracy."""
     part = held_height(disk.thickness, support) < disk.thickness
-    return (PART if part else LEVELS)[accuracy]
+    return LEVELS[accuracy].part if part else LEVELS[accuracy].meshes
 
 
 def held_nodes(solid, part, disk, support):

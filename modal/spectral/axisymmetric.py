@@ -5,6 +5,7 @@ from math import pi
 
 import numpy as np
 
+from modal.accuracy import LEVELS
 from modal.elements import sample
 from modal.elements.unfold import whole_mesh
 from modal.mesh.half_disk import Blocks
@@ -13,9 +14,6 @@ from modal.modes import Body, Modes, Support
 from modal.spectral.basis import Plate
 from modal.spectral.converge import Pairs, all_pairs, amplitudes
 from modal.spectral.ritz import gauss
-
-TOLERANCES = {"draft": 1e-4, "standard": 3e-6, "reference": 1e-8}
-"""Accuracy -> estimated relative error of the frequencies; the true one is several times smaller."""
 
 
 def turned(amplitude, n, angle, odd):
@@ -131,7 +129,7 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
     """The `Modes` below `below` [Hz] of an axisymmetric plate; there may be none."""
     limit, found = below, []
     while not found:
-        found = all_pairs(plate, limit, TOLERANCES[accuracy])
+        found = all_pairs(plate, limit, LEVELS[accuracy].free)
         limit *= 2
     points, cells, body = body_mesh(plate, max(pairs.problem.n for pairs in found))
     parts = []

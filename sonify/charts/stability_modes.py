@@ -14,8 +14,9 @@ from scipy.sparse.linalg import ArpackError, eigsh
 from skfem import ElementHex1, ElementHex2, ElementTetP1, ElementTetP2, MeshHex
 
 from modal import Material, Plate, Support
+from modal.accuracy import COARSE, ROUGH
 from modal.elements.elastic import assemble, inverse_at, lowest
-from modal.elements.patch import COARSE, ROUGH, shift_for
+from modal.elements.patch import shift_for
 from modal.elements.patch import solve as solve_held
 from modal.mesh.half_disk import Blocks, half_disk
 from modal.mesh.sector import extrude, hexahedra

@@ -20,8 +20,9 @@ import skfem
 from skfem.helpers import ddot, dot, eye, sym_grad, trace
 
 from modal import FreeDisk, Material, Plate, Support
+from modal.accuracy import LEVELS
 from modal.elements.elastic import lame
-from modal.elements.patch import LEVELS, solve
+from modal.elements.patch import solve
 from modal.elements.unfold import whole_mesh
 from modal.mesh.half_disk import columns, core, part
 from modal.mesh.sector import extrude, hexahedra, sector
@@ -89,7 +90,7 @@ def plain(mesh, element):
 def graded(accuracy):
     """Nine frequencies [Hz] by the graded sector at a level, without its error estimate, and the count of unknowns."""
     limit = (2 * pi * 20.5e3) ** 2
-    _, solid, classes = solve(DISK, STEEL, Support(), DISK.density, LEVELS[accuracy][0], {"below": limit})
+    _, solid, classes = solve(DISK, STEEL, Support(), DISK.density, LEVELS[accuracy].meshes[0], {"below": limit})
     values = np.sort(np.concatenate([c.values for c in classes]))
     return np.sqrt(values[:9]) / (2 * pi), 3 * len(solid.points)
 
@@ -97,7 +98,7 @@ def graded(accuracy):
 def peers():
     """The same for CalculiX on the mesh of the standard level mirrored to the whole disk, and NGSolve on its own."""
     case = modes_case("patch")
-    part = sector(case.plate.radius, case.plate.thickness, Support(), LEVELS["standard"][0])
+    part = sector(case.plate.radius, case.plate.thickness, Support(), LEVELS["standard"].meshes[0])
     points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
     held = np.intersect1d(
         np.flatnonzero(held_there(points, case.plate.radius, case.half_angle, part.patch)), cells[:, :20]
