@@ -17,9 +17,10 @@ CELLS = 15, 10
 def table(path: Path) -> Path:
     """Write hexahedra (c, 8) on points (p, 3) [m], the top face at z = 0, with a surface "feet"."""
     x, y = (np.linspace(-size / 2, size / 2, n + 1) for size, n in zip((LENGTH, WIDTH), CELLS, strict=True))
-    z, numbers = (-THICKNESS - FOOT, -THICKNESS, 0.0), {}
+    z = (-THICKNESS - FOOT, -THICKNESS, 0.0)
+    numbers: dict[tuple[int, int, int], int] = {}
 
-    def corners(i, j, k):
+    def corners(i: int, j: int, k: int) -> list[int]:
         around = ((0, 0), (1, 0), (1, 1), (0, 1))
         return [numbers.setdefault((i + a, j + b, k), len(numbers)) for a, b in around]
 

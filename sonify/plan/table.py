@@ -20,8 +20,6 @@ def check_table(scene: Scene):
     surface = scene.surface
     if getattr(surface, "action", "auto") == "motion":
         raise SceneError("surface.action = 'motion': no table that acts back on the disk is solved, only 'sound' is")
-    if surface.kind == "infinite":
-        raise SceneError("surface.kind = 'infinite': is not solved yet")
     if surface.kind == "mesh" and not Path(surface.file).is_file():
         raise SceneError(f"surface.file = {surface.file!r}: no such file")
 
@@ -33,6 +31,10 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     """
     if scene.surface.kind == "rigid":
         return replace(plan, left_out=(*plan.left_out, RIGID)), None
+    if scene.surface.kind == "infinite":
+        endless = Decision(subject="table", choice="it only sounds", reason=ONE_WAY[scene.surface.action])
+        plan = replace(plan, decisions=(*plan.decisions, endless), modelled=(*plan.modelled, ENDLESS))
+        return replace(plan, left_out=(*plan.left_out, *LEFT_OUT, FROM_AFAR)), None
     try:
         every = surface_modes(scene, below=plan.highest_mode)
     except UnsolvableError as error:
@@ -97,7 +99,7 @@ def off_since(scene: Scene, motion: Motion) -> float | None:
 
 RIGID = "The sound of the table, which is rigid."
 ONE_WAY = {
-    "auto": "surface.action = 'auto': the findings say from when on the table holds more energy than the disk",
+    "auto": "surface.action = 'auto': the findings say from when on an elastic table holds more energy than the disk",
     "sound": "surface.action = 'sound'",
 }
 UNDER = (
@@ -114,6 +116,11 @@ MODELLED = {
         *UNDER,
     ),
 }
+ENDLESS = (
+    "The table is an endless plate, pushed where the contact is; it is heard as from afar, in closed form, with the "
+    "waves of the plate that run ahead of the sound coming after it."
+)
+FROM_AFAR = "How loud a near listener hears a near contact: the contact's distance changes when it is heard alone."
 LEFT_OUT = (
     "The action of the table on the motion: what it takes from the disk, and that it deflects under it.",
     "The friction on the table, the sound of its other faces, its damping by the air, and what the disk hides of it.",

@@ -11,11 +11,11 @@ import numpy as np
 from sonify.sound.audible_modes import sounding
 from sonify.sound.contact import with_contact
 from sonify.sound.force import ForceSampler
+from sonify.sound.infinite import table_sources
 from sonify.sound.pressure import Sound, kept, with_sum
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import RigidFace
 from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, held_back
-from sonify.sound.table import ElasticTable
 
 BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
@@ -52,7 +52,7 @@ class Renderer:
         """What sounds in this scene; every cause of sound has its line."""
         rigid = RigidDisk(self.scene, self._rigid)
         elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
-        tables = [ElasticTable(self.scene, self.table, self.listener)] if self.table else []
+        tables = table_sources(self.scene, self.table, self.listener)
         return with_contact(self.scene, self.motion, rigid, elastic, *tables) + tables
 
     def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):
