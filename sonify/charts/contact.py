@@ -104,7 +104,8 @@ def conclusion(records: list[Record]) -> list[str]:
         f"{case.SECONDS:g} s of motion at {light.setting}; the full model needs {_ms(full)} for {number(full.error)}.",
         "The rigid contact has no force at these frequencies.",
         f"Of the impact the discrete gradient keeps the energy to round-off at any step, and its depth errs by "
-        f"{number(kept.error)} at {kept.setting}; explicit steps gain {number(gained.error)} at {gained.setting}.",
+        f"{number(kept.error)} at {kept.setting}; explicit steps, timed in one dimension, gain {number(gained.error)} "
+        f"at {gained.setting}.",
     ]
     torn = [r for r in records if r.case == SEVERAL and r.failure]
     stuck = [r for r in records if r.case == UNDAMPED and r.failure]
