@@ -26,15 +26,11 @@ class Arc(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A short step taken in closed form within a regime: its duration and Taylor coefficients (order + 1, k).
-
-    `is_sure`: every guard is known to stay positive along it.
-    """
+    """A short step taken in closed form within a regime: its duration and Taylor coefficients (order + 1, k)."""
 
     regime: Any
     duration: float
-    coefficients: Any
-    is_sure: bool = False
+    coefficients: list
 
     @property
     def end(self) -> list:
@@ -43,7 +39,7 @@ class Step(NamedTuple):
 
     def at(self, t: float) -> list:
         """Return the state (k,) after t."""
-        return (t ** np.arange(len(self.coefficients)) @ np.asarray(self.coefficients)).tolist()
+        return np.polynomial.polynomial.polyval(t, np.array(self.coefficients)).tolist()
 
 
 class Switch(NamedTuple):
@@ -128,6 +124,6 @@ def _follow(system, path, regime, y, span, watch) -> str | None:
 
 def _take(path, switch):
     """Append the closed steps of a switch; return its regime and state."""
-    for step in switch.steps:
-        path.extend(np.array([step.duration]), np.array([step.coefficients]), step.regime)
+    for regime, duration, coefficients in switch.steps:
+        path.extend(np.array([duration]), np.array([coefficients]), regime)
     return switch.regime, switch.state

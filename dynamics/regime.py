@@ -7,7 +7,6 @@ five entries are quadratures: precession, spin, centre of mass, dissipated energ
 
 import math
 from collections.abc import Callable
-from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -35,13 +34,9 @@ class Regime(NamedTuple):
 
     def __str__(self) -> str:
         """'roll' or 'slide', and what sticks: 'roll, nutation sticks'."""
-        return _name(self.sliding, self.stuck)
-
-
-@cache
-def _name(sliding, stuck):
-    sticking = [f"{axis} sticks" for axis, sticks in zip(AXES, stuck, strict=True) if sticks]
-    return ", ".join(["slide" if sliding else "roll", *sticking])
+        return ", ".join(
+            ["slide" if self.sliding else "roll"] + [f"{a} sticks" for a, s in zip(AXES, self.stuck, strict=True) if s]
+        )
 
 
 class Branch(NamedTuple):

@@ -73,14 +73,10 @@ class Compiled(NamedTuple):
     guards: tuple[str, ...]
 
 
-machines: dict = {}
-
-
+@functools.cache
 def machine(function, signature):
     """Compile a function when it is first asked for, not when it is imported; numba keeps it on disk."""
-    if function not in machines:  # the hash of a signature takes longer than a call
-        machines[function] = njit(signature, cache=True, error_model="numpy")(function)
-    return machines[function]
+    return njit(signature, cache=True, error_model="numpy")(function)
 
 
 @functools.lru_cache(64)

@@ -1,6 +1,8 @@
 __version__: str
 
 from .doors import run as run
+from .fitting.result import Fits as Fits
+from .fitting.result import fit as fit
 from .hearing.recording import Heard as Heard
 from .hearing.recording import RecordingError as RecordingError
 from .hearing.recording import listen as listen

@@ -100,6 +100,26 @@ def listen(recording, out):
 
 
 @main.command()
+@click.argument("recordings", nargs=-1, required=True, type=click.Path())
+@click.option("--scene", default="toy", show_default=True, help="Whose radius, thickness and air: a name or a file.")
+@click.option("--out", type=click.Path(), help="Folder for the files; default outputs/fit/<name of the first file>.")
+@click.option("--like", type=click.Choice(["fu-berlin"]), help="Also the exponents of a published chain.")
+def fit(recordings, scene, out, like):
+    """Find what slowed the disk in RECORDINGS: sound files, exports of phyphox, or folders of takes."""
+    from sonify.console import Console
+
+    with Console() as stages:
+        from sonify.fitting.report import sentences, write_fits
+        from sonify.fitting.result import fit
+
+        with stages.stage("recordings") as watch:
+            fits = fit(recordings, scene, like, watch)
+        for line in sentences(fits):
+            click.echo(line)
+        click.echo(str(write_fits(fits, out)))
+
+
+@main.command()
 @click.option("--keys", is_flag=True, help="List every key of a scene instead: unit, range, default, meaning.")
 @click.option("--schema", is_flag=True, help="Print the JSON schema of a scene instead, for editors that complete.")
 def scenes(keys, schema):

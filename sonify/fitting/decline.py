@@ -1,0 +1,180 @@
+"""SCENE -> DECLINE: how fast the contact of a disk goes round so long before the end, whatever shares slow it.
+
+A disk in steady motion with a fixed centre loses energy slowly: dE(beta)/dt = -P(beta), with the power of contour
+friction, P = rolling m g R Omega, of the film of air, P = air P_film, and of the other laws of a scene, P = law P_law.
+"""
+
+from copy import copy
+from dataclasses import replace
+from functools import cached_property
+from math import atan
+
+import numpy as np
+from scipy.integrate import cumulative_simpson
+from scipy.interpolate import CubicSpline
+
+from dynamics import simulate
+from dynamics.disk import Friction, Release
+from dynamics.dissipation import Dissipation, resistance
+from dynamics.equations import law_of
+from dynamics.film.law import film_under
+from dynamics.kinematics import energy
+from dynamics.rates import load_peaks, nutation_frequency, precession_frequency
+from dynamics.steady import steady_precession
+from dynamics.surface import Surface
+from dynamics.time_left import steady_power
+from sonify.scene import Scene
+
+LAWS = ("rolling", "air", "law")
+"""What slows a disk: contour friction, the film, and whatever else its scene names."""
+LEAST_LEFT, SOLVED = 2e-3, 200
+"""The correction is known to so little time left [s], and at so many places."""
+NUTATING = (0.005, 0.02, 0.08, 0.3)
+"""Inclinations [rad] at which the nutation is solved."""
+LEAST_ROLLING = 1e-12
+"""A disk that nothing slows is slowed by so small a share of contour friction."""
+LEAST_AIR = 1e-3
+"""A film of less than this share is none."""
+FACTORS = ("power_coefficient", "viscous_moment", "viscous_force")
+"""What a share of the scene's other laws multiplies, besides the arms of its friction."""
+FLATTEST, POINTS = 1e-7, 600
+"""The least inclination [rad] that is tabulated, and how many are, evenly in the logarithm."""
+
+
+class Decline:
+    """The steady decline of the disk of a scene. Shown by tests/test_fit.py."""
+
+    line: "float | np.ndarray" = 1.0
+    """Periods of what is heard in a turn of the contact; where it is the nutation, (b,)."""
+    correction = np.zeros((2, 1))
+    """log(time left) (c,) and log(precession solved / steady) (c,) there."""
+
+    def __init__(self, scene: Scene):
+        self.scene, self.disk = scene, scene.disk
+        law = law_of(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
+        steepest = 0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h)) if law.h else 1.2
+        self.beta = np.geomspace(FLATTEST, min(steepest, 1.2), POINTS)
+        rate = np.array([steady_precession(b, law.h, law.K) for b in self.beta])
+        w3 = rate * np.sin(self.beta)
+        self.energy = energy(self.beta, (0.0, law.h * w3, w3), (0.0, 0.0), law)
+        self.rate = rate / self.disk.time_unit / (2 * np.pi)
+        contour = resistance(Dissipation(contour_moment=self.disk.weight * self.disk.radius), self.disk)
+        film = film_under(self.disk, scene.air) if self.disk.shape == "solid" and scene.air.pressure else None
+        own = resistance(replace(scene.dissipation, contour_moment=0.0), self.disk)
+        own_law = law_of(self.disk, scene.friction)
+        self.powers = np.array(
+            [
+                [steady_power(b, law, contour) for b in self.beta],
+                film.powers(self.beta, (0.0, law.h * w3, w3))[0] if film else 0 * self.beta,
+                [steady_power(b, own_law, own) for b in self.beta],
+            ]
+        )
+
+    @property
+    def has_film(self) -> bool:
+        """Whether there is air under this disk whose film is known."""
+        return bool(self.powers[1].any())
+
+    @property
+    def has_law(self) -> bool:
+        """Whether the scene names another resistance than contour friction and the film."""
+        return bool(self.powers[2].any())
+
+    @cached_property
+    def _slope(self):
+        return CubicSpline(np.log(self.beta), self.energy).derivative()(np.log(self.beta))  # dE/d(log beta)
+
+    def lines(self) -> dict[str, "Decline"]:
+        """Return the decline as it is heard: once or twice in a turn of the contact, or once in a nutation."""
+        return {"precession": self, "its double": self._heard(2.0), "nutation": self._heard(self._nutation)}
+
+    def _heard(self, ratio):
+        other = copy(self)
+        other.line, other.rate = ratio, self.rate * ratio
+        return other
+
+    @cached_property
+    def _nutation(self):
+        """How often the disk nutates in a turn of the contact (b,): from short motions without losses."""
+        found = [self._nutations(beta) for beta in NUTATING]
+        return np.interp(np.log(self.beta), np.log(NUTATING), found)
+
+    def _nutations(self, beta):
+        turns = float(np.interp(beta, self.beta, self.rate))
+        w3 = 2 * np.pi * turns * np.sin(beta)
+        release = Release(inclination_deg=float(np.degrees(1.02 * beta)), omega=(0.0, self.disk.aspect * w3, w3))
+        numerics = replace(self.scene.numerics, time_limit=12 / turns)
+        scene = replace(self._scene_of(0.0, 0.0, 0.0), friction=Friction(mu_static=10.0, mu_dynamic=10.0))
+        motion = simulate(replace(scene, release=release, numerics=numerics))
+        return float(np.median(nutation_frequency(motion)[1] / precession_frequency(motion)[1]))
+
+    def left(self, shares) -> np.ndarray:
+        """Return the time left [s] (b,) at every inclination, for shares (3,) of the LAWS."""
+        power = np.maximum(np.asarray(shares, float) @ self.powers, LEAST_ROLLING * self.powers[0])
+        rate = self._slope / power  # d(time left)/d(log beta), a power of beta below the table
+        growth = np.log(rate[1] / rate[0]) / np.log(self.beta[1] / self.beta[0])
+        first = rate[0] / growth
+        time = cumulative_simpson(rate, x=np.log(self.beta), initial=0.0) + first
+        return time * self.disk.time_unit
+
+    def turns(self, left, shares) -> tuple[np.ndarray, np.ndarray]:
+        """Return the periods still to come, and how many there are a second [Hz], at times left (k,) [s] > 0."""
+        time = self.left(shares)
+        rate = self.rate * np.exp(np.interp(np.log(time), *self.correction))
+        spline = CubicSpline(np.log(time), rate * time)
+        exponent = 1 + np.log(rate[1] / rate[0]) / np.log(time[1] / time[0])
+        within = np.clip(left, time[0], time[-1])
+        first = rate[0] * time[0] / exponent
+        return first + spline.antiderivative()(np.log(within)), spline(np.log(within)) / within
+
+    def frequency(self, left, shares) -> np.ndarray:
+        """Return periods a second [Hz] at times left (k,) [s] > 0."""
+        time = np.log(self.left(shares))
+        rate = np.log(self.rate) + np.interp(time, *self.correction)
+        return np.exp(np.interp(np.log(left), time, rate))
+
+    def inclination(self, left, shares) -> np.ndarray:
+        """Return the inclination [rad] at times left (k,) [s]."""
+        return np.exp(np.interp(np.log(left), np.log(self.left(shares)), np.log(self.beta)))
+
+    def solved(self, shares) -> "Decline":
+        """Return the decline corrected by a solved motion: its centre moves, which no steady motion's does.
+
+        The motion is that of the scene, with shares (3,) of the LAWS. Raises ValueError where it cannot be solved.
+        """
+        motion = simulate(self._scene_of(*map(float, shares)))
+        flattest = max(motion.at(motion.t[-1:])[0, 1], 2 * FLATTEST)
+        end = motion.t[-1] + np.interp(flattest, self.beta, self.left(shares))
+        left = np.geomspace(end, max(end - motion.t[-1], LEAST_LEFT), SOLVED + 1)
+        turned = self._counted(motion, np.clip(end - left, 0.0, motion.t[-1]))
+        corrected = copy(self)
+        corrected.correction = Decline.correction
+        ratio = np.diff(turned) / -np.diff(corrected.turns(left, shares)[0])
+        within = (ratio > 0.5) & (ratio < 2)
+        middle = np.log(left[1:] * left[:-1]) / 2
+        if within.sum() < 2:
+            raise ValueError("the solved motion is far from every steady one")
+        corrected.correction = np.array([middle[within][::-1], np.log(ratio[within])[::-1]])
+        return corrected
+
+    def _counted(self, motion, t):
+        """Periods of the line that is heard, from the release to times (k,) [s]."""
+        if isinstance(self.line, float):
+            return self.line * np.abs(motion.at(t)[:, 0]) / (2 * np.pi)
+        peaks = load_peaks(motion)
+        return np.interp(t, peaks, np.arange(len(peaks)), left=np.nan, right=np.nan)
+
+    def _scene_of(self, rolling, air, law):
+        scene = self.scene
+        arms = {arm: law * getattr(scene.friction, arm) for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")}
+        own = {name: law * getattr(scene.dissipation, name) for name in FACTORS}
+        return replace(
+            scene,
+            friction=replace(scene.friction, **arms),
+            dissipation=replace(scene.dissipation, contour_moment=rolling * self.disk.weight * self.disk.radius, **own),
+            air=replace(scene.air, film="acts", viscosity=air * scene.air.viscosity)
+            if air > LEAST_AIR
+            else replace(scene.air, film="none"),
+            contact=replace(scene.contact, law="rigid"),
+            surface=Surface(),
+        )

@@ -1,0 +1,61 @@
+"""FIT -> NULL TEST: a recording of another mechanism, with the same noise, goes through the same ear."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from sonify.fitting.ear import Judged, Sound, heard, judge, stream
+from sonify.fitting.estimate import LENGTHS, Value, solved_near, tracked
+from sonify.fitting.synthetic import Recording, recording
+from sonify.hearing.recording import RecordingError
+
+OTHERS = {"rolling": ("air",), "air": ("rolling",), "both": ("rolling", "air"), "cannot tell": ("rolling", "air")}
+"""Which mechanisms alone are put in place of what was found."""
+ALONE = {"rolling": [1e-4, 0.0, 0.0], "air": [0.0, 1.0, 0.0]}
+RATE, PILOT = 8000, 0.3
+"""Samples a second of the recordings, and the noise of the one by which the noise is measured."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Null:
+    """What the ear said, `verdict`, `rolling` and `air`, of a recording in which `truth` alone slowed the disk, as
+    `shares` (3,) that decline most like what was heard."""
+
+    truth: str
+    shares: tuple[float, ...]
+    verdict: str
+    rolling: Value | None = None
+    air: Value | None = None
+
+
+def null_tests(judged: Judged) -> list[Null]:
+    """Return how the ear judges each other mechanism; a mechanism of which the disk has none is left out."""
+    names = [name for name in OTHERS[judged.verdict] if name == "rolling" or judged.decline.has_film]
+    return [_null(judged, name) for name in names]
+
+
+def _null(judged, name):
+    decline, rates, end = judged.decline.lines()["precession"], judged.fit.heard[0], judged.fit.ends[0]
+    streams = [judged.streams[0]]
+    free = tuple(np.flatnonzero(ALONE[name]).tolist())
+    _, shares, _ = solved_near(judged.decline, streams, (rates,), [end], np.array(ALONE[name]), free)
+    first = float(rates.time.min()) - 0.5
+    made = {"end": end - first, "duration": end - first + 1.0, "rate": RATE, "seed": 1}
+    try:
+        pilot = Sound(
+            name="pilot", samples=recording(decline, shares, noise=PILOT, **made), rate=RATE, start=0.0, tones={}
+        )
+        clear = tracked(decline, stream(pilot, judged.signal), made["end"], shares, LENGTHS[-1]).clear
+        louder = np.sqrt(np.median(clear) / np.median(rates.clear)) if len(clear) else 1.0
+        sound = heard(_source(decline, shares, made, PILOT * louder), "null test", (judged.signal,))
+        one = judge(decline, [sound], correct=False)
+    except RecordingError:
+        return Null(truth=name, shares=tuple(shares), verdict="cannot tell")
+    values = one.values()
+    return Null(
+        truth=name, shares=tuple(shares), verdict=one.verdict, rolling=values.get("rolling"), air=values.get("air")
+    )
+
+
+def _source(decline, shares, made, noise):
+    return Recording(samples=recording(decline, shares, noise=float(noise), **made), sample_rate=RATE)

@@ -1,0 +1,173 @@
+"""FITS -> FILES: fit.json, a picture, a table and a short page."""
+
+from itertools import chain, count
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from sonify.files import claimed, whole
+from sonify.fitting.result import Fits, Fitted, power_shares
+from sonify.report.figure import figure_at
+from sonify.report.write import finite, write_json
+
+NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
+"""What a law takes that was not sought, as the film in a vacuum."""
+PANELS = 6
+"""Recordings in the picture at most, the first."""
+
+
+def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
+    """Write fit.json, fit.csv, fit.png and fit.md into `out`, return the folder. Raises OutputError."""
+    with claimed(out or own_folder(fits.files[0].file)) as folder:
+        write_json(finite(as_json(fits)), folder / "fit.json")
+        draw(fits, folder / "fit.png")
+        with whole(folder / "fit.csv") as temporary:
+            temporary.write_text("\n".join(table(fits, ",")) + "\n", encoding="utf-8")
+        with whole(folder / "fit.md") as temporary:
+            temporary.write_text(page(fits), encoding="utf-8")
+    return folder
+
+
+def own_folder(file: str) -> Path:
+    """Return outputs/fit/<name of the recording>, or <name>-2, ... where the folder before is there already."""
+    first = Path("outputs") / "fit" / Path(file).stem
+    folders = chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2)))
+    return next(folder for folder in folders if not (folder / "fit.json").exists())
+
+
+def as_json(fits: Fits) -> dict[str, Any]:
+    """Return what fit.json holds."""
+    single = len(fits.files) == 1
+    pool = {"t_end": value(fits.pool.value(0)) if single else None} | _values(fits.values()) | {"verdict": fits.verdict}
+    shares = {name: list(share) for name, share in power_shares(fits).items()}
+    return {"scene": fits.scene.name, "files": [_one(f) for f in fits.files], "pooled": pool | {"power_shares": shares}}
+
+
+def _one(fitted: Fitted) -> dict[str, Any]:
+    judged, rates = fitted.judged, fitted.judged.fit.heard[0]
+    head = {"file": fitted.file, "t_end": value(judged.fit.value(0))} | _values(judged.values())
+    return head | {
+        "verdict": judged.verdict,
+        "contour_friction_fits": judged.contour_fits,
+        "signal": judged.signal,
+        "line": judged.line,
+        "model": judged.model,
+        "spread": judged.fit.spread,
+        "radius_10_percent_off_shows": fitted.radius_shows,
+        "null_tests": [
+            {
+                "truth": n.truth,
+                "shares": list(n.shares),
+                "verdict": n.verdict,
+                "rolling": value(n.rolling),
+                "air": value(n.air),
+            }
+            for n in fitted.nulls
+        ],
+        "published_way": {name: e._asdict() for name, e in (fitted.published_way or {}).items()},
+        "residual": {
+            "time": rates.time.tolist(),
+            "heard_hz": rates.frequency.tolist(),
+            "fitted_hz": (rates.frequency * np.exp(-judged.fit.residual)).tolist(),
+            "error_hz": rates.error.tolist(),
+        },
+    }
+
+
+def _values(values) -> dict[str, Any]:
+    """Values by name; `rolling` and `air` always."""
+    return dict.fromkeys(("rolling", "air"), NOTHING) | {name: value(v) for name, v in values.items()}
+
+
+def value(found) -> dict[str, Any] | None:
+    """Return a Value as plain numbers."""
+    if found is None:
+        return None
+    return {"value": found.value, "low": found.low, "high": found.high, "inner": [float(x) for x in found.inner]}
+
+
+def table(fits: Fits, separator: str = " | ") -> list[str]:
+    """Return a line for every recording, and one for all together."""
+    lines = [separator.join(("recording", "t_end [s]", "rolling", "low", "high", "air", "low", "high", "verdict"))]
+    rows = [(f.file, f.judged.fit.value(0).value, f.judged.values(), f.judged.verdict) for f in fits.files]
+    if len(rows) > 1:
+        rows.append(("together", None, fits.values(), fits.verdict))
+    for name, end, values, verdict in rows:
+        numbers = [
+            f"{x:.6g}"
+            for v in (_values(values)[k] for k in ("rolling", "air"))
+            for x in (v["value"], v["low"], v["high"])
+        ]
+        lines.append(separator.join((Path(name).name, "" if end is None else f"{end:.4f}", *numbers, verdict)))
+    return lines
+
+
+def sentences(fits: Fits) -> list[str]:
+    """Return what was found in words."""
+    said = [line for fitted in fits.files for line in _of_one(fitted)]
+    if len(fits.files) > 1:
+        said.append(f"together: {fits.verdict}; {_in_words(fits.values())}")
+    return said
+
+
+def _of_one(fitted):
+    judged, end = fitted.judged, fitted.judged.fit.value(0)
+    told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.1%}"
+    yield f"{fitted.file}: {judged.verdict}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
+    yield f"  {_in_words(judged.values())}"
+    if not judged.contour_fits:
+        yield "  contour friction and film do not explain it; the scene's own law takes more than a tenth of the power"
+    yield f"  a radius 10 % off {'would show' if fitted.radius_shows else 'cannot be told: the shares take it up'}"
+    for null in fitted.nulls:
+        yield f"  null test: a disk slowed by {null.truth} alone, with the same noise, is called: {null.verdict}"
+    for name, e in (fitted.published_way or {}).items():
+        yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f} of a line through {e.columns} columns"
+
+
+def _in_words(values):
+    return ", ".join(f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)" for name, v in values.items())
+
+
+def page(fits: Fits) -> str:
+    """Return a short page, Markdown."""
+    rows = table(fits)
+    lines = [f"# What slowed the disk '{fits.scene.name}'", "", *(f"* {s.strip()}" for s in sentences(fits)), ""]
+    lines += [
+        "![heard and fitted](fit.png)",
+        "",
+        f"| {rows[0]} |",
+        "|---" * 9 + "|",
+        *(f"| {row} |" for row in rows[1:]),
+    ]
+    return "\n".join(lines) + "\n"
+
+
+def draw(fits: Fits, path: Path):
+    """Draw for each recording the rates heard and fitted against the time left, and how far they are apart."""
+    shown = fits.files[:PANELS]
+    with figure_at(path, 2, len(shown), (max(4.5 * len(shown), 7), 7), sharex="col", squeeze=False) as (_, axes):
+        for (above, below), fitted in zip(axes.T, shown, strict=True):
+            _draw_one(above, below, fitted)
+        axes[0, 0].set_ylabel(f"{shown[0].judged.line}, periods a second [Hz]")
+        axes[1, 0].set_ylabel("heard over fitted - 1 [%]")
+
+
+def _draw_one(above, below, fitted):
+    one, decline = fitted.judged.fit, fitted.judged.decline
+    rates, left = one.heard[0], one.ends[0] - one.heard[0].time
+    at = np.geomspace(left.min(), left.max(), 200)
+    fitted_rate = decline.frequency(at, one.shares)
+    count = len(one.ends)
+    drawn = np.array([decline.frequency(at, np.maximum(d[count:], 0)) for d in one.draws[:60]])
+    low, high = np.percentile(drawn / fitted_rate - 1, [2.5, 97.5], axis=0)
+    above.errorbar(left, rates.frequency, rates.error, fmt=".", color="#0072b2", label="heard, from the phase")
+    above.plot(at, fitted_rate, color="#d55e00", label=f"fitted: {fitted.judged.verdict}")
+    above.set(xscale="log", yscale="log", title=Path(fitted.file).name)
+    above.legend(fontsize=8)
+    below.fill_between(at, 100 * low, 100 * high, color="#d55e00", alpha=0.25, label="95 % of the fit")
+    below.errorbar(left, 100 * np.expm1(one.residual), 100 * one.sigma, fmt=".", color="#0072b2")
+    below.axhline(0.0, color="#d55e00", lw=1)
+    below.set(xlabel="time left [s]")
+    below.invert_xaxis()
+    below.legend(fontsize=8)

@@ -1,0 +1,137 @@
+"""FILES + SCENE -> FITTED: each recording by itself, all of them together, and what else could have been heard."""
+
+from collections.abc import Callable, Iterable
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from multiprocessing import get_context
+from pathlib import Path
+
+from modal.one_thread import one_blas_thread
+from sonify.fitting import estimate
+from sonify.fitting.decline import LAWS, Decline
+from sonify.fitting.ear import BETTER, Judged, heard, judge, shares_of_power, verdict_of
+from sonify.fitting.estimate import Fit, Value, pooled
+from sonify.fitting.fu_berlin import Exponent, exponents
+from sonify.fitting.null import Null, null_tests
+from sonify.fitting.readings import source, takes
+from sonify.hearing.recording import RecordingError
+from sonify.scene import Scene, load_scene
+
+WRONG = (0.9, 1.1)
+"""Factors on the radius with which every fit is tried again."""
+WORKERS, MANY = 2, 3
+"""So many processes share the recordings where there are at least so many."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Fitted:
+    """One recording: what was `judged` of it, the null tests, and whether a radius 10 % off would show."""
+
+    file: str
+    judged: Judged
+    nulls: list[Null]
+    radius_shows: bool
+    published_way: dict[str, Exponent] | None = None
+
+    def __repr__(self):
+        values = ", ".join(
+            f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g})" for name, v in self.judged.values().items()
+        )
+        return f"Fitted({self.file}: {self.judged.verdict}; {values})"
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Fits:
+    """Recordings of one disk: each in `files`, and all of them in the `pool`, with its `verdict`."""
+
+    scene: Scene
+    files: list[Fitted]
+    pool: Fit
+    verdict: str
+
+    def values(self) -> dict[str, Value]:
+        """Return `rolling`, `air` and whatever else was sought, of all recordings together."""
+        return {LAWS[i]: self.pool.value(len(self.files) + i) for i in self.pool.free}
+
+    def __repr__(self):
+        values = ", ".join(f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g})" for name, v in self.values().items())
+        return f"Fits({len(self.files)} recordings: {self.verdict}; {values})"
+
+
+@one_blas_thread
+def fit(
+    files: str | Path | Iterable[str | Path],
+    scene: Scene | str | Path = "toy",
+    like: str | None = None,
+    watch: Callable[[float, str], None] = lambda share, doing: None,
+) -> Fits:
+    """Return what slowed the disk of a scene in recordings: sound files, exports of phyphox, folders of takes.
+
+    The scene gives radius, thickness and air. `like` "fu-berlin" adds the exponents of a published chain. Raises
+    RecordingError for a recording that cannot be fitted, in one line, and SceneError for a wrong scene.
+    """
+    scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene
+    paths = takes([files] if isinstance(files, (str, Path)) else files)
+    fitted = []
+    for one in _each(paths, scene, like):
+        fitted.append(one)
+        watch(len(fitted) / len(paths), one.file)
+    decline, fits = fitted[0].judged.decline, [one.judged.fit for one in fitted]
+    pool = fits[0] if len(fits) == 1 else pooled(decline, fits)
+    verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool, len(fits))
+    return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict)
+
+
+def _each(paths, scene, like):
+    if len(paths) < MANY:
+        yield from (fit_one(path, scene.document, like) for path in paths)
+        return
+    with ProcessPoolExecutor(WORKERS, mp_context=get_context("spawn")) as pool:
+        yield from pool.map(fit_one, paths, [scene.document] * len(paths), [like] * len(paths))
+
+
+@one_blas_thread
+def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
+    """Return the fit of one recording; the scene comes as its document. Raises RecordingError."""
+    from sonify.scene import from_document
+
+    scene = from_document(document)
+    sound = heard(source(path), str(path))
+    judged = judge(Decline(scene), [sound])
+    published = None
+    if like == "fu-berlin":
+        end = float(judged.fit.ends[0]) - sound.start
+        try:
+            published = exponents(sound.samples, sound.rate, end)
+        except ValueError as error:
+            raise RecordingError(f"{path}: {error}") from None
+    return Fitted(
+        file=str(path),
+        judged=judged,
+        nulls=null_tests(judged),
+        radius_shows=radius_shows(judged),
+        published_way=published,
+    )
+
+
+def radius_shows(judged: Judged) -> bool:
+    """Return whether declines of disks whose radius is 10 % off fit far worse, however what slows them is chosen."""
+    found = [_with_radius(judged, factor) for factor in WRONG]
+    return all(spread is None or spread > BETTER * judged.fit.spread for spread in found)
+
+
+def _with_radius(judged, factor):
+    """The spread of the fit of a disk of another radius; None if it cannot follow the tone."""
+    scene = judged.decline.scene
+    disk = replace(scene.disk, radius=factor * scene.disk.radius)
+    decline = Decline(replace(scene, disk=disk)).lines()[judged.line]
+    decline.correction = judged.decline.correction
+    try:
+        return estimate.fit(decline, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free).spread
+    except ValueError:
+        return None
+
+
+def power_shares(fits: Fits) -> dict[str, tuple[float, float]]:
+    """Return for each of the LAWS the least and greatest share of the energy that it took while heard."""
+    return shares_of_power(fits.files[0].judged.decline, fits.pool, len(fits.files))

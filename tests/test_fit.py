@@ -1,0 +1,247 @@
+"""Claim: `fit` gives back what slowed a disk, with intervals that hold it, and says where it cannot tell.
+
+Source: the power balance of steady motion, P = mu m g R Omega of contour friction and Reynolds' film; for the chain of
+FU Berlin (2026), its published windows. Oracle: closed forms at small inclination, recordings made of known shares, the
+program's own sound.
+"""
+
+import json
+import zipfile
+
+import numpy as np
+import pytest
+import soundfile
+from click.testing import CliRunner
+
+import sonify
+from sonify import RecordingError, load_scene
+from sonify.__main__ import main
+from sonify.fitting.decline import Decline
+from sonify.fitting.ear import heard, judge
+from sonify.fitting.fu_berlin import exponents
+from sonify.fitting.phase import rates
+from sonify.fitting.readings import source, takes
+from sonify.fitting.result import fit, radius_shows
+from sonify.fitting.synthetic import Recording, recording
+
+BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
+RATE = 16000
+
+
+@pytest.fixture(scope="module")
+def scene():
+    """The toy, slowed by contour friction and air alone."""
+    changes = [f"friction.{arm}=0" for arm in BARE]
+    changes += ["dissipation.boundary_layer_viscosity=0", "dissipation.contour_moment=1e-5", "air.film='acts'"]
+    return load_scene("toy").replace(*changes)
+
+
+@pytest.fixture(scope="module")
+def decline(scene):
+    return Decline(scene)
+
+
+def listened(decline, shares, **how):
+    return heard(Recording(samples=recording(decline, shares, rate=RATE, **how), sample_rate=RATE), "made", ("tone",))
+
+
+def test_rolling_alone_declines_as_its_closed_form(scene):
+    """E = 3/2 m g R beta, P = mu m g R Omega, Omega^2 beta = c of a thin disk: the time left is beta^(3/2) / (mu
+    sqrt(c)), and f goes as its power -1/3. What is left out is of order beta."""
+    mu, beta, decline = 1e-4, 1e-4, Decline(scene.replace("disk.thickness=1e-6"))
+    c = (2 * np.pi * np.interp(beta, decline.beta, decline.rate)) ** 2 * beta
+    left = np.interp(beta, decline.beta, decline.left([mu, 0, 0]))
+    assert left == pytest.approx(beta**1.5 / (mu * np.sqrt(c)), rel=10 * beta)
+    pair = np.log(decline.frequency(np.array([left / 2, left]), [mu, 0, 0]))
+    assert np.diff(pair)[0] / np.log(2) == pytest.approx(-1 / 3, abs=10 * beta)
+
+
+def test_the_film_alone_declines_with_the_power_of_a_sixth(decline):
+    left = np.array([0.5e-3, 1e-3])
+    exponent = np.diff(np.log(decline.frequency(left, [0, 1, 0])))[0] / np.log(2)
+    assert exponent == pytest.approx(-1 / 6, abs=2e-3)  # the inertia of the air is of order S^2.5, 1e-3 there
+
+
+def test_the_arm_of_the_paper_declines_with_the_power_of_one():
+    """Until the inclination, which goes with the square of the time left, is 1e-5."""
+    decline = Decline(load_scene("published"))
+    left = np.interp(1e-5, decline.beta, decline.left([0, 0, 1])) * np.array([1, 2])
+    assert np.diff(np.log(decline.frequency(left, [0, 0, 1])))[0] / np.log(2) == pytest.approx(-1, abs=1e-3)
+
+
+def test_turns_and_their_rate_belong_together(decline):
+    left, step = np.array([0.1, 1.0, 5.0]), 1e-4
+    turned = [decline.turns(left + sign * step, [5e-5, 1, 0])[0] for sign in (-1, 1)]
+    rate = decline.turns(left, [5e-5, 1, 0])[1]
+    assert np.diff(turned, axis=0)[0] / (2 * step) == pytest.approx(rate, rel=1e-6)
+    assert decline.frequency(left, [5e-5, 1, 0]) == pytest.approx(rate, rel=1e-4)
+
+
+def test_a_rate_that_is_missed_is_read_from_the_phase():
+    """A tone of 20.3 Hz where 20 Hz are expected: the slope of the phase tells it to a hundredth of what is missed."""
+    t = np.arange(8 * RATE) / RATE
+    found = rates(np.cos(2 * np.pi * 20.3 * t), RATE, 0.0, lambda t: (20.0 * t, np.full_like(t, 20.0)), 8.0)
+    assert len(found.time) > 20
+    assert found.frequency == pytest.approx(20.3, abs=0.3e-2)
+
+
+@pytest.mark.parametrize(
+    ("shares", "verdict"), [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")]
+)
+def test_the_truth_is_found_and_named(decline, shares, verdict):
+    found = judge(decline, [listened(decline, shares, noise=0.3, seed=5)], correct=False)
+    assert found.verdict == verdict
+    values = found.values()
+    for name, truth, unit in (("rolling", shares[0], 1e-4), ("air", shares[1], 1.0)):
+        assert values[name].low <= truth + 1e-3 * unit
+        assert values[name].high >= truth - 1e-3 * unit
+        assert values[name].value == pytest.approx(truth, abs=0.03 * unit)
+    assert found.fit.value(0).value == pytest.approx(12.0, abs=0.02)
+
+
+def test_what_cannot_be_told_is_not_told(decline):
+    """Of three seconds in strong noise, it is never said that rolling alone slowed a disk which air alone did."""
+    sounds = [listened(decline, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed) for seed in range(4)]
+    verdicts = {judge(decline, [sound], correct=False).verdict for sound in sounds}
+    assert "cannot tell" in verdicts
+    assert "rolling" not in verdicts
+
+
+def test_a_radius_that_the_shares_take_up_is_said_to_be_so(decline):
+    found = judge(decline, [listened(decline, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False)
+    assert not radius_shows(found)
+
+
+def test_the_published_chain_reads_less_than_the_true_exponent(decline):
+    """Pure rolling friction, 1/3, reads as 0.301 over a whole run and as 0.261 over its last four seconds, for another
+    recording; an end that is 20 ms wrong, as by hand, moves these by 0.03 and by 0.06."""
+    samples = recording(decline, [1e-4, 0, 0], noise=0.01, end=10.0, duration=10.5, rate=44100)
+    found = {name: exponent.value for name, exponent in exponents(samples, 44100, 10.0).items()}
+    assert found["last 4 s"] < found["whole run"] < 1 / 3
+    assert found["whole run"] == pytest.approx(0.301, abs=0.03)
+    assert found["last 4 s"] == pytest.approx(0.261, abs=0.06)
+
+
+def write(path, samples, rate=RATE):
+    soundfile.write(path, samples, rate, subtype="FLOAT")
+    return path
+
+
+def falling(t):
+    return np.cos(2 * np.pi * 40 * (t + 1) ** 0.5)
+
+
+def bad_takes(folder, decline):
+    t, random = np.arange(6 * RATE) / RATE, np.random.default_rng(0)
+    (folder / "text.wav").write_text("This is not a sound.")
+    (folder / "rows.csv").write_text("a,b\n1,2\n")
+    good = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
+    return {
+        "not a sound file": folder / "text.wav",
+        "1 s long": write(folder / "short.wav", good[:RATE]),
+        "no tone": write(folder / "noise.wav", 0.1 * random.standard_normal(6 * RATE)),
+        "no tone rises": write(folder / "falls.wav", falling(t)),
+        "clipped": write(folder / "clipped.wav", np.clip(8 * good, -1, 1)),
+        "second disk": write(folder / "two.wav", np.concatenate([good, good])),
+        "Time \\(s\\)": folder / "rows.csv",
+        "No such file": folder / "nowhere.wav",
+    }
+
+
+def test_what_cannot_be_fitted_is_one_line_and_nothing_is_written(decline, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    for word, path in bad_takes(tmp_path, decline).items():
+        with pytest.raises(RecordingError, match=word) as error:
+            heard(source(path), str(path))
+        assert "\n" not in str(error.value)
+    answer = CliRunner().invoke(main, ["fit", str(tmp_path / "noise.wav")])
+    assert (answer.exit_code, answer.stdout) == (2, "")
+    assert not (tmp_path / "outputs").exists()
+
+
+def test_a_folder_of_takes_and_an_export_of_phyphox_are_read(tmp_path):
+    t = np.arange(4800) / 48000
+    x = np.sin(2 * np.pi * 440 * t)
+    rows = [
+        "Time (ms);Recording (a.u.)",
+        *(f"{1e3 * a:.6f};{b:.6f}".replace(".", ",") for a, b in zip(t, x, strict=True)),
+    ]
+    with zipfile.ZipFile(tmp_path / "b.zip", "w") as archive:
+        archive.writestr("meta/device.csv", "property,value\n")
+        archive.writestr("Raw data.csv", "\n".join(rows))
+    write(tmp_path / "a.wav", x, 48000)
+    (tmp_path / "notes.txt").write_text("not a take")
+    assert [path.name for path in takes([tmp_path])] == ["a.wav", "b.zip"]
+    read = source(tmp_path / "b.zip")
+    assert read.sample_rate == 48000
+    assert read.samples[:4000] == pytest.approx(x[:4000], abs=1e-5)
+
+
+def test_the_command_writes_what_it_found(decline, scene, tmp_path):
+    import tomli_w
+
+    (tmp_path / "disk.toml").write_text(tomli_w.dumps(scene.document))
+    write(tmp_path / "take.wav", recording(decline, [1e-4, 0, 0], noise=0.3, rate=RATE, end=8.0, duration=9.0))
+    arguments = [
+        "fit",
+        str(tmp_path / "take.wav"),
+        "--scene",
+        str(tmp_path / "disk.toml"),
+        "--out",
+        str(tmp_path / "out"),
+    ]
+    answer = CliRunner().invoke(main, arguments, catch_exceptions=False)
+    assert answer.exit_code == 0
+    told = json.loads((tmp_path / "out" / "fit.json").read_text())
+    for part in (told["files"][0], told["pooled"]):
+        for name in ("t_end", "rolling", "air"):
+            assert part[name]["low"] <= part[name]["value"] <= part[name]["high"]
+        assert part["verdict"] == "rolling"
+    assert [n["truth"] for n in told["files"][0]["null_tests"]] == ["air"]
+    assert told["files"][0]["null_tests"][0]["verdict"] != "rolling"
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {"fit.json", "fit.csv", "fit.png", "fit.md"}
+
+
+@pytest.mark.slow
+def test_intervals_hold_the_truth_as_often_as_they_say(decline):
+    """Over 200 recordings, spoilt as those of telephones are, 95 % intervals hold the truth in 90 to 99 %; a mechanism
+    that was not there is never named."""
+    random = np.random.default_rng(11)
+    inside, named = [], []
+    for seed in range(200):
+        shares = [[1e-4, 0, 0], [0, 1.0, 0], [6e-5, 1.0, 0]][seed % 3]
+        shares = (np.array(shares) * random.uniform(0.6, 1.6)).tolist()
+        how = {"noise": random.uniform(0.1, 0.6), "hum": random.uniform(0, 0.2), "clicks": int(random.integers(0, 6))}
+        how |= {
+            "start": random.uniform(0, 4),
+            "bits": 16,
+            "high_pass": 60.0,
+            "seed": seed,
+            "end": random.uniform(9, 12),
+        }
+        found = judge(decline, [listened(decline, shares, **how)], correct=False)
+        truth = {"rolling": shares[0], "air": shares[1]}
+        inside += [v.low <= truth[name] <= v.high for name, v in found.values().items()]
+        inside.append(found.fit.value(0).low <= how["end"] <= found.fit.value(0).high)
+        there = {name for name, share in truth.items() if share}
+        named.append(found.verdict in {"cannot tell", "both" if len(there) == 2 else next(iter(there))})
+    assert 0.9 <= np.mean(inside) <= 0.99
+    assert np.mean(named) > 0.98
+
+
+@pytest.mark.slow
+def test_the_programs_own_sound_gives_back_its_resistances(scene, tmp_path):
+    run = sonify.run(scene.replace("release.omega=[0.0, 0.0, -14.0]", "name=own"), tmp_path / "own")
+    found = fit(run.out / "pressure.wav", run.scene).values()
+    truth = run.scene.dissipation.contour_moment / run.scene.disk.weight / run.scene.disk.radius
+    assert found["rolling"].low <= truth <= found["rolling"].high
+    assert found["air"].low <= 1.0 <= found["air"].high
+
+
+@pytest.mark.slow
+def test_the_published_sound_gives_back_the_arm_of_the_paper(tmp_path):
+    run = sonify.run(load_scene("published"), tmp_path / "published")
+    fits = fit(run.out / "pressure.wav", run.scene)
+    assert fits.values()["law"].low <= 1.0 <= fits.values()["law"].high
+    assert not fits.files[0].judged.contour_fits
+    assert fits.verdict == "cannot tell"
