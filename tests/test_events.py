@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from arithmetic import gamma, walk
 from numpy.polynomial import Polynomial
 from scenes import scene
 
@@ -21,6 +22,8 @@ from sonify.claims.checks import dissipation_never_falls
 
 INSIDE = np.array([1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 1 - 1e-3])
 """Where in a piece the guards are asked."""
+ROUNDING = gamma(100)
+"""Of a guard, some hundred operations on terms of the order of 1."""
 
 
 def lowest_guards(motion):
@@ -56,15 +59,15 @@ def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
     assert motion.transitions[1].t - motion.transitions[0].t == pytest.approx(45.2e-6, rel=1e-2)
     assert dissipation_never_falls(motion).passed
     assert np.ptp(motion.energy(motion.t) + motion.state[:, 10]) < 1e-11 * motion.energy(0.0)[0]
-    assert min(lowest_guards(motion).values()) > -1e-12
+    assert min(lowest_guards(motion).values()) > -ROUNDING
 
 
 def test_the_last_step_of_a_slide_keeps_the_energy():
-    """Its error is of the second order in the slip speed, 1e-18; every one of 1e4 steps may err by a few 2e-16."""
+    """Its error is of the second order in the slip speed, 1e-18; each step rounds some 60 terms of the energy."""
     motion = simulate(scene({"time_limit": 2.0}, release={"inclination_deg": 0.5}))
     assert sum(e.guard == "grip" for e in motion.transitions) > 40
     total = motion.energy(motion.t) + motion.state[:, 10]
-    assert np.abs(total / total[0] - 1).max() < 1e-12
+    assert np.abs(total / total[0] - 1).max() < walk(60 * len(total))
 
 
 def test_a_slip_that_no_friction_stops_passes_by_rest_and_slides_on():
@@ -96,7 +99,7 @@ def test_every_guard_is_positive_while_its_regime_holds(friction):
     motion = simulate(scene({"time_limit": 40 * scene().disk.time_unit}, **friction))
     lowest = lowest_guards(motion)
     assert {"lift-off", "nutation reverses", "slip", "slip keeps its side"} <= set(lowest)
-    assert {name: value for name, value in lowest.items() if value < -1e-12} == {}
+    assert {name: value for name, value in lowest.items() if value < -ROUNDING} == {}
     assert dissipation_never_falls(motion).passed
 
 
@@ -104,8 +107,8 @@ def test_the_largest_fall_is_that_of_the_extrema_between_the_ends():
     """Of x^3 - 3 x on [-2, 0], [0, 2] the ends are -2, 0, 2; it falls from 2 at -1 to -2 at 1."""
     cubic = [Polynomial([0, -3, 0, 1])(Polynomial([start, 1])).coef[::-1] for start in (-2.0, 0.0)]
     c, x = np.transpose(cubic), np.array([-2.0, 0.0, 2.0])
-    assert largest_fall(c, x) == pytest.approx(4.0, rel=1e-14)
-    assert largest_fall(c[:, :1], x[:2]) == pytest.approx(2.0, rel=1e-14)
-    assert largest_fall(-c, x) == pytest.approx(4.0, rel=1e-14)
+    assert largest_fall(c, x) == pytest.approx(4.0, rel=gamma(20))
+    assert largest_fall(c[:, :1], x[:2]) == pytest.approx(2.0, rel=gamma(20))
+    assert largest_fall(-c, x) == pytest.approx(4.0, rel=gamma(20))
     assert largest_fall(np.array([[1.0, 1.0], [0.0, 2.0], [0.0, 3.0]]), np.array([0.0, 1.0, 2.0])) == 0.0
     assert largest_fall(np.zeros((3, 2)), np.array([0.0, 1.0, 2.0])) == 0.0
