@@ -4,6 +4,7 @@ Source: linear systems; Rayleigh's integral over a disk; the resonance of the co
 Oracle: transfer functions in closed form, the same force put in by hand, symmetry, repetition.
 """
 
+import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
 from types import SimpleNamespace
 
@@ -15,12 +16,13 @@ from scipy.special import jv
 
 from dynamics import Outcome, simulate
 from dynamics.coupled.filter import predicted_spectrum
+from dynamics.coupled.profile import SMOOTH
 from dynamics.motion import Jumps
 from modal import eigenmodes
 from modal.radiation import SOUND_SPEED
 from sonify import load_scene
 from sonify.scene import from_document
-from sonify.sound.contact import AddedByContact, law_table, low_pass, thinned
+from sonify.sound.contact import AddedByContact, Filter, law_table, low_pass, thinned
 from sonify.sound.drive import in_patch_frame, rigid_acceleration
 from sonify.sound.radiation import piston_strength
 from sonify.sound.render import Renderer
@@ -81,6 +83,24 @@ def without_roughness(scene):
     return from_document({key: part for key, part in scene.document.items() if key != "roughness"})
 
 
+def steadily(disk, beta, seconds):
+    """Return the motion of a disk that slides steadily under its weight."""
+    speed, weight = steady_speed(disk, beta), [0.0, 0.0, disk.weight]
+    none = Jumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
+
+    def at(t):
+        state = np.zeros((len(t), 11))
+        state[:, 0], state[:, 1], state[:, 2] = steady_rate(disk, beta) * t, beta, -speed / disk.radius * t
+        return state
+
+    return SimpleNamespace(
+        disk=disk, t=np.array([0.0, seconds]), state=at(np.array([0.0, seconds])), jumps=none, at=at,
+        force=lambda t: np.tile(weight, (len(t), 1)), at_and_force=lambda t: (at(t), np.tile(weight, (len(t), 1))),
+        bandwidth=lambda state: np.full(len(state), 100.0), regime=lambda t: np.full(len(t), "slide"),
+        outcome=Outcome.TIME_LIMIT,
+    )  # fmt: skip
+
+
 @pytest.mark.parametrize("beta", [0.1, 0.01])
 def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(rough, beta):
     """The spectrum of N' by the mobility and the heights, times the pressure of a disk that heaves and tilts.
@@ -90,21 +110,7 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
     """
     seconds, scene = 8.0, rough.replace("roughness.rms_edge=0.0")
     disk, elevation, distance = scene.disk, np.radians(scene.audio.elevation_deg), scene.audio.distance
-    speed, none = steady_speed(disk, beta), Jumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
-
-    def at(t):
-        state = np.zeros((len(t), 11))
-        state[:, 0], state[:, 1], state[:, 2] = steady_rate(disk, beta) * t, beta, -speed / disk.radius * t
-        return state
-
-    def force(t):
-        return np.tile([0.0, 0.0, disk.weight], (len(t), 1))
-
-    motion = SimpleNamespace(
-        disk=disk, t=np.array([0.0, seconds]), state=at(np.array([0.0, seconds])), jumps=none, at=at, force=force,
-        at_and_force=lambda t: (at(t), force(t)), bandwidth=lambda state: np.full(len(state), 100.0),
-        regime=lambda t: np.full(len(t), "slide"), outcome=Outcome.TIME_LIMIT,
-    )  # fmt: skip
+    speed, motion = steady_speed(disk, beta), steadily(disk, beta, seconds)
     free = eigenmodes(scene, below=18e3)
     added = AddedByContact(scene, motion, *Renderer(scene.replace("contact.law=rigid"), motion, free, []).sources)
     n = int(seconds * RATE)
@@ -131,3 +137,32 @@ def test_decimation_keeps_what_is_below_half_the_rate():
         found = thinned(np.cos(2 * np.pi * tone * t)[:, None], weight, over)[:, 0]
         instants = np.arange(len(found)) / RATE + t[len(weight) // 2]
         assert found == pytest.approx(kept * np.cos(2 * np.pi * tone * instants), abs=10 ** (-44 / 20))
+
+
+def test_filter_and_full_model_sound_alike_where_the_disk_rolls():
+    """Within 10 % where it rolls; the surfaces are the same, but the paths on them part by more than a wave."""
+    scene = load_scene("polished").replace("air.film=none", "numerics.time_limit=1.2", "material.loss_factor=0.05")
+    modes, heard, levels = eigenmodes(scene, below=18e3), slice(RATE // 4, int(1.1 * RATE)), {}
+    for kind in ("filter", "full"):
+        solved = scene.replace(f"numerics.contact={kind}", "numerics.accuracy=draft")
+        motion = simulate(solved)
+        assert set(motion.regime(np.linspace(0.25, 1.1, 200))) == {"roll"}
+        renderer = Renderer(solved, motion, modes, (0, 1))
+        assert renderer.names[-1] == "contact"
+        stems = np.vstack(list(renderer.blocks()))[heard]
+        levels[kind] = np.sqrt(np.mean(stems[:, [0, 1, 4]] ** 2, axis=0))
+    assert levels["filter"] == pytest.approx(levels["full"], rel=0.1)
+
+
+@pytest.mark.slow
+def test_memory_does_not_grow_with_the_length(rough):
+    """A steady disk for a tenth of a minute and for a whole one."""
+    table, peaks = law_table(rough), []
+    for seconds in (6.0, 60.0):
+        motion = steadily(rough.disk, 0.1, seconds)
+        tracemalloc.start()
+        frames = sum(len(block) for block in Filter(motion, table, (SMOOTH, SMOOTH), RATE, 0.0).blocks())
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+        assert frames == pytest.approx(seconds * RATE, abs=RATE)
+    assert peaks[1] < 1.1 * peaks[0]

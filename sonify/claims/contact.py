@@ -107,7 +107,7 @@ def contact_findings(
         return [], []
     expected = vibration(scene, motion)
     marked = several_contacts(expected.t, expected.shift)
-    broken = [contact_is_lost(motion, expected), *micro_flights(motion)]
+    broken = [contact_is_lost(motion, expected), *([micro_flights(motion)] if motion.contact_losses else [])]
     if scene.roughness is None:
         return broken, marked
     lines = [c.frequency for c in known.carriers if c.spread < STEADY] if known else []
@@ -120,7 +120,7 @@ def contact_findings(
 
 def carrier_findings(scene, motion, expected: Vibration, heard: NoiseBand) -> list[Finding]:
     """The claims on the carrier that is heard."""
-    recorded = [passes_recorded_peaks(expected), constant_peaks_are_the_contact(expected)]
+    recorded = [carrier_passes_recorded_peaks(expected), constant_peaks_are_the_contact(expected)]
     return [carrier_rises(heard), carrier_is_contact(scene, motion, expected, heard), *recorded]
 
 
@@ -172,7 +172,7 @@ def carrier_is_contact(scene, motion, expected: Vibration, heard: NoiseBand) -> 
     )
 
 
-def passes_recorded_peaks(expected: Vibration) -> Finding:
+def carrier_passes_recorded_peaks(expected: Vibration) -> Finding:
     """For how long the resonance of the contact lies where peaks were recorded."""
     when = expected.t[(frequency(expected) > RECORDED[0]) & (frequency(expected) < RECORDED[1])]
     span = f", from {when[0]:.3g} s to {when[-1]:.3g} s" if len(when) else ""
@@ -219,21 +219,17 @@ def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
     )
 
 
-def micro_flights(motion: Motion) -> list[Finding]:
-    """The longest loss of contact; nothing where there is none."""
+def micro_flights(motion: Motion) -> Finding:
+    """The longest loss of contact of a motion that has any."""
     flights = motion.contact_losses
-    if not flights:
-        return []
-    longest, highest = max(f.duration for f in flights), max(f.height for f in flights)
-    micro = Finding(
+    return Finding(
         key="micro_flights",
         claim="Contact is lost in micro-flights, too short to be seen",
-        value=float(longest),
-        unit=f"s, the longest of {len(flights)}; the highest {1e6 * highest:.2g} um",
+        value=float(max(f.duration for f in flights)),
+        unit=f"s, the longest of {len(flights)}; the highest {1e6 * max(f.height for f in flights):.2g} um",
         at_most=1e-3,
         source="Borisov et al. (2015)",
     )
-    return [micro]
 
 
 def loss_begins_at(rms: float, expected: Vibration) -> Finding:
