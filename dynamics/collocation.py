@@ -47,8 +47,9 @@ class Polar(Flow):
 
 
 def polar(branch):
-    """Return the compiled flow of a slow slide, and the names of its guards."""
-    return compiled(branch, Polar)
+    """Return the compiled flow of a slow slide, the names of its guards, and the numbers of grip and lift-off."""
+    flow, names = compiled(branch, Polar)
+    return flow, names, names.index("grip"), names.index("lift-off")
 
 
 def grazing_step(y, nu, regime, law, loads) -> Step | None:
@@ -57,14 +58,14 @@ def grazing_step(y, nu, regime, law, loads) -> Step | None:
     None where the slip comes back to rest before it has the speed that ends a slide: then there is no slide to follow.
     Raises StalledError where no length down to SHORTEST converges.
     """
-    (flow, names), parameters = prepared(polar, regime, law, loads, 0.0)
-    rest, dt, grip = np.array([*y[:V1], 0.0, nu, *y[V2 + 1 :]]), LENGTH * y[R], names.index("grip")
+    (flow, names, grip, _), parameters = prepared(polar, regime, law, loads, 0.0)
+    rest, dt = np.array([*y[:V1], 0.0, nu, *y[V2 + 1 :]]), LENGTH * y[R]
     others = [i for i in range(len(names)) if i != grip]
     while dt > SHORTEST * y[R]:
         guards = np.ones((ORDER + 1, GUARDS))
         powers, error = machine(step_from_rest, STEP)(flow, rest, parameters, dt, guards)
         if error < 1 and guards[:, others].min() > 0 and guards[:, grip].min() > -REST:
-            return Step(regime, dt, powers) if guards[-1, grip] > STOP_SPEED else None
+            return Step(regime, dt, powers, is_sure=True) if guards[-1, grip] > STOP_SPEED else None
         dt /= 2
     raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")
 
@@ -74,8 +75,9 @@ def advance(y, regime, law, loads, r_end, span) -> Arc | None:
 
     None where no length down to SHORTEST converges. Safe to call from several threads at once.
     """
-    (flow, names), parameters = prepared(polar, regime, law, loads, r_end)
+    (flow, names, *of), parameters = prepared(polar, regime, law, loads, r_end)
     start = np.array([*y[:V1], math.hypot(y[V1], y[V2]), math.atan2(y[V2], y[V1]), *y[V2 + 1 :]])
-    of = len(names), names.index("grip"), names.index("lift-off")
-    times, powers, end, fired = machine(integrate, STEPS)(flow, start, parameters, *of, law.mu_dynamic, span)
+    times, powers, end, fired = machine(integrate, STEPS)(
+        flow, start, parameters, len(names), *of, law.mu_dynamic, span
+    )
     return Arc(times, powers, end.tolist(), names[fired] if fired >= 0 else None) if len(times) else None

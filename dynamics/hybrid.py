@@ -26,11 +26,15 @@ class Arc(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A short step taken in closed form within a regime: its duration and Taylor coefficients (order + 1, k)."""
+    """A short step taken in closed form within a regime: its duration and Taylor coefficients (order + 1, k).
+
+    `is_sure`: every guard is known to stay positive along it.
+    """
 
     regime: Any
     duration: float
-    coefficients: list
+    coefficients: Any
+    is_sure: bool = False
 
     @property
     def end(self) -> list:
@@ -39,7 +43,7 @@ class Step(NamedTuple):
 
     def at(self, t: float) -> list:
         """Return the state (k,) after t."""
-        return np.polynomial.polynomial.polyval(t, np.array(self.coefficients)).tolist()
+        return (t ** np.arange(len(self.coefficients)) @ np.asarray(self.coefficients)).tolist()
 
 
 class Switch(NamedTuple):
@@ -124,6 +128,6 @@ def _follow(system, path, regime, y, span, watch) -> str | None:
 
 def _take(path, switch):
     """Append the closed steps of a switch; return its regime and state."""
-    for regime, duration, coefficients in switch.steps:
-        path.extend(np.array([duration]), np.array([coefficients]), regime)
+    for step in switch.steps:
+        path.extend(np.array([step.duration]), np.array([step.coefficients]), step.regime)
     return switch.regime, switch.state

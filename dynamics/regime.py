@@ -7,6 +7,7 @@ five entries are quadratures: precession, spin, centre of mass, dissipated energ
 
 import math
 from collections.abc import Callable
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -34,9 +35,13 @@ class Regime(NamedTuple):
 
     def __str__(self) -> str:
         """'roll' or 'slide', and what sticks: 'roll, nutation sticks'."""
-        return ", ".join(
-            ["slide" if self.sliding else "roll"] + [f"{a} sticks" for a, s in zip(AXES, self.stuck, strict=True) if s]
-        )
+        return _name(self.sliding, self.stuck)
+
+
+@cache
+def _name(sliding, stuck):
+    sticking = [f"{axis} sticks" for axis, sticks in zip(AXES, stuck, strict=True) if sticks]
+    return ", ".join(["slide" if sliding else "roll", *sticking])
 
 
 class Branch(NamedTuple):

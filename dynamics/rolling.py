@@ -99,7 +99,9 @@ class RollingDisk:
         regime, step = follow(y, self.law, self.loads, frozenset(at_zero), frozenset(fired), senses)
         if regime is None:
             return Switch(None, y, ended="lift-off")
-        return self._through(step, at_zero) if step else Switch(regime, y)
+        if step is None:
+            return Switch(regime, y)
+        return Switch(regime, step.end, (step,)) if step.is_sure else self._through(step, at_zero)
 
     def _through(self, step, at_zero) -> Switch:
         """Take the first step of a slide, up to a turning that reverses within it: its guard would be below zero."""

@@ -151,10 +151,26 @@ def _root(function, low, high):
 
 def _root_near(function, x, width):
     """Return a root of `function` about x, looked for within `width` and then farther; None within a radian."""
-    while width < 1:
+    root = _secant(function, x, width)
+    while root is None and width < 1:
         if (function(x - width) > 0) != (function(x + width) > 0):
             return _root(function, x - width, x + width)
         width *= 4
+    return root
+
+
+def _secant(function, x, width, most=8):
+    """Return the root of `function` to which the method of secants converges within `width` of x, or None."""
+    last, before = x + 1e-6, function(x + 1e-6)
+    here = x
+    for _ in range(most):
+        now = function(here)
+        move = now * (here - last) / (before - now) if now != before else math.inf
+        if abs(move) < 4e-15:
+            return here + move
+        if not abs(here + move - x) < width:
+            return None
+        last, before, here = here, now, here + move
     return None
 
 
@@ -220,12 +236,12 @@ def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
     none of the accelerations points against the slip it passes by rest, by a small step that is returned with False.
     """
     branch, speed = Branch.of(regime, law, loads), math.hypot(y[V1], y[V2])
-    along = math.atan2(y[V2], y[V1])
+    along, c, s = math.atan2(y[V2], y[V1]), y[V1] / speed, y[V2] / speed
 
     def gain_and_cross(angle, flow=FLOAT, sin=math.sin, cos=math.cos):
         contact = _along(y, angle, regime, branch, law, flow, sin, cos)
-        slope = flow.rates(y, contact, branch, law)
-        return np.array([[math.cos(along), math.sin(along)], [-math.sin(along), math.cos(along)]]) @ slope[V1 : V2 + 1]
+        dv1, dv2 = ((rate + y[W1] * v / 2) / y[R] for rate, v in ((contact.du1, y[V1]), (contact.du2, y[V2])))
+        return dv1 * c + dv2 * s, dv2 * c - dv1 * s
 
     def cross(angle):
         return gain_and_cross(angle)[1]

@@ -73,10 +73,14 @@ class Compiled(NamedTuple):
     guards: tuple[str, ...]
 
 
-@functools.cache
+machines: dict = {}
+
+
 def machine(function, signature):
     """Compile a function when it is first asked for, not when it is imported; numba keeps it on disk."""
-    return njit(signature, cache=True, error_model="numpy")(function)
+    if function not in machines:  # the hash of a signature takes longer than a call
+        machines[function] = njit(signature, cache=True, error_model="numpy")(function)
+    return machines[function]
 
 
 @functools.lru_cache(64)

@@ -13,7 +13,7 @@ from modal.accuracy import LEVELS
 from modal.elements import patch as elements
 from modal.elements import sample
 from modal.elements.elastic import lame
-from modal.elements.unfold import face_matrices, grids, on_faces, unfolded
+from modal.elements.unfold import face_matrices, on_faces, unfolded
 from modal.mesh.sector import held_height
 from modal.modes import Modes
 from modal.spectral.basis import Plate
@@ -59,7 +59,7 @@ def on_shapes(disk, material, support, density, below, accuracy, known):
     size = elements.resolving(elements.meshes(accuracy, disk, support)[0], disk, material, density, below)
     which = [{"below": np.inf, "exactly": len(k.frequency) + 1} for k in known]
     part, solid, solved = elements.solve(disk, material, support, density, size, which)
-    points, _ = grids(disk.radius)
+    points, _ = sample.places(disk.radius)
     rim = face_matrices(solid, part, points), points
     rims = [on_faces(*rim, part.quarter, c)[:, 1] for c in solved]
     paired = [pair(*three, (2 * np.pi * below) ** 2) for three in zip(solved, known, rims, strict=True)]

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.optimize import linear_sum_assignment
 
-from modal.elements.sample import polar_components, strongest_order
+from modal.elements.sample import places, polar_components, strongest_order
 from modal.elements.unfold import rigid_fields
 from modal.held import APART, richness_of
 from modal.modes import Modes, UnsolvableError
@@ -77,13 +77,12 @@ def with_rigid(plate, below, accuracy) -> Modes:
     elastic = plate_modes(plate, APART * below, accuracy)
     x, z = plate.mass * (plate.radius**2 / 4 + plate.thickness**2 / 12), plate.mass * plate.radius**2 / 2
     root = np.sqrt([plate.mass] * 3 + [x, x, z])
-    low, high, c, s = -plate.thickness / 2, plate.thickness / 2, *(f(elastic.rim_angle) for f in (np.cos, np.sin))
-    rim = np.stack([plate.radius * c, plate.radius * s, np.full(len(c), low)], axis=1)
-    c, s = (np.outer(elastic.face_radius, f(elastic.face_angle)) for f in (np.cos, np.sin))
-    face = np.stack([np.stack([c, s, np.full(c.shape, height)], axis=-1) for height in (low, high)])
+    rim, face = places(plate.radius)
+    edge = np.column_stack([rim, np.full(len(rim), -plate.thickness / 2)])
+    axial = rigid_fields(np.column_stack([face, 0 * face[:, 0]]))[..., 2].reshape(6, 1, *elastic.face_shape.shape[2:])
     unit = {
-        "rim_shape": polar_components(rigid_fields(rim), elastic.rim_angle),
-        "face_shape": rigid_fields(face.reshape(-1, 3))[..., 2].reshape(6, *face.shape[:-1]),
+        "rim_shape": polar_components(rigid_fields(edge), elastic.rim_angle),
+        "face_shape": np.repeat(axial, 2, axis=1),
         "participation": np.diag(root**2),
     }
     arrays = {name: np.zeros(6) for name in ("frequency", "decay_rate", "residual", "error")}

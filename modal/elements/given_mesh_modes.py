@@ -8,7 +8,7 @@ from scipy.interpolate import CloughTocher2DInterpolator, NearestNDInterpolator
 from modal.elements import sample
 from modal.elements.unfold import rigid_fields
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
-from modal.modes import Body, Modes
+from modal.modes import Modes
 
 VTK = {
     "tetra": [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)],
@@ -19,12 +19,11 @@ VTK["tetra10"] = [*VTK["tetra"], (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1,
 """Twice the reference coordinates of the nodes in VTK's order."""
 
 
-def body_of(element, solid, shapes):
-    """The `Body` of the mesh, its nodes in VTK's order."""
+def in_vtk_order(element, solid):
+    """The cells (c, nodes) of the mesh in VTK's order, and their meshio type."""
     where = {tuple(row): i for i, row in enumerate(np.rint(2 * element.doflocs).astype(int))}
     kind = next(kind for kind, nodes in VTK.items() if set(nodes) == set(where))
-    cells = solid.cells[:, [where[node] for node in VTK[kind]]]
-    return Body(points=solid.points, cells=cells, cell_type=kind, displacement=shapes)
+    return solid.cells[:, [where[node] for node in VTK[kind]]], kind
 
 
 INWARDS = (0.0, 1e-6, 1e-3, 3e-3, 0.01, 0.03)
@@ -56,33 +55,27 @@ def record(element, solid, material, values, shapes, residual, error, radius) ->
     axis to the rim, as if they were whole: across a hole `face_shape` is interpolated from the nodes about it, and its
     area counts as part of the face.
     """
-    angle, (r, _, theta) = sample.rim_angles(), sample.face_grid(radius)
     low, high = solid.points[:, 2].min(), solid.points[:, 2].max()
-    rim = radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
-    grid = np.stack([np.outer(r, np.cos(theta)).ravel(), np.outer(r, np.sin(theta)).ravel()], axis=1)
-    rim_shape = sample.polar_components(on_face(solid, shapes, low, rim), angle)
-    face = [on_face(solid, shapes, z, grid)[..., 2].reshape(-1, len(r), len(theta)) for z in (low, high)]
+    rim, grid = sample.places(radius)
+    rim_shape = sample.polar_components(on_face(solid, shapes, low, rim), sample.rim_angles())
+    face = np.stack([on_face(solid, shapes, z, grid)[..., 2] for z in (low, high)], axis=1)
     flat = shapes.reshape(len(shapes), 3 * len(solid.points))
     axial = (shapes * [0, 0, 1]).reshape(flat.shape)
     share = np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T)
-    frequency = np.sqrt(values) / (2 * pi)
-    mirrored = rim_shape[:, -np.arange(len(angle))] * [1, -1, 1]
+    mirrored = rim_shape[:, -np.arange(sample.RIM_ANGLES)] * [1, -1, 1]
     odd = (rim_shape * mirrored).sum(axis=(1, 2)) < 0
-    return Modes(
-        frequency=frequency,
-        decay_rate=pi * frequency * material.loss_factor,
-        order=sample.strongest_order(rim_shape),
-        family=tuple(np.where(share > 0.5, "flexural", "extensional").tolist()),
-        parity=tuple(np.where(odd, "odd", "even").tolist()),
-        partner=np.full(len(values), -1),
-        participation=flat @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
-        **sample.grids(radius),
-        rim_shape=rim_shape,
-        face_shape=np.stack(face, axis=1),
-        residual=residual,
-        error=np.array(error),
-        mass=solid.total,
-        method="finite elements on the given mesh",
-        unknowns=3 * len(solid.points),
-        body=body_of(element, solid, shapes),
-    )
+    columns = {
+        "frequency": np.sqrt(values) / (2 * pi),
+        "order": sample.strongest_order(rim_shape),
+        "family": np.where(share > 0.5, "flexural", "extensional"),
+        "parity": np.where(odd, "odd", "even"),
+        "participation": flat @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
+        "rim_shape": rim_shape,
+        "face_shape": face.reshape(-1, 2, sample.FACE_RADII, sample.FACE_ANGLES),
+        "residual": residual,
+        "error": error,
+        "displacement": shapes,
+    }
+    cells, kind = in_vtk_order(element, solid)
+    about = {"mass": solid.total, "method": "finite elements on the given mesh", "unknowns": 3 * len(solid.points)}
+    return sample.recorded(columns, material, radius, solid.points, cells, cell_type=kind, **about)

@@ -1,7 +1,9 @@
-"""Values of finite-element fields on the rim and the faces, on fixed grids, as sparse interpolation matrices."""
+"""The record of modes on fixed grids of the rim and the faces, and finite-element fields there as sparse matrices."""
 
 import numpy as np
 import scipy.sparse as sp
+
+from modal.modes import Body, Modes
 
 RIM_ANGLES = 128
 FACE_RADII, FACE_ANGLES = 16, 64
@@ -19,10 +21,42 @@ def face_grid(radius, inner=0.0):
     return r, weight * (radius - inner) / 2 * r, np.arange(FACE_ANGLES) * 2 * np.pi / FACE_ANGLES
 
 
-def grids(radius, inner=0.0):
-    """The grids of `Modes` on the edge and the faces of a disk [m], by the names of its fields."""
-    r, weight, angle = face_grid(radius, inner)
-    return {"rim_angle": rim_angles(), "face_radius": r, "face_weight": weight, "face_angle": angle}
+def places(radius):
+    """Points (n, 2) [m] of these grids: of the rim, and (a b, 2) of a face without a hole."""
+    angle, (r, _, theta) = rim_angles(), face_grid(radius)
+    face = np.stack([np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))], axis=-1)
+    return radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), face.reshape(-1, 2)
+
+
+def partners(pair):
+    """Index (m,) of the mode with the same entry of pair (m,), -1 if there is none."""
+    same = pair[:, None] == pair[None, :]
+    np.fill_diagonal(same, False)
+    return np.where(same.any(axis=1), same @ np.arange(len(pair)), -1)
+
+
+def recorded(columns, material, radius, points, cells, inner=0.0, cell_type="hexahedron27", **about) -> Modes:
+    """The `Modes` of columns (m, ...) by name, ascending, sampled on the grids of a disk of a radius and a hole [m].
+
+    The columns are the fields of `Modes` but for the decay rate, with `displacement` (m, p, 3) of the nodes, and in
+    place of `partner`, where there are degenerate pairs, the number `pair` of each.
+    """
+    ascending = np.lexsort((columns["parity"] == "odd", columns["frequency"]))
+    columns = {name: np.asarray(value)[ascending] for name, value in columns.items()}
+    words = {name: tuple(columns.pop(name).tolist()) for name in ("family", "parity")}
+    displacement, (r, weight, angle) = columns.pop("displacement"), face_grid(radius, inner)
+    return Modes(
+        partner=partners(columns.pop("pair", np.arange(len(ascending)))),
+        **columns,
+        **words,
+        decay_rate=np.pi * columns["frequency"] * material.loss_factor,
+        rim_angle=rim_angles(),
+        face_radius=r,
+        face_weight=weight,
+        face_angle=angle,
+        body=Body(points=points, cells=cells, cell_type=cell_type, displacement=displacement),
+        **about,
+    )
 
 
 def quadratic(x):

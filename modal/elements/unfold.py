@@ -8,7 +8,7 @@ import numpy as np
 from modal.elements import sample
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.mesh.sector import NODES
-from modal.modes import Body, Modes
+from modal.modes import Modes
 
 
 def flips(quarter):
@@ -96,14 +96,6 @@ def on_faces(matrices, points, quarter, c):
     return np.stack(values, axis=1) * np.array(signs)[:, (points[:, 1] < 0).astype(int)]
 
 
-def grids(radius):
-    """Points (n, 2) of the rim and (a b, 2) of the polar grid on a face."""
-    angle = sample.rim_angles()
-    r, _, theta = sample.face_grid(radius)
-    face = np.stack([np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))], axis=-1)
-    return radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), face.reshape(-1, 2)
-
-
 def unfold_class(solid, part, c, rim, face):
     """The columns of `Modes` that one class contributes, arrays (k, ...); rim, face: (matrices, points)."""
     rim_shape = sample.polar_components(on_faces(*rim, part.quarter, c)[:, 0], sample.rim_angles())
@@ -122,22 +114,19 @@ def unfold_class(solid, part, c, rim, face):
 
 def unfolded(part, solid, solved, error, disk, material) -> Modes:
     """The record of all classes, ascending; error (m,) in the order of the classes."""
-    rim, face = ((face_matrices(solid, part, points), points) for points in grids(disk.radius))
+    rim, face = ((face_matrices(solid, part, points), points) for points in sample.places(disk.radius))
     columns = [unfold_class(solid, part, c, rim, face) for c in solved]
-    columns = {name: np.concatenate([c[name] for c in columns]) for name in columns[0]} | {"error": error}
+    columns = {name: np.concatenate([c[name] for c in columns]) for name in columns[0]}
     points, cells, source = whole_mesh(solid.points, solid.cells, part.quarter)
     signs = [np.array([c.mirror.sign(*flip) for flip in flips(part.quarter)]) for c in solved]
     shapes = [c.shapes[:, source[:, 0]] * sign[source[:, 1]] for c, sign in zip(solved, signs, strict=True)]
-    ascending = np.argsort(columns["frequency"], kind="stable")
-    columns = {name: value[ascending] for name, value in columns.items()}
-    displacement = np.concatenate(shapes)[ascending]
-    return Modes(
-        **columns | {"family": tuple(columns["family"].tolist()), "parity": tuple(columns["parity"].tolist())},
-        decay_rate=pi * columns["frequency"] * material.loss_factor,
-        partner=np.full(len(ascending), -1),
-        **sample.grids(disk.radius),
+    return sample.recorded(
+        columns | {"error": error, "displacement": np.concatenate(shapes)},
+        material,
+        disk.radius,
+        points,
+        cells,
         mass=part.copies * solid.total,
         method="finite elements",
         unknowns=3 * len(points),
-        body=Body(points=points, cells=cells, cell_type="hexahedron27", displacement=displacement),
     )

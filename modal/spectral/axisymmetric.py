@@ -10,7 +10,7 @@ from modal.elements import sample
 from modal.elements.unfold import whole_mesh
 from modal.mesh.half_disk import Blocks
 from modal.mesh.sector import extrude, hexahedra, sector
-from modal.modes import Body, Modes, Support
+from modal.modes import Modes, Support
 from modal.spectral.basis import Plate
 from modal.spectral.converge import Pairs, all_pairs, amplitudes
 from modal.spectral.ritz import gauss
@@ -118,13 +118,6 @@ def annulus(plate, around, across):
     return np.array([grid[i : i + 3, j : j + 3] for i, j in corners])
 
 
-def partners(pair):
-    """Index (m,) of the mode with the same entry of pair (m,), -1 if there is none."""
-    same = pair[:, None] == pair[None, :]
-    np.fill_diagonal(same, False)
-    return np.where(same.any(axis=1), same @ np.arange(len(pair)), -1)
-
-
 def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes:
     """The `Modes` below `below` [Hz] of an axisymmetric plate; there may be none."""
     limit, found = below, []
@@ -138,17 +131,15 @@ def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes
             part = columns(plate, pairs, odd, body)
             parts.append(part | {"pair": 1000 * number + part["pair"]})
     whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    ascending = np.lexsort((whole["parity"] == "odd", whole["frequency"]))
-    ascending = ascending[whole["frequency"][ascending] < below]
-    whole = {name: value[ascending] for name, value in whole.items()}
-    displacement, pair = whole.pop("displacement"), whole.pop("pair")
-    return Modes(
-        **whole | {"family": tuple(whole["family"].tolist()), "parity": tuple(whole["parity"].tolist())},
-        decay_rate=pi * whole["frequency"] * plate.material.loss_factor,
-        partner=partners(pair),
-        **sample.grids(plate.radius, plate.inner_radius),
+    whole = {name: value[whole["frequency"] < below] for name, value in whole.items()}
+    return sample.recorded(
+        whole,
+        plate.material,
+        plate.radius,
+        points,
+        cells,
+        plate.inner_radius,
         mass=plate.mass,
         method="Fourier and polynomials",
         unknowns=sum(len(pairs.vectors) for pairs in found),
-        body=Body(points=points, cells=cells, cell_type="hexahedron27", displacement=displacement),
     )

@@ -14,6 +14,7 @@ CHARTS = {
     "motion": Chart("Motion: accuracy against speed", "relative error of inclination or energy, the larger"),
     "modes": Chart("Modes: accuracy against speed", "largest relative error of a frequency"),
     "sound": Chart("Sound: accuracy against speed", "rms error of the pressure over its rms"),
+    "contact": Chart("Elastic contact: accuracy against speed"),
     "end_to_end": Chart("From scene to sound: accuracy against speed"),
     "stability": Chart("Stability: where methods fail"),
 }

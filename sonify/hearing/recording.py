@@ -1,5 +1,6 @@
 """RECORDING -> WHAT IT TELLS: the rising tone, the repetition of its envelope and the steady carriers of any sound."""
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
@@ -63,13 +64,18 @@ def listen(sound: Source | str | Path) -> Heard:
     Times in the result are those of the sound. Memory does not grow with its length.
     """
     samples, rate, start, duration = read(sound)
+    beaten = rate > 2 * ENVELOPE_FROM
+    with ThreadPoolExecutor() as pool:  # what takes long is arrays, which let go of Python's lock
+        tone = pool.submit(rising_tone, samples, rate)
+        repetition = pool.submit(lambda: rising_tone(*envelope(samples, rate)) if beaten else None)
+        carriers = steady_carriers(samples, rate)
     return Heard(
         duration=duration,
         sample_rate=rate,
         start=start,
-        tone=_later(rising_tone(samples, rate), start),
-        repetition=_later(rising_tone(*envelope(samples, rate)), start) if rate > 2 * ENVELOPE_FROM else None,
-        carriers=steady_carriers(samples, rate),
+        tone=_later(tone.result(), start),
+        repetition=_later(repetition.result(), start),
+        carriers=carriers,
         missing=duration * getattr(source_of(sound), "missing", 0.0),
     )
 
