@@ -11,10 +11,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import soundfile
 from scipy.ndimage import median_filter
+from scipy.spatial import Delaunay
 
 from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_frequency
 from modal import Modes, Support
+from modal.table import SurfaceModes
 from sonify.report.captions import caption
 from sonify.report.painter import painter
 from sonify.report.solid_view import skin
@@ -54,6 +56,7 @@ def page_data(result: "Result") -> dict[str, Any]:
         },
         "motion": instants(motion),
         "shapes": shapes(result.modes, result.scene.support),
+        "table": table_shapes(result.table) if result.table is not None and len(result.table) else None,
         "seen": in_words(result),
     }
 
@@ -125,6 +128,20 @@ def shapes(modes: Modes, support: Support) -> dict[str, Any]:
         "points": packed(modes.body.points[nodes]),
         "triangles": packed(np.concatenate(triangles), np.uint32),
         "captions": [caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few],
+        "shapes": [packed(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved],
+    }
+
+
+def table_shapes(table: SurfaceModes) -> dict[str, Any]:
+    """Return the top face of a table [m] and how its lowest modes move it, as `shapes` does."""
+    few = range(min(len(table), MOST_SHAPES))
+    flat = np.zeros(len(table.points))
+    moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
+    orders = [f", order {n}" if n >= 0 else "" for n in table.order]
+    return {
+        "points": packed(np.column_stack([table.points, flat])),
+        "triangles": packed(Delaunay(table.points).simplices, np.uint32),
+        "captions": [f"{i + 1}: {table.frequency[i]:.0f} Hz{orders[i]}" for i in few],
         "shapes": [packed(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved],
     }
 

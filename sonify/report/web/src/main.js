@@ -4,7 +4,7 @@ import './page.css'
 import { clock, runs } from './data.js'
 import { Curves } from './curves.js'
 import { Disk3D } from './disk3d.js'
-import { Modes3D } from './modes3d.js'
+import { EXAGGERATED, Modes3D } from './modes3d.js'
 import { Player } from './player.js'
 import { Spectrogram } from './spectrogram.js'
 import { Timeline } from './timeline.js'
@@ -47,7 +47,7 @@ async function start() {
     $('#clock').textContent = clock(player.time, timeline.span[1] - timeline.span[0])
     curves.forEach((one) => one.tell(player.time))
     scenes.disks.forEach((disk) => disk.draw(player.time))
-    scenes.modes?.draw(performance.now() / 1000, still.matches || !$('#swing').checked)
+    for (const { modes, swing } of scenes.bodies) modes.draw(performance.now() / 1000, still.matches || !swing.checked)
   })
   try {
     await spectrograms(all, player, timeline)
@@ -210,23 +210,24 @@ function three(all) {
       if (all.length > 1) canvas.title = 'AB'[i]
       return new Disk3D(canvas, run)
     })
-    return { disks, modes: shapes(all[0].shapes) }
+    return { disks, bodies: [shapes(all[0].shapes, ''), shapes(all[0].table, 'table-')].filter(Boolean) }
   } catch (error) {
     $('#three').classList.add('without')
     $('#three-notice').textContent = `This browser draws no 3-D (${error.message}); the pictures below show the motion and the modes.`
-    return { disks: [] }
+    return { disks: [], bodies: [] }
   }
 }
 
-function shapes(given) {
+function shapes(given, whose) {
   if (!given || !given.shapes.length) return undefined
-  const modes = new Modes3D($('#mode-canvas'), given)
-  given.captions.forEach((caption, i) => $('#mode').append(element('option', { value: String(i), textContent: caption })))
-  $('#mode').addEventListener('change', (event) => modes.pick(Number(event.target.value)))
-  $('#exaggerated').textContent = `Exaggerated to ${Math.round(100 * 0.18)} % of the radius where it moves most; bright is far.`
-  $('#swing').checked = !still.matches
-  $('#modes3d').hidden = false
-  return modes
+  const modes = new Modes3D($(`#${whose}mode-canvas`), given)
+  const [choice, swing] = [$(`#${whose}mode`), $(`#${whose}swing`)]
+  given.captions.forEach((caption, i) => choice.append(element('option', { value: String(i), textContent: caption })))
+  choice.addEventListener('change', (event) => modes.pick(Number(event.target.value)))
+  $(`#${whose}exaggerated`).textContent = `Exaggerated to ${Math.round(100 * EXAGGERATED)} % of the radius where it moves most; bright is far.`
+  swing.checked = !still.matches
+  $(`#${whose}modes3d`).hidden = false
+  return { modes, swing }
 }
 
 start().catch((error) => {

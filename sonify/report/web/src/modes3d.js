@@ -3,7 +3,7 @@ import * as THREE from 'three'
 import { Stage, theme } from './stage.js'
 
 const SWING = 1.2 // [s] a period on the screen
-const EXAGGERATED = 0.18 // of the radius, where it moves most
+export const EXAGGERATED = 0.18 // of the radius, where it moves most
 
 export class Modes3D {
   constructor(canvas, { points, triangles, shapes }) {
