@@ -73,7 +73,7 @@ def _until_an_event(y, regime, law, r_end, span, method, tolerance):
     known, spent = [None, None], [0]
 
     def guards(y):
-        """The guards are asked for one at a time; all are solved together, once a state."""
+        """Return all guards, which solve_ivp asks for one at a time, but solve them once a state."""
         if known[0] is not y:
             values = y.tolist()
             contact = FLOAT.contact(values, branch, regime.senses, law)

@@ -52,32 +52,32 @@ def references() -> dict:
 
 
 def published(span: float = 50.0) -> Case:
-    """The paper's case: nothing sticks, slips begin and end."""
+    """Return the paper's case, in which nothing sticks, and slips begin and end."""
     return Case("published", PUBLISHED, span)
 
 
 def conservative(span: float = 10.0) -> Case:
-    """The published disk without moments on a rough plane: it rolls for ever, which is solved exactly."""
+    """Return the published disk without moments on a rough plane: it rolls for ever, which is solved exactly."""
     return Case("conservative", PUBLISHED._replace(mu_static=1.0, mu_dynamic=1.0, k1=0.0, k2=0.0, k3=0.0), span)
 
 
 def sticking(span: float = 40.0) -> Case:
-    """The case k1/R = 0.01: the nutation sticks from tau = 27.5595 to 28.3098."""
+    """Return the case k1/R = 0.01, in which the nutation sticks from tau = 27.5595 to 28.3098."""
     return Case("sticking", PUBLISHED._replace(k1=0.01), span)
 
 
 def nutation_arm(k1: float) -> Case:
-    """The published disk with another k1/R: the nutation sticks within the span from 0.01 on."""
+    """Return the published disk with another k1/R; from 0.01 on the nutation sticks within the span."""
     return Case(f"k1 = {k1:g}", PUBLISHED._replace(k1=k1), 30.0)
 
 
 def pivoting_arm(k3: float) -> Case:
-    """The published disk with another k3/R: the pivoting sticks within the span from 0.2 on."""
+    """Return the published disk with another k3/R; from 0.2 on the pivoting sticks within the span."""
     return Case(f"k3 = {k3:g}", PUBLISHED._replace(k3=k3), 12.0)
 
 
 def flat(inclination: float) -> Case:
-    """A disk that rolls all but flat, a tenth faster than steadily, over 1.4 of its nutations."""
+    """Return a disk that rolls all but flat, a tenth faster than steadily, over 1.4 of its nutations."""
     law = PUBLISHED._replace(mu_static=10.0, mu_dynamic=10.0, k1=0.0)
     in_plane = 1.1 * sqrt(FLAT / inclination) * sin(inclination)
     start = (inclination, 0.0, law.h * in_plane, in_plane, 0.0, 0.0)

@@ -25,7 +25,7 @@ FIRST = 1e-4
 
 
 def sign(x: float) -> float:
-    """The naive sign: sign(0) = 0."""
+    """Return the naive sign, for which sign(0) = 0."""
     return (x > 0) - (x < 0)
 
 

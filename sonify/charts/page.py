@@ -3,11 +3,11 @@
 import os
 import platform
 import subprocess
-from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from sonify.charts.records import Record
 from sonify.files import whole
+from sonify.report.write import version_of
 
 PACKAGES = ("heyoka", "numba", "numpy", "scikit-fem", "scipy", "mujoco", "drake", "pybullet", "ngsolve")
 LEAST = 1e-15
@@ -65,7 +65,7 @@ def number(error: float) -> str:
 
 def environment() -> list[str]:
     """Return processor and system, versions, and the commit that was run, one a line."""
-    packages = ", ".join(f"{package} {_version(package)}" for package in PACKAGES)
+    packages = ", ".join(f"{package} {version_of(package)}" for package in PACKAGES)
     cores = f"{os.cpu_count()} cores, one process"
     machine = f"{_processor()}, {cores}, {platform.system()}, Python {platform.python_version()}"
     return [machine, packages, f"commit {_commit()}"]
@@ -96,10 +96,3 @@ def _processor():
 
 def _seconds(record):
     return f"{record.seconds:.2g}" if record.repeats else "-"
-
-
-def _version(package):
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return "not installed"

@@ -111,7 +111,7 @@ def _agrees_in_a_short_step(step, short=1e-4) -> bool:
 
 
 def _slack(method):
-    """First-order methods converge so much more slowly."""
+    """Return how many times further off a method of first order may be."""
     return 50 if "zero" in method or "invariant" in method or "Euler" in method else 1
 
 

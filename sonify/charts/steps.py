@@ -10,13 +10,12 @@ from sonify.sound.oscillators import free_response, responses
 
 
 def zero_order_hold(q, v, g0, g1, w, d, h):
-    """Exact for a force that stays g0 over the step."""
-    (c, s), (step, _) = free_response(w, d, h), responses(w, d, h)
-    return (c + d * s) * q + s * v + step * g0, -w * w * s * q + (c - d * s) * v + s * g0
+    """Step exactly for a force that stays g0."""
+    return first_order_hold(q, v, g0, g0, w, d, h)
 
 
 def first_order_hold(q, v, g0, g1, w, d, h):
-    """Exact for a force that goes from g0 to g1 in a straight line."""
+    """Step exactly for a force that goes from g0 to g1 in a straight line."""
     (c, s), (step, ramp) = free_response(w, d, h), responses(w, d, h)
     rise = (g1 - g0) / h
     return (
@@ -26,37 +25,37 @@ def first_order_hold(q, v, g0, g1, w, d, h):
 
 
 def impulse_invariant(q, v, g0, g1, w, d, h):
-    """Exact between impulses h g0 at the samples."""
+    """Step exactly between impulses h g0 at the samples."""
     return zero_order_hold(q, v + h * g0, 0.0, 0.0, w, d, h)
 
 
 def bilinear(q, v, g0, g1, w, d, h):
-    """The trapezoidal rule (Tustin): unconditionally stable, 2/h tan(w h/2) in place of w."""
+    """Step by the trapezoidal rule (Tustin): unconditionally stable, 2/h tan(w h/2) in place of w."""
     det = 1 + d * h + (w * h / 2) ** 2
     v1 = ((1 - d * h - (w * h / 2) ** 2) * v - w * w * h * q + h * (g0 + g1) / 2) / det
     return q + h * (v + v1) / 2, v1
 
 
 def explicit_euler(q, v, g0, g1, w, d, h):
-    """v' by what is known at the start: grows at any step unless d > w^2 h/2."""
+    """Step by the rates at the start: grows at any step unless d > w^2 h/2."""
     return q + h * v, v + h * (g0 - w * w * q - 2 * d * v)
 
 
 def semi_implicit_euler(q, v, g0, g1, w, d, h):
-    """The new velocity moves the position (symplectic Euler): stable for w h < 2."""
+    """Step the position with the new velocity (symplectic Euler): stable for w h < 2."""
     v1 = v + h * (g0 - w * w * q - 2 * d * v)
     return q + h * v1, v1
 
 
 def verlet(q, v, g0, g1, w, d, h):
-    """Kick, drift, kick (velocity Verlet), the damping half explicit, half implicit: stable for w h < 2."""
+    """Kick, drift, kick (velocity Verlet), with damping half explicit, half implicit: stable for w h < 2."""
     half = v + h / 2 * (g0 - w * w * q - 2 * d * v)
     q1 = q + h * half
     return q1, (half + h / 2 * (g1 - w * w * q1)) / (1 + d * h)
 
 
 def runge_kutta_4(q, v, g0, g1, w, d, h):
-    """The classical method, the force at half time from the line between the samples: stable for w h < 2.83."""
+    """Step by the classical method, the force at half time on the line between both: stable for w h < 2.83."""
 
     def rate(q, v, g):
         return v, g - w * w * q - 2 * d * v

@@ -160,12 +160,15 @@ def write_json(value, path: Path):
 def versions() -> dict[str, str]:
     """Return the versions of this program, its commit where it runs from a checkout, and what it stands on."""
     found = {"python": python_version(), "platform": platform(), "commit": commit()}
-    for name in (NAME, *LIBRARIES):
-        try:
-            found[name] = version(name)
-        except PackageNotFoundError:
-            found[name] = "not installed"
-    return found
+    return found | {name: version_of(name) for name in (NAME, *LIBRARIES)}
+
+
+def version_of(package: str) -> str:
+    """Return the version of a package, or that it is not installed."""
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "not installed"
 
 
 def commit() -> str:
