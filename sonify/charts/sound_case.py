@@ -61,7 +61,7 @@ class SoundCase:
         )
 
     def _acceleration(self, t, w, d):
-        """Return q'' (k,) of one mode at rest at t = 0: driven part, what it leaves free, and the ring of every jump."""
+        """Return q'' (k,) of one mode at rest at t = 0: driven, free, and the ring of every jump."""
         swing = 2 * np.pi * NUTATION * HARMONICS
         response = 1 / HARMONICS**2 / (w * w - swing**2 + 2j * d * swing)
         driven = (np.exp(1j * np.outer(t, swing)) @ (-(swing**2) * response)).imag
