@@ -27,7 +27,7 @@ from sonify.report.write import write_record
 from sonify.result import Result
 from sonify.scene import Scene
 from sonify.sound.radiation import listener_of
-from sonify.sound.render import Renderer
+from sonify.sound.render import sound_of
 from sonify.sound.wav import write_sound
 
 RECORDS = ("run.json", "report.html")
@@ -59,7 +59,7 @@ def solve(
         )
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion))
     with stages.stage("sound") as watch:
-        sound = Renderer(scene, motion, modes, plan.voices, plan.calm, table).sound(watch)
+        sound = sound_of(scene, motion, modes, plan.voices, plan.calm, table, watch)
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion, sound=sound))
     with stages.stage("findings"):
         heard, silence = hear(sound)

@@ -10,7 +10,7 @@ from math import inf, isfinite
 from pathlib import Path
 from typing import Annotated
 
-from annotated_types import Ge, Gt, Le
+from annotated_types import Ge, Gt, Le, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from dynamics.air import Air, dry
@@ -26,16 +26,34 @@ MAY_BE_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
 """Infinite friction is physics: the contact never slips. Nothing else in a scene may be infinite."""
 
 
+Distance = Annotated[float, Gt(0), Le(1000)]
+Elevation = Annotated[float, Ge(0), Le(90)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class Ear:
+    """One of several listeners."""
+
+    distance: Distance
+    """Distance from the centre of the disk [m], greater than the radius."""
+    elevation_deg: Elevation = 45.0
+    """Elevation above the table [degrees]."""
+    azimuth_deg: Annotated[float, Ge(-360), Le(360)] = 0.0
+    """Direction on the table, from its x axis to its y axis [degrees]."""
+
+
 @dataclass(frozen=True, kw_only=True)
 class Audio:
     """The sound file and the listener."""
 
     sample_rate: Annotated[int, Ge(8000), Le(768000)] = 48000
     """Samples per second [Hz]."""
-    distance: Annotated[float, Gt(0), Le(1000)] = 0.5
+    distance: Distance = 0.5
     """Distance of the listener from the centre of the disk [m], greater than the radius."""
-    elevation_deg: Annotated[float, Ge(0), Le(90)] = 45.0
+    elevation_deg: Elevation = 45.0
     """Elevation of the listener above the table [degrees]."""
+    listeners: Annotated[tuple[Ear, ...], MaxLen(16)] = ()
+    """Several listeners in place of that one, each a channel of the files: distance, elevation_deg, azimuth_deg."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -60,8 +78,11 @@ class Scene:
     numerics: Numerics = field(default_factory=Numerics)
 
     def __post_init__(self):
-        if self.audio.distance <= self.disk.radius:
-            raise ValueError(f"audio.distance = {self.audio.distance:g}: must be greater than disk.radius")
+        distances = {"audio": self.audio.distance}
+        distances |= {f"audio.listeners.{i}": ear.distance for i, ear in enumerate(self.audio.listeners)}
+        for key, distance in distances.items():
+            if distance <= self.disk.radius:
+                raise ValueError(f"{key}.distance = {distance:g}: must be greater than disk.radius")
         for key in ("arm_nutation", "arm_rolling", "arm_pivoting"):
             if (arm := getattr(self.friction, key)) > self.disk.radius:
                 raise ValueError(f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}")

@@ -9,12 +9,14 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import soundfile
 from scipy.fft import next_fast_len
 from scipy.special import iv, jv
 
 from dynamics import simulate
 from modal import SurfaceModes, surface_modes
 from modal.theory import plate_roots
+from sonify import SceneError, solve, write
 from sonify.claims.table import table_findings
 from sonify.hearing.loudness import a_weighting_db
 from sonify.hearing.rising_tone import rising_tone
@@ -192,3 +194,27 @@ def test_the_kernels_are_rayleighs_integral_at_every_frequency(scene, table, fre
     turn = np.exp(-2j * np.pi * frequency / rate * (np.arange(len(kernel)) - late))
     exact = radiation(table, listener, [frequency])[0]
     assert np.abs(turn @ kernel - exact).max() < error * np.abs(exact).max()
+
+
+def test_several_listeners_are_the_channels_of_the_files(tmp_path):
+    """Opposite each other they hear the same heave and an opposite tilt; one where the first alone is, the same."""
+    text = "audio.listeners=[{distance=0.5}, {distance=0.5, azimuth_deg=180}, {distance=1.0, elevation_deg=20.0}]"
+    scene = load_scene("published").replace("numerics.time_limit=0.5", "numerics.accuracy=draft")
+    alone, several = solve(scene).sound, solve(scene.replace(text))
+    heave, tilt = (several.sound.track(name) for name in ("heave", "tilt"))
+    assert heave.channels == 3
+    assert np.array_equal(several.sound.pressure.read(), alone.pressure.read())
+    one, other, far = np.concatenate(list(heave.blocks())).T
+    assert np.abs(one - other).max() < 1e-6 * np.abs(one).max()
+    assert np.abs(far).max() == pytest.approx(0.5 * np.abs(one).max(), rel=0.01)
+    one, other, _ = np.concatenate(list(tilt.blocks())).T
+    assert np.abs(one + other).max() < 0.02 * np.abs(one).max()  # the farther rim is a little fainter
+    write(several, tmp_path)
+    for name in ("pressure", "sound", "audible", "stems/tilt"):
+        samples, _ = soundfile.read(tmp_path / f"{name}.wav")
+        assert samples.shape == (alone.samples, 3)
+    ears = np.concatenate(list(alone.audible.blocks())).T
+    assert len(ears) == 2  # the second a quarter turn on: as loud, but it hears the tilt at another time
+    assert not np.allclose(*ears, atol=0.01 * np.abs(ears).max())
+    with pytest.raises(SceneError, match=r"audio.listeners.1.distance = 0.01: must be greater than disk.radius"):
+        scene.replace("audio.listeners=[{distance=0.5}, {distance=0.01}]")

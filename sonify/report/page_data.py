@@ -82,7 +82,7 @@ def tracks(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
 def compressed(source) -> str:
     """Return a source as a data URL of FLAC."""
     held = BytesIO()
-    with soundfile.SoundFile(held, "w", source.sample_rate, 1, "PCM_16", format="FLAC") as file:
+    with soundfile.SoundFile(held, "w", source.sample_rate, source.channels, "PCM_16", format="FLAC") as file:
         for block in source.blocks():
             file.write(np.clip(block, -1.0, 1.0))
     return f"data:audio/flac;base64,{b64encode(held.getvalue()).decode()}"

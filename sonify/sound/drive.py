@@ -37,13 +37,14 @@ def inertia(disk: Disk) -> np.ndarray:
     return np.array([disk.mass] * 3 + [about_diameter, about_diameter, about_axis])
 
 
-def rigid_sources(force, attitude, disk: Disk) -> np.ndarray:
-    """Return (k, 2) [m/s^2]: the heave of the disk, and the acceleration by tilting of its rim towards azimuth 0.
+def rigid_sources(force, attitude, disk: Disk, listener: float = 0.0) -> np.ndarray:
+    """Return (k, 2) [m/s^2]: the heave of the disk, and the acceleration by tilting of its rim towards the azimuth of
+    a `listener` [rad].
 
     At rest the force is the weight and the heave is 0. `force` (k, 3) [N], `attitude` (k, 3) [rad].
     """
     turn = in_patch_frame(force, attitude[:, 1]) @ rigid_acceleration(np.eye(3), disk)[:, 3:]
-    azimuth = listener_azimuth(attitude, turning_with_body=False)
+    azimuth = listener + listener_azimuth(attitude, turning_with_body=False)
     tilt = turn[:, 0] * np.sin(azimuth) - turn[:, 1] * np.cos(azimuth)
     return np.stack([(force[:, 2] - disk.weight) / disk.mass, disk.radius * tilt], axis=1)
 

@@ -37,13 +37,18 @@ class Copy:
         """Number of samples."""
         return self.track.frames
 
+    @property
+    def channels(self) -> int:
+        """Number of listeners."""
+        return self.track.channels
+
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, 1): the samples from number `start` on; every call begins anew."""
+        """Yield (k, channels): the samples from number `start` on; every call begins anew."""
         if not self.weighted:
             yield from (block.astype(float) / self.full_scale for block in self.track.blocks(start))
             return
         weighting, done = a_weighting(self.sample_rate), 0
-        state = np.zeros((len(weighting), 2, 1))
+        state = np.zeros((len(weighting), 2, self.channels))
         for block in self.track.blocks():
             out, state = sosfilt(weighting, block.astype(float), axis=0, zi=state)
             yield out[max(start - done, 0) :] / self.full_scale

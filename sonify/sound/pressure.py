@@ -1,7 +1,7 @@
 """SOUND: the pressure at the listener, by cause, which can be read again and again, from any place on."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
 from tempfile import TemporaryFile
@@ -24,12 +24,16 @@ BLOCK = 1 << 16
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Track:
-    """One column of a sound [Pa]: `frames` samples at `sample_rate` [Hz]; a source for everything in sonify.hearing."""
+    """One column of a sound [Pa]: `frames` samples at `sample_rate` [Hz]; a source for everything in sonify.hearing.
+
+    What `others` hear of the same are its further channels.
+    """
 
     sample_rate: int
     columns: object
     column: int
     name: str = "pressure"
+    others: "tuple[Track, ...]" = ()
 
     def __repr__(self):
         return f"Track({self.name}, {self.frames} samples at {self.sample_rate} Hz)"
@@ -39,14 +43,23 @@ class Track:
         """Number of samples."""
         return len(self.columns)
 
+    @property
+    def channels(self) -> int:
+        """Number of listeners."""
+        return 1 + len(self.others)
+
     def read(self, first: int = 0, last: int | None = None) -> np.ndarray:
-        """Return the samples (k,) from number `first` up to `last`, or to the end."""
+        """Return the samples (k,) of the first listener from number `first` up to `last`, or to the end."""
         return self.columns[first:last][:, self.column]
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, 1), float32: the samples from number `start` on; every call begins anew."""
+        """Yield (k, channels), float32: the samples from number `start` on; every call begins anew."""
         for first in range(start, self.frames, BLOCK):
-            yield self.read(first, first + BLOCK)[:, None]
+            block = np.zeros((min(BLOCK, self.frames - first), self.channels), np.float32)
+            for channel, track in enumerate((self, *self.others)):
+                part = track.read(first, first + len(block))
+                block[: len(part), channel] = part
+            yield block
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -57,7 +70,8 @@ class Sound:
     of rows.
     `modes_heard` is the number of modes that sound; `source_end` [s] is when the end of the motion reaches the
     listener. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time of the motion; that of the
-    modes of an elastic table is `table_energy` (e,) [J].
+    modes of an elastic table is `table_energy` (e,) [J]. `others` are what further listeners hear;
+    where there is one only, `beside` renders what an ear a quarter turn round the disk hears, for audible.wav.
     """
 
     name: str
@@ -69,6 +83,8 @@ class Sound:
     energy: np.ndarray
     table_energy: np.ndarray | None = None
     names: tuple[str, ...] = STEMS
+    others: "tuple[Sound, ...]" = ()
+    beside: "Callable[[], Sound] | None" = None
 
     @property
     def pressure(self) -> Track:
@@ -84,7 +100,13 @@ class Sound:
         """Return the pressure or one of its causes by its name. Raises ValueError for another one."""
         if name not in (tracks := ("pressure", *self.names)):
             raise ValueError(f"there is no track {name!r}: it is one of {', '.join(tracks)}")
-        return Track(name=name, sample_rate=self.sample_rate, columns=self.columns, column=tracks.index(name))
+        return Track(
+            name=name,
+            sample_rate=self.sample_rate,
+            columns=self.columns,
+            column=tracks.index(name),
+            others=tuple(other.track(name) for other in self.others),
+        )
 
     @property
     def samples(self) -> int:
@@ -99,7 +121,8 @@ class Sound:
     @cached_property
     def _peaks(self):
         starts = range(0, self.samples, BLOCK)
-        return np.max([np.abs(self.columns[n : n + BLOCK]).max(axis=0) for n in starts], axis=0).astype(float)
+        own = [np.abs(self.columns[n : n + BLOCK]).max(axis=0) for n in starts]
+        return np.max([*own, *(other._peaks for other in self.others)], axis=0).astype(float)
 
     @property
     def peak(self) -> float:
@@ -133,8 +156,9 @@ class Sound:
 
     @cached_property
     def audible(self) -> Copy:
-        """What audible.wav holds: the pressure A-weighted and made loud."""
-        return audible(self.pressure)
+        """What audible.wav holds: the pressure A-weighted and made loud, for two ears at least."""
+        ears = (self.beside().pressure,) if self.beside and not self.others else self.pressure.others
+        return audible(replace(self.pressure, others=ears))
 
     @cached_property
     def low_share(self) -> tuple[float, ...]:

@@ -48,10 +48,22 @@ class Listener:
         return radius * np.cos(self.elevation) / self.air.sound_speed
 
 
+def listeners_of(scene) -> list[Listener]:
+    """Return the listeners of a scene, in its air: the one of its audio section, or the several that it names."""
+    return [
+        Listener(
+            distance=ear.distance,
+            elevation=np.radians(ear.elevation_deg),
+            azimuth=np.radians(getattr(ear, "azimuth_deg", 0.0)),
+            air=scene.air,
+        )
+        for ear in scene.audio.listeners or [scene.audio]
+    ]
+
+
 def listener_of(scene) -> Listener:
-    """Return the listener of a scene, in its air."""
-    audio = scene.audio
-    return Listener(distance=audio.distance, elevation=np.radians(audio.elevation_deg), air=scene.air)
+    """Return the first listener of a scene."""
+    return listeners_of(scene)[0]
 
 
 def rayleigh(face, points, weights, wavenumber, listener_at, density=AIR_DENSITY) -> np.ndarray:

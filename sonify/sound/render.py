@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 from math import ceil
@@ -13,7 +14,7 @@ from sonify.sound.contact import with_contact
 from sonify.sound.force import ForceSampler
 from sonify.sound.infinite import table_sources
 from sonify.sound.pressure import Sound, kept, with_sum
-from sonify.sound.radiation import listener_of
+from sonify.sound.radiation import listener_of, listeners_of
 from sonify.sound.radiators import RigidFace
 from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, held_back
 
@@ -26,13 +27,14 @@ class Renderer:
 
     The stems are those of its `sources`, in turn. Of the modes those of the indices `wanted` sound, all if None, but
     none at or above half the sample rate; of an elastic table the modes `table`. `calm` is that of the ForceSampler.
+    The `listener` is the scene's first, unless another is given.
     The clock of the samples is the listener's: the source is heard distance / c later. However the motion ends, its
     modes ring out. Nothing but the sampler's count of readings changes by use. tests/test_sound.py.
     """
 
-    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0, table=None):
+    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0, table=None, listener=None):
         self.scene, self.motion, self.sample_rate = scene, motion, scene.audio.sample_rate
-        self.listener = listener_of(scene)
+        self.listener = listener or listener_of(scene)
         self.chosen = sounding(modes, self.sample_rate, wanted)
         self.modes = modes.select(self.chosen)
         self.table = table
@@ -50,7 +52,7 @@ class Renderer:
 
     def _sources(self):
         """What sounds in this scene; every cause of sound has its line."""
-        rigid = RigidDisk(self.scene, self._rigid)
+        rigid = RigidDisk(self.scene, self._rigid, self.listener.azimuth)
         elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
         tables = table_sources(self.scene, self.table, self.listener)
         return with_contact(self.scene, self.motion, rigid, elastic, *tables) + tables
@@ -119,3 +121,18 @@ class Renderer:
         rise = np.clip(n / edges[0], 0, 1)
         fall = np.clip((self.samples - n) / (self.samples - edges[1]), 0, 1)
         return stems * (np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2)[:, None]
+
+
+def sound_of(scene, motion, modes, wanted, calm: float, table, watch=lambda share: None) -> Sound:
+    """Return the whole sound at every listener of the scene; the arguments are those of the Renderer.
+
+    `watch(share)` is called with the share done.
+    """
+    ears = listeners_of(scene)
+
+    def heard(ear, watch=lambda share: None):
+        return Renderer(scene, motion, modes, wanted, calm, table, ear).sound(watch)
+
+    sounds = [heard(ear, lambda share, done=i: watch((done + share) / len(ears))) for i, ear in enumerate(ears)]
+    turned = replace(ears[0], azimuth=ears[0].azimuth + np.pi / 2)
+    return replace(sounds[0], others=tuple(sounds[1:]), beside=partial(heard, turned))

@@ -48,13 +48,14 @@ class RigidDisk:
     names = ("heave", "tilt")
     lasting = 2 * FADE_OUT
 
-    def __init__(self, scene, face: RigidFace):
+    def __init__(self, scene, face: RigidFace, azimuth: float = 0.0):
         self._disk, self._face, self.late = scene.disk, face, face.reach
+        self._azimuth = azimuth
         self.ends = np.array([[0.0, FADE_OUT]] * 2)
 
     def channels(self, force, state):
         """Return the heave and the tilt towards the listener, (k, 2) [m/s^2]."""
-        return rigid_sources(force, state, self._disk)
+        return rigid_sources(force, state, self._disk, self._azimuth)
 
     def from_rest(self, first, note):
         """Return what radiates the blocks that follow on accelerations `first` (2,)."""
@@ -68,6 +69,7 @@ class ElasticDisk:
 
     def __init__(self, scene, motion, modes, chosen, listener: Listener, reach: int):
         self._scene, self._motion, self._modes, self._chosen = scene, motion, modes, chosen
+        self._azimuth = listener.azimuth
         self._face = ElasticFace(modes, listener, scene.audio.sample_rate, reach)
         self._drive = modal_drive(modes, scene)
         self.ends = np.array([[np.nan, 0.0]] * 2 + [[np.nan, FADE_FALL]] * len(modes))
@@ -75,7 +77,7 @@ class ElasticDisk:
 
     def channels(self, force, state):
         """Return cosine and sine of the listener's azimuth, and the force on each mode: (k, 2 + m)."""
-        azimuth = listener_azimuth(state, turning_with_body=self._scene.support.kind == "free")
+        azimuth = self._azimuth + listener_azimuth(state, turning_with_body=self._scene.support.kind == "free")
         return np.column_stack([np.cos(azimuth), np.sin(azimuth), self._drive(force, state)])
 
     def from_rest(self, first, note):

@@ -9,7 +9,7 @@ from modal.table import SurfaceModes
 from sonify.hearing.loudness import a_weighting_db
 from sonify.sound.audible_modes import LONGEST, RING_DOWN_DB
 from sonify.sound.oscillators import Knots, OscillatorBank
-from sonify.sound.radiation import Listener, listener_of
+from sonify.sound.radiation import Listener, listeners_of
 from sonify.sound.sources import FADE_FALL, FADE_OUT, noted_energy
 
 TAPER = 0.84
@@ -131,7 +131,7 @@ def _rows(modes):
 
 
 def after_a_newton(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.ndarray]:
-    """Return what a jump of 1 N leaves in the modes: loudness (m,) [Pa^2 s] at the listener and energy (m,) [J].
+    """Return what a jump of 1 N leaves in the modes: loudness (m,) [Pa^2 s] where it is loudest and energy (m,) [J].
 
     See `audible_modes.after_a_jump`; the shape is its root mean square over the circle that the disk covers.
     """
@@ -140,7 +140,10 @@ def after_a_newton(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.ndarray]:
     )
     points = modes.place[:, None] + r * np.array([np.cos(angle), np.sin(angle)])
     g2 = r @ modes.at(*points) ** 2 / r.sum()
-    heard = [np.abs(radiation(modes.select([i]), listener_of(scene), [f])[0, 0]) for i, f in enumerate(modes.frequency)]
+    heard = np.zeros(len(modes))
+    for ear in listeners_of(scene):
+        each = [radiation(modes.select([i]), ear, [f])[0, 0] for i, f in enumerate(modes.frequency)]
+        heard = np.maximum(heard, np.abs(each))
     weight = 10 ** (a_weighting_db(modes.frequency) / 10)
     decay = np.maximum(modes.decay_rate, 1 / LONGEST)
-    return weight * g2 * np.square(heard) / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)
+    return weight * g2 * heard**2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)

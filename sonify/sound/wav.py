@@ -32,8 +32,8 @@ def write_sound(sound: Sound, folder: str | Path, watch=lambda share: None):
     ]
     with ExitStack() as stack:
         for i, (path, source, subtype, comment) in enumerate(files):
-            form = "RF64" if source.frames * BYTES[subtype] > MOST_BYTES else "WAV"
-            file = stack.enter_context(_wav(path, source.sample_rate, subtype, form))
+            form = "RF64" if source.frames * source.channels * BYTES[subtype] > MOST_BYTES else "WAV"
+            file = stack.enter_context(_wav(path, source.sample_rate, source.channels, subtype, form))
             file.title, file.comment = f"Euler's disk, {sound.name}: {path.stem.replace('_', ' ')}", comment
             file.software = f"eulers-disk-sonify {__version__}"
             for block in source.blocks():
@@ -42,11 +42,11 @@ def write_sound(sound: Sound, folder: str | Path, watch=lambda share: None):
 
 
 @contextmanager
-def _wav(path, rate, subtype, form):
+def _wav(path, rate, channels, subtype, form):
     """A WAV file that is whole or not there, and the same bytes for the same samples."""
     with whole(path) as temporary:
         try:
-            with soundfile.SoundFile(temporary, "w", rate, 1, subtype, format=form) as file:
+            with soundfile.SoundFile(temporary, "w", rate, channels, subtype, format=form) as file:
                 yield file
         except (AssertionError, soundfile.LibsndfileError) as error:  # a short write is all that libsndfile says
             raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
