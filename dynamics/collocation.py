@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from .guards import GRIP, LIFT_OFF
 from .hybrid import Arc, StalledError, Step
 from .implicit_steps import LENGTH, ORDER, SHORTEST, STEP, STEPS, integrate, step_from_rest
 from .regime import STOP_SPEED, V1, V2, Flow, R, describe
@@ -49,7 +50,7 @@ class Polar(Flow):
 def polar(branch):
     """Return the compiled flow of a slow slide, the names of its guards, and the numbers of grip and lift-off."""
     flow, names = compiled(branch, Polar)
-    return flow, names, names.index("grip"), names.index("lift-off")
+    return flow, names, names.index(GRIP), names.index(LIFT_OFF)
 
 
 def grazing_step(y, nu, regime, law, loads) -> Step | None:

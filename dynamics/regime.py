@@ -8,22 +8,16 @@ five entries are quadratures: precession, spin, centre of mass, dissipated energ
 import math
 from collections.abc import Callable
 from functools import cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from .equations import Contact, Law, Loads, balance
+from .guards import ALL, AXES, STOP_SPEED, Guard, Where
+from .guards import FALLING as FALLING
 from .kinematics import arms, centre_velocity, precession_rate
 
 R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
-AXES = ("nutation", "rolling", "pivoting")
-"""Names of the turnings omega.a_1, omega.a_2, omega.a_3 that the moments of (3.3) resist."""
-STOP_SPEED = 1e-9
-"""Slip speed over r at which the rest of a slide is taken in one tangent step; its effect is of the second order."""
-
-FALLING = 10.0
-"""omega_1 over sqrt(inclination), at most one on the way to rest, above which the disk falls flat with energy left;
-a film of air would stop it."""
 
 
 class Regime(NamedTuple):
@@ -148,30 +142,12 @@ class Flow:
             power,
         ]
 
-    def guards(self, y, contact: Contact, branch: Branch, senses, law: Law, r_end):
+    def guards(self, y, contact: Contact, branch: Branch, senses, law: Law, r_end) -> dict[Guard, Any]:
         """Return the guards of a branch by name: each is positive while the regime is valid and falls through zero."""
         turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
-        arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
-        named = {"flat": y[R] - r_end, "upright": self.cos(y[R] * y[R])}
-        if not (branch.loads and branch.loads.carries):
-            named["falls"] = FALLING - y[W1]
-        named["lift-off"] = contact.Phi
-        if branch.sliding and branch.can_grip and not branch.stuck[0]:
-            named["jams"] = contact.inertia
-        if branch.loads and branch.loads.is_singular:
-            named["precession stops"] = self.sqrt(y[W3] * y[W3]) - STOP_SPEED  # whose series falls on through zero
-        for i in range(3):
-            if branch.stuck[i]:
-                limit = arms[i] * contact.Phi
-                named[f"{AXES[i]} unsticks"] = (limit * limit - moments[i] * moments[i]) / (arms[i] * arms[i])
-            elif branch.resisted[i]:
-                named[f"{AXES[i]} reverses"] = senses[i] * turns[i]
-        if branch.sliding and branch.can_grip:
-            named["grip"] = self.grip(y)
-        elif not branch.sliding and branch.can_slip:
-            cone = law.mu_static * contact.Phi
-            named["slip"] = cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2
-        return named
+        slip = self.grip(y) if branch.sliding and branch.can_grip else None
+        where = Where(y[R], y[W1], y[W3], slip, turns, contact, senses, law, r_end, self.sqrt, self.cos)
+        return {guard: guard.value(where) for guard in ALL if guard.acts(branch)}
 
 
 FLOAT = Flow(math.sin, math.cos, math.sqrt, math.pow)

@@ -8,14 +8,14 @@ from operator import add
 from .dissipation import OwnLaw, Resistance
 from .equations import Law
 from .first_root import first_fall
+from .guards import AXES, LIFT_OFF, STOP_SPEED, Kind, guard_of
 from .hybrid import Arc, StalledError, Switch
-from .regime import AXES, FLOAT, PRECESSION, SPIN, STOP_SPEED, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from .regime import FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 from .slow_slide import is_stiff
 from .switching import GRAZING, ImpossibleContactError, follow, slide_to_rest
 
 CRAWL, MANY = 1e-5, 1000
 """A motion is too stiff to be followed where as MANY steps as this are on the mean shorter than CRAWL r."""
-ENDS = ("flat", "falls", "upright", "lift-off", "precession stops")
 
 
 @dataclass(frozen=True)
@@ -73,32 +73,36 @@ class RollingDisk:
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Decide what follows when `guard` has fallen through zero."""
-        if guard in ENDS:
-            return Switch(None, y, ended=guard)
-        if guard == "jams":
-            raise ImpossibleContactError(f"{describe(y)}: the slide jams, no normal force solves the balance laws")
+        guard = guard_of(guard)
         held = {i + 1 for i in range(3) if regime.stuck[i]} | (set() if regime.sliding else {0})
-        if guard == "slip":
-            if self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic:
-                self.announce("slow slide")
-            return self._follow(y, held, fired={0}, senses=regime.senses)
-        if guard == "grip":
-            last, stops = slide_to_rest(y, regime, self.law, self.loads)
-            if not stops:
-                return Switch(regime, last.end, (last,))
-            y = last.end
-            y[V1] = y[V2] = 0.0
-            then = self._follow(y, held | {0}, senses=regime.senses)
-            return then._replace(steps=(last, *then.steps))
-        axis, verb = guard.split()
-        i = AXES.index(axis)
-        fired = {i + 1} if verb == "unsticks" else set()
-        return self._follow(at_rest(y, i), held | {i + 1}, fired=fired, senses=regime.senses)
+        match guard.kind:
+            case Kind.END:
+                return Switch(None, y, ended=guard)
+            case Kind.JAM:
+                raise ImpossibleContactError(f"{describe(y)}: the slide jams, {guard.kind.value}")
+            case Kind.SLIP:
+                if self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic:
+                    self.announce("slow slide")
+                return self._follow(y, held, fired={0}, senses=regime.senses)
+            case Kind.GRIP:
+                return self._stop(y, regime, held)
+        fired = {guard.axis + 1} if guard.kind is Kind.UNSTICKS else set()
+        return self._follow(at_rest(y, guard.axis), held | {guard.axis + 1}, fired=fired, senses=regime.senses)
+
+    def _stop(self, y, regime, held) -> Switch:
+        """Bring a slide to rest and decide what follows, or let it pass by rest."""
+        last, stops = slide_to_rest(y, regime, self.law, self.loads)
+        if not stops:
+            return Switch(regime, last.end, (last,))
+        y = last.end
+        y[V1] = y[V2] = 0.0
+        then = self._follow(y, held | {0}, senses=regime.senses)
+        return then._replace(steps=(last, *then.steps))
 
     def _follow(self, y, at_zero, fired=(), senses=(1.0, 1.0, 1.0)) -> Switch:
         regime, step = follow(y, self.law, self.loads, frozenset(at_zero), frozenset(fired), senses)
         if regime is None:
-            return Switch(None, y, ended="lift-off")
+            return Switch(None, y, ended=LIFT_OFF)
         if step is None:
             return Switch(regime, y)
         return Switch(regime, step.end, (step,)) if step.is_sure else self._through(step, at_zero)
@@ -115,7 +119,7 @@ class RollingDisk:
         end, axis, _ = first_fall(step.at, 0.0, step.duration, guards, guards(step.at(0.0)))
         step = step._replace(duration=end)
         if self._contact(step.end, step.regime).Phi <= 0:  # the guard is lost below zero: it could not fall any more
-            return Switch(None, step.end, (step,), ended="lift-off")
+            return Switch(None, step.end, (step,), ended=LIFT_OFF)
         if axis is None:
             return Switch(step.regime, step.end, (step,))
         y, held = at_rest(step.end, AXES.index(axis)), {*at_zero, AXES.index(axis) + 1} - {0}

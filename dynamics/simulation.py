@@ -9,6 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
+from . import guards
 from .disk import Disk, Friction, Release
 from .dissipation import OwnLaw, resistance, together
 from .equations import law_of
@@ -22,11 +23,11 @@ from .rolling import RollingDisk, released
 from .switching import ImpossibleContactError
 
 OUTCOMES = {
-    "flat": Outcome.SETTLED,
-    "falls": Outcome.FELL,
-    "upright": Outcome.UPRIGHT,
-    "lift-off": Outcome.LIFTED_OFF,
-    "precession stops": Outcome.PRECESSION_STOPPED,
+    guards.FLAT: Outcome.SETTLED,
+    guards.FALLS: Outcome.FELL,
+    guards.UPRIGHT: Outcome.UPRIGHT,
+    guards.LIFT_OFF: Outcome.LIFTED_OFF,
+    guards.PRECESSION_STOPS: Outcome.PRECESSION_STOPPED,
     CASCADE: Outcome.CASCADE,
     STALLED: Outcome.STALLED,
     None: Outcome.TIME_LIMIT,
@@ -105,7 +106,7 @@ def outcome_of(guard: str | None, y, system: RollingDisk) -> Outcome:
 
     Where the contact force is gone and a film bears more than CARRIES of the weight, the air carries the disk.
     """
-    if guard == "lift-off" and system.loads:
+    if guard == guards.LIFT_OFF and system.loads:
         r = y[R]
         state = r * r, tuple(r * w for w in y[W1 : W3 + 1]), (r * y[V1], r * y[V2])
         if system.loads(*state, system.law, FLOAT).G3 > CARRIES * (system.law.K + 4) / 4:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from numba import cfunc, njit, types
 
+from .guards import Guard
 from .regime import Branch, Flow
 from .symbolic import formulas
 
@@ -70,7 +71,7 @@ class Compiled(NamedTuple):
     """A branch as an argument of the type FLOW, and the names of its guards in their order."""
 
     flow: object
-    guards: tuple[str, ...]
+    guards: tuple[Guard, ...]
 
 
 machines: dict = {}
@@ -95,7 +96,7 @@ def compiled(branch: Branch, kind=Flow) -> Compiled:
     return Compiled(cfunc(FLOW, error_model="numpy")(scope["flow"]), names)
 
 
-def program_of(branch: Branch, kind=Flow) -> tuple[str, tuple[str, ...]]:
+def program_of(branch: Branch, kind=Flow) -> tuple[str, tuple[Guard, ...]]:
     """Return the source of the function (FLOW) of one branch, and the names of its guards."""
     program = Program()
     flow = kind(*(program.call(name) for name in kind.FUNCTIONS))

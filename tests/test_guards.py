@@ -1,0 +1,45 @@
+"""Claim: a guard is known by its name, what follows it and the turning it is about, wherever it is read.
+
+Source: (3.2), (3.3), (4.6) of the paper. Oracle: the balance laws at a state, solved apart from the guards.
+"""
+
+import pickle
+
+import pytest
+
+from dynamics.equations import Law
+from dynamics.guards import ALL, AXES, Kind, guard_of
+from dynamics.regime import FLOAT, Branch, Regime
+
+LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
+STATE = [0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0]
+
+
+def guards_of(regime):
+    branch = Branch.of(regime, LAW, None)
+    contact = FLOAT.contact(STATE, branch, regime.senses, LAW)
+    return FLOAT.guards(STATE, contact, branch, regime.senses, LAW, 1e-5), contact
+
+
+@pytest.mark.parametrize("guard", ALL)
+def test_a_guard_travels_and_stays_what_it_is(guard):
+    assert pickle.loads(pickle.dumps(guard)) is guard_of(str(guard)) is guard
+    if guard.kind in (Kind.REVERSES, Kind.UNSTICKS):
+        assert guard == f"{AXES[guard.axis]} {guard.kind.name.lower()}"
+
+
+def test_each_turning_has_the_guard_of_its_state():
+    named, contact = guards_of(Regime(False, (True, False, False), (1.0, 1.0, -1.0)))
+    kinds = {guard.axis: guard.kind for guard in named if guard.axis is not None}
+    assert kinds == {0: Kind.UNSTICKS, 1: Kind.REVERSES, 2: Kind.REVERSES}
+    assert named["nutation unsticks"] == pytest.approx(contact.Phi**2 - (contact.m1 / LAW.k1) ** 2)
+    assert named["slip"] == pytest.approx((LAW.mu_static * contact.Phi) ** 2 - contact.F1**2 - contact.F2**2)
+    assert named["lift-off"] == contact.Phi
+    assert "grip" not in named
+
+
+def test_a_slide_ends_by_grip_or_jams_and_never_slips():
+    named, contact = guards_of(Regime(True, (False,) * 3, (1.0, 1.0, -1.0)))
+    assert named["grip"] == pytest.approx((0.3**2 + 0.2**2) ** 0.5, rel=1e-8)
+    assert named["jams"] == contact.inertia
+    assert "slip" not in named
