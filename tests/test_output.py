@@ -53,6 +53,12 @@ STANDS = {
     "The strongest carrier keeps its pitch: no mode rises": True,
     "The strongest carrier is a mode of the disk": True,
     "The modes take too little energy to act back on the motion": False,
+    "The film of air under the disk may be neglected": False,
+    "What ends the motion is friction of rolling and pivoting": True,
+    "In its air, which is left out, the contact would be lost to it": True,
+    "The friction of the scene lets the precession rate grow as measured": False,
+    "Slip is the main loss": False,
+    "The disk that deforms transversely makes the rising tone by itself": False,
 }
 """What of the paper, and of what is heard, stands in the corrected model."""
 SHARES = [(0.9, 0.1, "yes, near its bar"), (0.8, 0.1, "yes"), (1.1, 0.1, "no, near its bar"), (1.3, 0.1, "no")]
