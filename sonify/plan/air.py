@@ -61,10 +61,11 @@ MODELLED = (
 LEFT_OUT = (
     "The disk that the air carries, after its contact is lost.",
     "Slip of the air at the walls, cavities, and the pressure of the film as a direct driver of the modes.",
-    "The second harmonic of the flow at the rim, which at the rates of the last seconds is 20 dB below the tilt.",
-    "Of modes with two and more waves round the axis the height of the disk: 1 to 3 dB; the azimuth at which the flow "
-    "at the rim leaves, of which the mean is taken: 1.5 dB.",
-    "The film in a steep position, where the disk is no baffle: above 0.3 rad its sound is wrong by several dB.",
+    "The second harmonic of the flow at the rim: 18 dB below the tilt at 100 turns a second, and less before.",
+    "The phase at which a mode radiates through the film, and the azimuth: a mean is taken. Modes above k R = 1.5, 2.2 "
+    "kHz for a disk of 75 mm, sound as above a closed film, of which the film only damps and detunes them.",
+    "The film in a steep position, where the disk is no baffle: above 0.3 rad its sound is wrong by several dB; later "
+    "heave and tilt are within 1.5 dB of a solution of the film.",
 )
 VACUUM = (
     "Air under the disk: it would slow and lift it, and flow round the rim while the film is open: until late in the "

@@ -112,6 +112,16 @@ class OscillatorBank:
         through = 1 + np.einsum("im,im->m", C, self.late)
         self.step = np.ascontiguousarray([through, into[0], trace, into[1], -det])
 
+    def known(self, state, g) -> np.ndarray:
+        """Return displacement and velocity (2, m) in a state (2, m) before a sample of the force g (m,)."""
+        (a, b), (c, d) = self._rows
+        first, second = state
+        return np.array([d * first - b * second, a * second - c * first]) / (a * d - b * c) + self.late * g
+
+    def taken(self, x, g) -> np.ndarray:
+        """Return the state (2, m) that has displacement and velocity x (2, m) before a sample of the force g (m,)."""
+        return self._observed(x - self.late * g)
+
     def _observed(self, x):
         return np.einsum("wim,i...m->w...m", self._rows, x)
 

@@ -41,7 +41,7 @@ class Listener:
     @property
     def position(self) -> np.ndarray:
         """The place (3,) [m], the disk's centre at the origin."""
-        return _position(self, self.azimuth)
+        return position(self, self.azimuth)
 
     def transit(self, radius: float) -> float:
         """Half the time that a plane wave to the listener needs across the disk [s]."""
@@ -91,7 +91,7 @@ def directions(modes: Modes, listener: Listener, still: bool = False, count: int
     waves = len(modes.face_angle) // 4 + int(k.max(initial=0.0) * modes.face_radius.max()) + SPARE_WAVES
     azimuth = 2 * np.pi * np.arange(min(2 * waves, count)) / min(2 * waves, count)
     density = listener.air.density
-    found = np.array([rayleigh(face, points, weights, k, _position(listener, a), density) for a in azimuth])
+    found = np.array([rayleigh(face, points, weights, k, position(listener, a), density) for a in azimuth])
     return resample(found, count, axis=0) if len(found) < count else found
 
 
@@ -182,7 +182,8 @@ def piston_strength(radius: float, distance: float, density: float = AIR_DENSITY
     return density * radius**2 / (2 * distance)
 
 
-def _position(listener, azimuth):
+def position(listener: Listener, azimuth: float) -> np.ndarray:
+    """Return where the listener is (3,) [m], from an azimuth [rad]."""
     across = listener.distance * np.cos(listener.elevation)
     return np.array(
         [across * np.cos(azimuth), across * np.sin(azimuth), listener.distance * np.sin(listener.elevation)]

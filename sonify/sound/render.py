@@ -11,6 +11,7 @@ import numpy as np
 
 from sonify.sound.audible_modes import sounding
 from sonify.sound.contact import with_contact
+from sonify.sound.film import with_film
 from sonify.sound.force import ForceSampler
 from sonify.sound.infinite import table_sources
 from sonify.sound.pressure import Sound, kept, with_sum
@@ -55,6 +56,7 @@ class Renderer:
         rigid = RigidDisk(self.scene, self._rigid, self.listener.azimuth)
         elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
         tables = table_sources(self.scene, self.table, self.listener)
+        rigid, elastic = with_film(self.scene, self.motion, rigid, elastic)
         return with_contact(self.scene, self.motion, rigid, elastic, *tables) + tables
 
     def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):

@@ -1,0 +1,185 @@
+"""MODES + FILM -> MODES: frequency, decay and loudness against the gap, and oscillators that follow them."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import pairwise
+from math import pi
+
+import numpy as np
+from scipy.interpolate import BarycentricInterpolator, CubicSpline
+
+from modal import Modes
+from sonify.sound.force import ContactForce
+from sonify.sound.oscillators import Knots, OscillatorBank
+from sonify.sound.radiation import directions, listener_of, position, rayleigh
+
+GAPS = np.geomspace(2.5e-3, 4e-6, 12)
+"""Mean gaps [m] at which the film is solved; a wider one acts as the first, a closer one as the last."""
+CELLS, NEAREST, ORDERS, VIEWS = 6, 5.0, 4, 16
+"""Of the film's mesh, of the waves of the flow round its rim, and of the azimuths that hear it."""
+SMALL = 1.5
+"""Above this number k R a mode is heard as above a closed film: the flow out of the rim is not known there."""
+LEAST = 1e-3
+"""Decay by the film [1/s] that is nothing, in the interpolation of its logarithm."""
+STEP = 0.02
+"""The oscillators change where the logarithm of the gap has changed by so much."""
+HIGHEST = 0.45
+"""No mode is tuned above this part of the sample rate."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Filmed:
+    """What the film makes of m modes at the logarithms `gap` (a,) of mean gaps [m], in descending order.
+
+    frequency [Hz] of the damped mode, `added` decay rate [1/s] (a, m) beside `decay_rate` (m,) without the film; gain
+    (a, m): pressure over that above a closed film.
+    """
+
+    gap: np.ndarray
+    frequency: np.ndarray
+    added: np.ndarray
+    decay_rate: np.ndarray
+    gain: np.ndarray
+
+    def heard(self, gap) -> np.ndarray:
+        """Return the gain (k, m) at logarithms of gaps (k,)."""
+        return np.column_stack([np.interp(gap, self.gap[::-1], column[::-1]) for column in self.gain.T])
+
+    def tuned(self, gap: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return frequency and decay rate (m,) at the logarithm of one gap."""
+        frequency, added = self._curves
+        return frequency(gap), self.decay_rate + np.maximum(np.exp(added(gap)) - LEAST, 0.0)
+
+    @cached_property
+    def _curves(self):
+        return [CubicSpline(self.gap[::-1], t[::-1]) for t in (self.frequency, np.log(self.added + LEAST))]
+
+
+def filmed(modes: Modes, scene) -> Filmed:
+    """Return the modes of a scene under its film, whose contact is at the patch of the modes.
+
+    Of modal mass 1, lambda^2 + (2 d + D) lambda + w^2 = 0, D = -12 mu R^4/g^3 int p w dA at the rate Im lambda,
+    as it is foreseen from the wider gaps. The air is isothermal, has inertia, and the rim is free of pressure.
+    """
+    from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
+
+    air, R, mesh = scene.air, scene.disk.radius, FilmMesh(CELLS, nearest=NEAREST)
+    shapes = [below(modes, i, mesh.points, R) for i in range(len(modes))]
+    natural = 2 * pi * modes.frequency
+    rate, before, found, flows = natural, natural, [], []
+    for g in GAPS:
+        ahead = rate * rate / before
+        answers = [
+            mesh.linear([w], [w], 12 * air.viscosity * r * R**2 / (air.pressure * g**2), layered(g, r, air), ORDERS)[0]
+            for w, r in zip(shapes, ahead, strict=True)
+        ]
+        drag = -12 * air.viscosity * R**4 / g**3 * np.array([a.works[0] for a in answers]) / 2 + modes.decay_rate
+        root = np.sqrt(drag**2 - natural**2)
+        damped = -drag + np.where(root.imag < 0, -root, root)
+        before, rate = rate, np.clip(damped.imag, 0.05 * natural, 2 * pi * HIGHEST * scene.audio.sample_rate)
+        found.append((rate / (2 * pi), np.maximum(-damped.real - modes.decay_rate, 0.0)))
+        flows.append([a.rim for a in answers])
+    frequency, added = np.swapaxes(found, 0, 1)
+    gain = loudness(modes, scene, np.array(flows))
+    return Filmed(gap=np.log(GAPS), frequency=frequency, added=added, decay_rate=modes.decay_rate, gain=gain)
+
+
+def layered(gap: float, rate: float, air) -> complex:
+    """Return g sqrt(i w rho/mu), the gap over the depth of the boundary layers."""
+    return gap * (1j * rate * air.density / air.viscosity) ** 0.5
+
+
+def below(modes: Modes, i: int, points, radius: float) -> np.ndarray:
+    """Return the axial shape of the bottom face at points x + i y over the radius, with the contact at x = -1."""
+    wave = np.fft.rfft(modes.face_shape[i, 0], axis=1) / len(modes.face_angle)
+    wave[:, 1:] *= 2
+    along = BarycentricInterpolator(modes.face_radius / radius, wave[:, : 2 * ORDERS])(np.abs(points).ravel())
+    turn = np.exp(1j * np.outer(np.angle(points) + pi, np.arange(along.shape[1])))
+    return (along * turn).real.sum(axis=1).reshape(points.shape)
+
+
+def loudness(modes: Modes, scene, flows) -> np.ndarray:
+    """Return the root mean square round the disk of what is heard of each mode with `flows` (a, m, 2 k + 1) out of the
+    rim, over that of its upper face alone, (a, m). The height of the disk is taken along for the orders 0 and 1."""
+    from sonify.sound.film import heights
+
+    a0, b0, a1, b1 = heights(scene.disk.thickness, scene.disk.radius)
+    listener, order = listener_of(scene), np.abs(np.append(np.arange(ORDERS + 1), np.arange(-ORDERS, 0)))
+    wave = np.fft.rfft(modes.face_shape, axis=3)
+    wave[..., 0] *= a0
+    wave[..., 1] *= a1
+    raised = replace(modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3))
+    closed, top = (directions(m, listener, count=VIEWS) for m in (modes, raised))
+    R, angle = scene.disk.radius, 2 * pi * np.arange(64) / 64
+    turn = np.exp(1j * np.outer(np.append(np.arange(ORDERS + 1), np.arange(-ORDERS, 0)), angle + pi))
+    flow = flows * np.select([order == 0, order == 1], [b0, b1], b1) @ turn * R / (2 * pi)
+    ring, weight = R * np.column_stack([np.cos(angle), np.sin(angle)]), np.full(64, R * angle[1])
+    k, out = 2 * pi * modes.frequency / listener.air.sound_speed, []
+    far = k * R > SMALL
+    for shape in flow:
+        views = 2 * pi * np.arange(VIEWS) / VIEWS
+        rim = [rayleigh(shape, ring, weight, k, position(listener, a), listener.air.density) for a in views]
+        out.append(np.sqrt(np.mean(np.abs(top + rim) ** 2, axis=0) / np.mean(np.abs(closed) ** 2, axis=0)))
+    return np.where(far, 1.0, out)
+
+
+class Tuned:
+    """m modes as oscillators whose frequency and decay follow the gap: exact while these stay, without a click
+    where they change.
+
+    `settled` (m,) is the force that has long been there when the first block begins, `gap` the logarithm of the gap.
+    """
+
+    def __init__(self, table: Filmed, sample_rate: float, settled, gap: float):
+        self._table, self._rate, self._banks = table, sample_rate, {}
+        self._level = self._level_of(np.array([gap]))[0]
+        smooth, jumps = self._bank(self._level)
+        smooth.settle(settled)
+        jumps.settle(0 * settled)
+        self._states = [smooth.state.copy(), jumps.state.copy()]
+
+    def advance(self, force: ContactForce, gap) -> np.ndarray:
+        """Return the accelerations (2, k, m) in the block of a ContactForce, at logarithms of the gap (k + 1,)."""
+        level, none = self._level_of(gap[:-1]), 0 * force.bend
+        cuts = [0, *(np.flatnonzero(np.diff(level)) + 1), len(level)]
+        every = (
+            (force.smooth, Knots(*force.knots, none, force.bend)),
+            (force.steps, Knots(*force.knots, force.jump, none)),
+        )
+        out = np.empty((2, len(level), force.smooth.shape[1]))
+        for first, last in pairwise(cuts):
+            self._retune(level[first], [g[first] for g, _ in every])
+            for i, (bank, (g, knots)) in enumerate(zip(self._bank(self._level), every, strict=True)):
+                bank.state = self._states[i]
+                bank.advance(g[first : last + 1], _between(knots, first, last), out[i, first:last])
+                self._states[i] = bank.state
+        return out
+
+    def _level_of(self, gap):
+        inside = np.clip(gap, self._table.gap[-1], self._table.gap[0])
+        return np.round((self._table.gap[0] - inside) / STEP).astype(int)
+
+    def _bank(self, level):
+        if level not in self._banks:
+            tuned = self._table.tuned(self._table.gap[0] - level * STEP)
+            self._banks[level] = [OscillatorBank(*tuned, self._rate) for _ in range(2)]
+        return self._banks[level]
+
+    def _retune(self, level, forces):
+        """Go over to another level: velocity and the displacement from where the force holds it at rest stay as they
+        are. The film gives way to what is slow, so that the rest is not stiffened and does not ring."""
+        if level != self._level:
+            pairs = zip(self._bank(self._level), self._bank(level), self._states, forces, strict=True)
+            self._states = [new.taken(old.known(state, g) + resting(old, new, g), g) for old, new, state, g in pairs]
+            self._level = level
+
+
+def resting(old: OscillatorBank, new: OscillatorBank, g) -> np.ndarray:
+    """Return how far apart two banks have displacement and velocity at rest under the force g (m,), (2, m)."""
+    return np.array([g / new.omega**2 - g / old.omega**2, 0 * g])
+
+
+def _between(knots: Knots, first: int, last: int) -> Knots:
+    """The knots in the intervals from sample `first` to `last`."""
+    some = (knots.interval >= first) & (knots.interval < last)
+    return Knots(knots.interval[some] - first, *(part[some] for part in knots[1:]))
