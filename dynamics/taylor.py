@@ -8,7 +8,6 @@ import heyoka
 import numpy as np
 
 from .equations import Law
-from .film.law import Film
 from .hybrid import Arc, StalledError
 from .regime import Branch, Flow, Regime, describe
 from .symbolic import formulas, prepared, shape
@@ -28,8 +27,7 @@ class Compiled:
     """The integrator of one branch. It holds the state of a run, so that each run borrows a copy of its own.
 
     heyoka keeps what it has compiled on disk, so the branches that most motions have are compiled for speed. Those in
-    which something sticks, or another law than the film of air resists, are compiled in compact mode, ready ten times
-    sooner and half as fast.
+    which something sticks or another law resists are compiled in compact mode, ready ten times sooner and half as fast.
     """
 
     def __init__(self, branch: Branch, tolerance: float):
@@ -41,7 +39,7 @@ class Compiled:
             [(a, heyoka.expression(b) if isinstance(b, float) else b) for a, b in zip(y, rates, strict=True)],
             [1.0] * len(y),
             tol=tolerance,
-            compact_mode=any(branch.stuck) or not isinstance(branch.loads, Film | None),
+            compact_mode=any(branch.stuck) or branch.loads is not None,
             opt_level=2,
             t_events=[heyoka.t_event(g + LIFT, direction=falling) for g in guards.values()],
         )
