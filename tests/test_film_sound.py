@@ -12,8 +12,8 @@ from dynamics.film.reynolds import FilmMesh, compressible
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.plan.solvable import planned, solve_motion
-from sonify.sound.film import LAM, RELAXATION, SHARE, WEIGHT, heights, share_of_tilt, with_film
-from sonify.sound.film_modes import Filmed, Tuned, filmed
+from sonify.sound.film import LAM, RELAXATION, SHARE, WEIGHT, share_of_tilt, with_film
+from sonify.sound.film_modes import Filmed, Tuned, filmed, heights
 from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.render import Renderer

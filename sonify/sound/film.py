@@ -16,7 +16,7 @@ from dynamics.film.law import compressibility, film_in
 from dynamics.rates import precession_rate
 from dynamics.regime import ARRAY
 from sonify.sound.drive import in_patch_frame, listener_azimuth, rigid_acceleration
-from sonify.sound.film_modes import Tuned, filmed
+from sonify.sound.film_modes import Tuned, filmed, heights
 from sonify.sound.response import Vibrating
 from sonify.sound.sources import FADE_OUT, ElasticDisk, RigidDisk, noted_energy
 
@@ -38,13 +38,6 @@ def with_film(scene, motion, rigid: RigidDisk, elastic: ElasticDisk) -> tuple[Ri
     if film_of(scene).film is None:
         return rigid, elastic
     return FilmedRigid(scene, motion, rigid), FilmedElastic(scene, motion, elastic)
-
-
-def heights(thickness: float, radius: float) -> tuple[float, float, float, float]:
-    """Return a0, b0, a1, b1 of a disk that stands above the baffle: fits within 2 % below 1 kHz, at 0.5 m and 45
-    degrees."""
-    x = thickness / radius
-    return 1.0, 0.998, 1 + 0.75 * x / (1 + 2.45 * x), 1 + 1.66 * x / (1 + 1.5 * x)
 
 
 def share_of_tilt(Lam) -> np.ndarray:

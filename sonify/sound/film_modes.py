@@ -84,6 +84,13 @@ def filmed(modes: Modes, scene) -> Filmed:
     return Filmed(gap=np.log(GAPS), frequency=frequency, added=added, decay_rate=modes.decay_rate, gain=gain)
 
 
+def heights(thickness: float, radius: float) -> tuple[float, float, float, float]:
+    """Return a0, b0, a1, b1 of a disk that stands above the baffle: fits within 2 % below 1 kHz, at 0.5 m and 45
+    degrees."""
+    x = thickness / radius
+    return 1.0, 0.998, 1 + 0.75 * x / (1 + 2.45 * x), 1 + 1.66 * x / (1 + 1.5 * x)
+
+
 def layered(gap: float, rate: float, air) -> complex:
     """Return g sqrt(i w rho/mu), the gap over the depth of the boundary layers."""
     return gap * (1j * rate * air.density / air.viscosity) ** 0.5
@@ -101,8 +108,6 @@ def below(modes: Modes, i: int, points, radius: float) -> np.ndarray:
 def loudness(modes: Modes, scene, flows) -> np.ndarray:
     """Return the root mean square round the disk of what is heard of each mode with `flows` (a, m, 2 k + 1) out of the
     rim, over that of its upper face alone, (a, m). The height of the disk is taken along for the orders 0 and 1."""
-    from sonify.sound.film import heights
-
     a0, b0, a1, b1 = heights(scene.disk.thickness, scene.disk.radius)
     listener, order = listener_of(scene), np.abs(np.append(np.arange(ORDERS + 1), np.arange(-ORDERS, 0)))
     wave = np.fft.rfft(modes.face_shape, axis=3)
