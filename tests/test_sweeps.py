@@ -25,6 +25,7 @@ from sonify.scene_errors import InputError
 from sonify.sweeps import command, needs, work
 from sonify.sweeps.axes import Samples, points_of
 from sonify.sweeps.command import plan, says
+from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.hand import Hand, solve_apart
 from sonify.sweeps.sweep import load_sweep, shipped_sweeps
 from sonify.sweeps.table import JOURNAL, NAME, Table, read_table
@@ -367,3 +368,19 @@ def test_a_failed_check_is_told(tmp_path):
 
 def test_found_leaves_out_times_only(done):
     assert set(read_table(done)[0].column_names) - set(found(done).column_names) == {"seconds", "seconds_motion"}
+
+
+def test_the_conclusion_on_friction_is_that_of_its_table():
+    """The powers that the table is made with, and the friction from which it falls."""
+    mu, arm = (grid.ravel() for grid in np.meshgrid(np.geomspace(0.1, 1, 9), np.geomspace(1e-5, 1e-4, 9)))
+    told = {"friction.mu_static": mu, "friction.arm_rolling": arm, "t_end": 1e-2 * arm**-0.75}
+    told |= {"repeated_slips": 9 / mu, "outcome": np.where(mu > 0.5, "FELL", "SETTLED").tolist()}
+    lines = CONCLUSIONS["friction"](pa.table(told))
+    assert "power -0.75 of the rolling arm and 0.00 of Coulomb friction (within 0%)" in lines[0]
+    assert "power 0.00 of the arm and -1.00 of friction: friction decides how often" in lines[1]
+    assert "below mu_static = 0.56; from there on 27 of 27 end" in lines[2]
+    told |= {"t_end": mu, "outcome": ["SETTLED"] * len(mu)}
+    lines = CONCLUSIONS["friction"](pa.table(told))
+    assert "decides" not in lines[1]
+    assert lines[2] == "It settles in all runs."
+    assert set(CONCLUSIONS) == set(shipped_sweeps())

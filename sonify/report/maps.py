@@ -52,6 +52,7 @@ def draw_map(what: Map, path):
             told = f"{what.of}, median of up to {shared} runs" if shared > 1 else what.of
         else:
             most = [Counter(map(_word, found)).most_common(1)[0][0] for found in points.values() if found]
+            figure.subplots_adjust(right=0.8)
             _categories(panel, places[known], most)
             told = f"{what.of}, most frequent of up to {shared} runs" if shared > 1 else what.of
         _failed(panel, places[~known])
@@ -94,7 +95,7 @@ def _categories(panel, places, words):
         here = places[np.array(words) == name]
         flat = np.full(len(here), names.index(name))
         panel.plot(here[:, 0], here[:, 1] if here.shape[1] == 2 else flat, mark, ls="", label=name)
-    panel.legend(loc="upper center", bbox_to_anchor=(0.5, -0.1), ncols=4, frameon=False)
+    _legend(panel)
 
 
 def _failed(panel, places):
@@ -102,7 +103,13 @@ def _failed(panel, places):
         at = panel.get_ylim()[0]
         y = places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
         panel.plot(places[:, 0], y, "rx", ms=7, label="no value", clip_on=False)
-        panel.legend(loc="best")
+        _legend(panel)
+
+
+def _legend(panel):
+    """Beside the panel, where there is room; over it beside a bar of colours."""
+    beside = {"loc": "upper left", "bbox_to_anchor": (1.01, 1)} if len(panel.figure.axes) == 1 else {"loc": "best"}
+    panel.legend(**beside, frameon=False)
 
 
 def _word(value):

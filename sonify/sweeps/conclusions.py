@@ -1,6 +1,5 @@
 """TABLE -> SENTENCES: what the shipped sweeps say, computed from their tables."""
 
-from collections import Counter
 from collections.abc import Callable
 
 import numpy as np
@@ -9,29 +8,38 @@ import pyarrow as pa
 
 def friction(table: pa.Table) -> list[str]:
     """When the published disk comes to its end, and how often it slips, over Coulomb friction and rolling arm."""
-    rows = [row for row in table.to_pylist() if row["outcome"] == "SETTLED"]
-    mu, arm, end, slips = (
-        np.array([row[key] for row in rows])
-        for key in ("friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips")
-    )
-    by_arm, by_mu = exponents(end, arm, mu)
-    never = arm[slips == 0]
-    ends = Counter(row["outcome"] or "an error" for row in table.to_pylist())
-    others = ", ".join(f"{n} with {name}" for name, n in sorted(ends.items()) if name != "SETTLED")
+    mu, arm, end, slips = columns(table, "friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips")
+    settled = np.array([outcome == "SETTLED" for outcome in table["outcome"].to_pylist()])
+    (by_arm, by_mu), off = powers(end[settled], arm[settled], mu[settled])
+    often = settled & (slips > 0)
+    (slips_by_arm, slips_by_mu), _ = powers(slips[often], arm[often], mu[often])
+    others = mu[~settled]
+    so = ": friction decides how often, not for how long" if abs(by_mu) < 0.1 < abs(slips_by_mu) else ""
+    least = others.min(initial=np.inf)
     return [
-        f"The end comes after {end.min():.3g} to {end.max():.3g} s and goes as the power {by_arm:.2f} of the rolling "
-        f"arm and {by_mu:.2f} of the friction.",
-        f"The disk slips up to {slips.max():.0f} times, most at mu_static = {mu[slips.argmax()]:.2g}, and "
-        + (f"never in {len(never)} of {len(rows)} runs." if len(never) else "in every run."),
-        f"{len(rows)} of {len(table)} runs settle" + (f", {others}." if others else "."),
+        f"Where the disk settles, the end comes after {end[settled].min():.3g} to {end[settled].max():.3g} s, about as "
+        f"the power {by_arm:.2f} of the rolling arm and {by_mu:.2f} of Coulomb friction (within {off:.0%}).",
+        f"On its way it slips {slips[settled].min():.0f} to {slips[settled].max():.0f} times, about as the power "
+        f"{slips_by_arm:.2f} of the arm and {slips_by_mu:.2f} of friction{so}.",
+        f"It settles in all runs below mu_static = {least:.2f}; from there on {len(others)} of {(mu >= least).sum()} "
+        "end otherwise."
+        if len(others)
+        else "It settles in all runs.",
     ]
 
 
-def exponents(value: np.ndarray, *over: np.ndarray) -> np.ndarray:
+def columns(table: pa.Table, *names: str) -> list[np.ndarray]:
+    """Return columns of numbers as arrays (n,), not a number where there is none."""
+    return [np.array([np.nan if v is None else v for v in table[name].to_pylist()]) for name in names]
+
+
+def powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
     """Return the powers (k,) of the k positive quantities `over` (n,) whose product follows `value` (n,) best, in
-    logarithms."""
+    logarithms, and by how much that is off, in quadratic mean, relative; the
+    powers to two digits."""
     matrix = np.column_stack([*map(np.log, over), np.ones(len(value))])
-    return np.linalg.lstsq(matrix, np.log(value))[0][:-1]
+    found = np.linalg.lstsq(matrix, np.log(value))[0]
+    return found[:-1].round(2) + 0.0, float(np.sqrt(np.mean((matrix @ found - np.log(value)) ** 2)))
 
 
 CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {"friction": friction}
