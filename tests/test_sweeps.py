@@ -384,3 +384,26 @@ def test_the_conclusion_on_friction_is_that_of_its_table():
     assert "decides" not in lines[1]
     assert lines[2] == "It settles in all runs."
     assert set(CONCLUSIONS) == set(shipped_sweeps())
+
+
+def test_the_conclusions_on_halt_and_pitch_are_those_of_their_tables():
+    """Of six runs of each, made so that the answers are seen by eye."""
+    air = "the film of air"
+    told = {"air.pressure": [1.0, 1.0, 10132.5, 10132.5, 1e5, 1e5], "dissipation.contour_moment": [1e-6, 1e-4] * 3}
+    told |= {"film_squeezed": [1e4, 9e3, 0.9, 0.8, 0.1, 0.05], "outcome": ["AIRBORNE"] * 5 + ["SETTLED"]}
+    told |= {"ended_by": [air, air, air, "sliding", air, "sliding"]}
+    lines = CONCLUSIONS["halt"](pa.table(told))
+    assert lines[0].startswith("From 0.1 atmospheres on,")
+    assert lines[0].endswith("in 3 of 4 runs.")
+    assert "in 2 runs, up to a contour moment of 1e-06 N m" in lines[1]
+    assert "At lower pressures 2 runs tell nothing" in lines[2]
+    assert CONCLUSIONS["halt"](pa.table(told | {"film_squeezed": [0.1] * 6}))[2].endswith("holds in all runs.")
+    told = {"surface.thickness": [3e-3, 3e-3, 9e-3, 9e-3, 3e-2, 3e-2], "audio.distance": [0.1, 3.0] * 3}
+    told |= {
+        "table_carries_the_tone": [30.0, 31.5, 9.0, None, -5.0, -9.0],
+        "table_takes_little": [30, 30, 10, 10, 3, 3],
+    }
+    lines = CONCLUSIONS["pitch"](pa.table(told))
+    assert "in 3 of 5 runs, those up to 9 mm, by 9 to 32 dB over the disk" in lines[0]
+    assert lines[1].endswith("by 4.0 dB at most.")
+    assert "3 to 30 s before the end, about as the power -1.00 of its thickness" in lines[2]

@@ -1,6 +1,7 @@
 """AIR -> FINDINGS: from when it counts, what ends the motion, whether it carries the disk and lets it be heard."""
 
 from math import log
+from typing import Any
 
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
@@ -9,7 +10,8 @@ from dynamics import Motion
 from dynamics.dissipation import resistance
 from dynamics.equations import law_of
 from dynamics.film.acting import MATTERS
-from dynamics.film.law import Film, film_in, film_under
+from dynamics.film.law import Film, compressibility, film_in, film_under
+from dynamics.rates import precession_rate
 from dynamics.time_left import steady_power
 from sonify.claims.motion import Finding
 from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, band_levels
@@ -27,13 +29,28 @@ INCLINATIONS = (1e-3, 1e-2)
 
 def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
     """Return what a run says about its air; of a motion in a vacuum, what a film of its air would do along it."""
+    heard = [heard_through_film(sound)] if film_in(getattr(motion, "loads", None)) else []
+    return motion_findings(scene, motion) + heard
+
+
+def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
+    """Return those of them that the motion alone can judge."""
     exponent = [friction_exponent(scene)] if steady_friction(scene, INCLINATIONS[0]) > 0 else []
     if scene.disk.shape != "solid" or not scene.air.pressure or not scene.air.density:
         return exponent
     acts = film_in(getattr(motion, "loads", None))
     film = acts or film_under(scene.disk, scene.air)
     found = [air_negligible(motion, film), what_ends(motion, film if acts else None), carried_by_air(motion, film)]
-    return found + ([heard_through_film(sound)] if acts else []) + exponent
+    return found + exponent
+
+
+def air_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
+    """Return what ends the motion, in words, and of its film Lam at the end: beyond 1 the air is squeezed, and the law
+    of the film fails."""
+    film = film_in(getattr(motion, "loads", None))
+    parts, rate = shares_of_the_end(motion, film), abs(precession_rate(motion.state[-1:])[0])
+    squeezed = {"film_squeezed": float(compressibility(motion.state[-1, 1], rate, scene.air))} if film else {}
+    return {"ended_by": max(parts, key=lambda name: parts[name])} | squeezed
 
 
 def air_negligible(motion: Motion, film: Film) -> Finding:
@@ -56,8 +73,8 @@ def air_negligible(motion: Motion, film: Film) -> Finding:
     )
 
 
-def what_ends(motion: Motion, film: Film | None) -> Finding:
-    """The largest of the shares in which film, sliding and the moments at the contact take the last of the energy."""
+def shares_of_the_end(motion: Motion, film: Film | None) -> dict[str, float]:
+    """Return the shares in which film, sliding and the moments at the contact take the LAST of the energy."""
     energy = motion.energy(motion.t)
     last = energy - energy[-1] <= LAST * (energy[0] - energy[-1])
     total = np.ptp(motion.state[last, 10])
@@ -66,7 +83,12 @@ def what_ends(motion: Motion, film: Film | None) -> Finding:
     parts = {"sliding": np.ptp(slides[last]) / total}
     if film:
         parts["the film of air"] = np.ptp(_integral(np.sum(film_powers(motion, film), axis=0), motion)[last]) / total
-    parts["friction of rolling and pivoting"] = 1 - sum(parts.values())
+    return parts | {"friction of rolling and pivoting": 1 - sum(parts.values())}
+
+
+def what_ends(motion: Motion, film: Film | None) -> Finding:
+    """The largest of the `shares_of_the_end`."""
+    parts = shares_of_the_end(motion, film)
     cause = max(parts, key=lambda name: parts[name])
     return Finding(
         key="what_ends",

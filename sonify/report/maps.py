@@ -3,14 +3,18 @@
 from collections import Counter, defaultdict
 from dataclasses import dataclass
 from itertools import cycle
+from textwrap import fill
 
 import numpy as np
+from matplotlib.colors import LogNorm
+from matplotlib.ticker import LogLocator, NullFormatter
 from matplotlib.tri import Triangulation
 
 from sonify.report.figure import figure_at
 
 MARKS = "osD^vP*Xhp<>d8H"
-LEVELS = 12
+DECADE = 12.0
+LEVELS, WIDE, WORDS = 12, 300.0, 16
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -64,7 +68,11 @@ def _scaled(panel, k, name, what):
     values, axis = list(dict.fromkeys(what.columns[name])), (panel.xaxis, panel.yaxis)[k]
     axis.set_label_text(name)
     if all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
-        (panel.set_xscale, panel.set_yscale)[k]("log" if name in what.logs else "linear")
+        if name in what.logs:
+            (panel.set_xscale, panel.set_yscale)[k]("log")
+            axis.set_major_formatter("{x:g}")
+            axis.set_minor_locator(LogLocator(subs=(2, 3, 5)))
+            axis.set_minor_formatter(NullFormatter() if max(values) > DECADE * min(values) else "{x:g}")
         return {value: value for value in values}
     words = sorted(values, key=str)
     axis.set_major_formatter(lambda at, _: _word(words[int(at)]) if at in range(len(words)) else "")
@@ -83,10 +91,21 @@ def _numbers(figure, panel, places, values, what):
     else:
         around = Triangulation(*((scaled - scaled.min(axis=0)) / np.ptp(scaled, axis=0)).T)
         mesh = Triangulation(*places.T, around.triangles)
-        drawn = panel.tricontourf(mesh, values, LEVELS, cmap="viridis")
-        panel.tricontour(mesh, values, LEVELS, colors="k", linewidths=0.4)
+        levels, scale = _levels(values)
+        drawn = panel.tricontourf(mesh, values, levels, cmap="viridis", norm=scale)
+        panel.tricontour(mesh, values, levels, colors="k", linewidths=0.4)
         panel.plot(*places.T, "k.", ms=1.5)
-    figure.colorbar(drawn, ax=panel)
+    bar = figure.colorbar(drawn, ax=panel)
+    if isinstance(drawn.norm, LogNorm):
+        bar.set_ticks(drawn.levels, labels=[f"{level:.2g}" for level in drawn.levels], minor=False)
+
+
+def _levels(values):
+    """Even levels, in the logarithm where positive values span more than WIDE."""
+    low, high = min(values), max(values)
+    if not 0 < WIDE * low < high:
+        return LEVELS, None
+    return np.geomspace(low, high * (1 + 1e-9), LEVELS), LogNorm(low, high)
 
 
 def _categories(panel, places, words):
@@ -94,7 +113,7 @@ def _categories(panel, places, words):
     for name, mark in zip(names, cycle(MARKS), strict=False):
         here = places[np.array(words) == name]
         flat = np.full(len(here), names.index(name))
-        panel.plot(here[:, 0], here[:, 1] if here.shape[1] == 2 else flat, mark, ls="", label=name)
+        panel.plot(here[:, 0], here[:, 1] if here.shape[1] == 2 else flat, mark, ls="", label=fill(name, WORDS))
     _legend(panel)
 
 

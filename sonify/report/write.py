@@ -13,6 +13,7 @@ import numpy as np
 from dynamics import Motion
 from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
+from sonify.claims.air import air_scalars
 from sonify.claims.checks import Check
 from sonify.claims.motion import Finding
 from sonify.files import whole
@@ -106,6 +107,7 @@ def summary(result: "Result") -> dict[str, Any]:
     whether it holds or passed; the seconds of each stage."""
     row = {"outcome": result.motion.outcome.name, "t_end": float(result.motion.t[-1]), "passed": result.passed}
     row |= {"sound_seconds": result.sound.duration, "peak_pascal": result.sound.peak}
+    row |= air_scalars(result.scene, result.motion)
     row |= dict(zip(("energy_below_100_hz", "energy_below_300_hz"), result.sound.low_share, strict=True))
     return row | judged(result.findings, result.checks) | timed(result.seconds)
 

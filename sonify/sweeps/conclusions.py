@@ -5,6 +5,8 @@ from collections.abc import Callable
 import numpy as np
 import pyarrow as pa
 
+from dynamics.air import PRESSURE
+
 
 def friction(table: pa.Table) -> list[str]:
     """When the published disk comes to its end, and how often it slips, over Coulomb friction and rolling arm."""
@@ -28,6 +30,47 @@ def friction(table: pa.Table) -> list[str]:
     ]
 
 
+def halt(table: pa.Table) -> list[str]:
+    """What takes the last energy of a steel disk on glass, and whether contact is lost, where the film's law holds."""
+    pressure, moment, squeezed = columns(table, "air.pressure", "dissipation.contour_moment", "film_squeezed")
+    known = squeezed < 1
+    airborne, by_air = is_in(table, "outcome", "AIRBORNE")[known], is_in(table, "ended_by", "the film of air")[known]
+    most = moment[known][by_air].max(initial=0.0)
+    return [
+        f"From {pressure[known].min() / PRESSURE:.2g} atmospheres on, where the film hardly squeezes its air, contact "
+        f"is lost to the air in {airborne.sum()} of {known.sum()} runs.",
+        f"There the film takes more of the last tenth of the energy than anything else in {by_air.sum()} runs, up to "
+        f"a contour moment of {most:.2g} N m.",
+        f"At lower pressures {(~known).sum()} runs tell nothing: Lam, which the law of the film has below 1, is up to "
+        f"{squeezed.max():.1g} there, and such air lifts less."
+        if not known.all()
+        else "The law of the film holds in all runs.",
+    ]
+
+
+def pitch(table: pa.Table) -> list[str]:
+    """What carries the rising tone of the last second, over the thickness of a glass plate and the distance."""
+    thickness, distance = columns(table, "surface.thickness", "audio.distance")
+    over, late = columns(table, "table_carries_the_tone", "table_takes_little")
+    (by_thickness,), _ = powers(late, thickness)
+    heard = ~np.isnan(over)
+    plate = heard & (over > 0)
+    steps = [np.ptp(over[heard & (thickness == t)]) for t in np.unique(thickness[heard])]
+    return [
+        f"The glass plate carries the rising tone of the last second in {plate.sum()} of {heard.sum()} runs, those up "
+        f"to {1e3 * thickness[plate].max(initial=0.0):.2g} mm, by {over[plate].min(initial=np.inf):.0f} to "
+        f"{over[plate].max(initial=0.0):.0f} dB over the disk; in the others the disk does.",
+        f"From {distance.min():.2g} to {distance.max():.2g} m, distance changes that by {max(steps):.1f} dB at most.",
+        f"The modes of the plate would hold as much energy as the disk {late.min():.2g} to {late.max():.2g} s before "
+        f"the end, about as the power {by_thickness:.2f} of its thickness: then it acts back, which is left out.",
+    ]
+
+
+def is_in(table: pa.Table, name: str, text: str) -> np.ndarray:
+    """Return where (n,) a column of text says so."""
+    return np.array([value == text for value in table[name].to_pylist()])
+
+
 def columns(table: pa.Table, *names: str) -> list[np.ndarray]:
     """Return columns of numbers as arrays (n,), not a number where there is none."""
     return [np.array([np.nan if v is None else v for v in table[name].to_pylist()]) for name in names]
@@ -42,5 +85,5 @@ def powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
     return found[:-1].round(2) + 0.0, float(np.sqrt(np.mean((matrix @ found - np.log(value)) ** 2)))
 
 
-CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {"friction": friction}
+CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {"friction": friction, "halt": halt, "pitch": pitch}
 """Shipped sweep -> what its table says."""

@@ -7,16 +7,19 @@ from importlib import import_module
 from pkgutil import iter_modules
 from types import ModuleType
 
+from dynamics import Motion
+from modal import Modes
 from sonify import claims
 from sonify.claims.checks import Check
 from sonify.claims.motion import Finding
+from sonify.scene import Scene
 from sonify.scene_errors import InputError
 
 STAGES = ("motion", "modes", "sound")
 """A sound needs, and tells, all that the others tell."""
-SCALARS = {"outcome": "motion", "t_end": "motion", "passed": "motion"}
+SCALARS = dict.fromkeys(("outcome", "t_end", "passed", "ended_by", "film_squeezed"), "motion")
 SCALARS |= dict.fromkeys(("sound_seconds", "peak_pascal", "energy_below_100_hz", "energy_below_300_hz"), "sound")
-READ = {"motion": {"motion", "scene", "friction"}, "modes": {"modes", "scene", "disk"}}
+READ = {"motion": {"motion", "scene", "friction", "film"}, "modes": {"modes", "scene", "disk"}}
 """What the claims on a stage may be functions of; those of anything else are on the sound."""
 HOOKS = {"motion": ("motion_findings", "motion_checks"), "modes": ("mode_findings", "mode_checks")}
 """Stage -> functions by which a module of the claims returns what that stage can judge by itself."""
@@ -34,6 +37,15 @@ def judges(hook: str) -> list[Callable[..., list]]:
     """Return what the modules of the claims define under the name `hook`, as motion_findings."""
     found = [getattr(module, hook, None) for module in modules()]
     return [f for f, module in zip(found, modules(), strict=True) if f and f.__module__ == module.__name__]
+
+
+def found_by(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
+    """Return the findings of all that is called `hook`, a function of what was `solved`, or of the scene and that."""
+    return [
+        finding
+        for judge in judges(hook)
+        for finding in judge(*[scene, solved][-len(inspect.signature(judge).parameters) :])
+    ]
 
 
 @cache

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from modal import Modes, as_json, eigenmodes
+from sonify.claims.air import air_scalars
 from sonify.claims.checks import mode_checks, motion_checks
 from sonify.pipeline import solve, write
 from sonify.plan.solvable import planned, solvable, solve_motion
@@ -14,7 +15,7 @@ from sonify.progress import Stages
 from sonify.report.write import judged, summary, timed, write_json, write_motion
 from sonify.scene import Scene, from_document
 from sonify.sound.wav import write_sound
-from sonify.sweeps.needs import judges
+from sonify.sweeps.needs import found_by
 
 KNOWN: deque = deque(maxlen=4)
 """What this process has last solved of modes: the sections that they read, what else was asked, and the modes."""
@@ -74,17 +75,15 @@ def _motion(scene, folder):
     motion = solve_motion(scene)
     if folder:
         write_motion(motion, folder / "motion.npz")
-    row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])}
-    findings = [finding for judge in judges("motion_findings") for finding in judge(motion)]
-    return row | judged(findings, motion_checks(scene, motion))
+    row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])} | air_scalars(scene, motion)
+    return row | judged(found_by("motion_findings", scene, motion), motion_checks(scene, motion))
 
 
 def _modes(scene, folder):
     _, modes = planned(scene, remembered)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
-    findings = [finding for judge in judges("mode_findings") for finding in judge(modes)]
-    return judged(findings, mode_checks(scene, modes))
+    return judged(found_by("mode_findings", scene, modes), mode_checks(scene, modes))
 
 
 def _arrays(result, folder, _):
