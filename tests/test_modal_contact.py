@@ -15,7 +15,7 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from skfem import ElementHex2
 
 from dynamics.coupled.contact import Elastic
-from dynamics.coupled.resonance import damping, linear, resonances
+from dynamics.coupled.resonance import damping, linear, on_springs, resonances, rigid_shapes
 from dynamics.coupled.suspension import suspension
 from modal import FreeDisk, Material, Plate, Support, UnsolvableError, eigenmodes
 from modal.accuracy import MIDDLE
@@ -93,6 +93,19 @@ def test_small_losses_are_of_first_order():
     creeps = modes_on(springs._replace(damping=np.zeros(3), forgets=1e-3 * springs.forgets), 0.1)
     power = (1e-3 * springs.forgets * springs.stiffness * stretch**2).sum(axis=1)
     assert creeps.decay_rate == pytest.approx(power / (2 * (2 * pi * still.frequency) ** 2), rel=1e-3, abs=1e-9)
+
+
+@pytest.mark.parametrize(("beta", "ratio"), [(0.57, 0.98), (0.1, 0.97), (0.001, 0.90)])
+def test_the_carrier_of_an_elastic_disk_is_lower_than_that_of_a_rigid_one(beta, ratio):
+    """Slow motions see the body as a spring F0 in series with those of the contact, and see more of it, by the square
+    of their frequency over that of the first free mode, the faster they are."""
+    springs, at, turn = suspension(LAW, beta), np.array([beta]), along_the_table(beta)
+    elastic = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), beta).frequency[:3]
+    stiffness, F0 = np.diag(springs.stiffness)[None], turn @ regular_flexibility(BODY, LAW.fillet)[0] @ turn.T
+    rigid, static = (on_springs(rigid_shapes(DISK, at), stiffness, residual=rest)[0, 3:] for rest in (0 * F0, F0))
+    assert elastic[2] / rigid[2] == pytest.approx(ratio, abs=0.005)
+    assert (elastic <= static).all()
+    assert (static - elastic <= 2 * (elastic / 10603) ** 2 * np.abs(rigid - elastic)).all()
 
 
 @pytest.mark.parametrize("size", [0.8e-3, 1.6e-3])

@@ -1,7 +1,8 @@
 """What a free disk yields as a body where a force acts on its edge, less what it yields next to the force.
 
 Under a force that is spread over a strip of the edge, s long and s high, a disk yields F(s) = a/s + F0 + small terms.
-The part a/s is that of the material next to the force, which Hertz's springs have; F0 is that of the body.
+The part a/s is that of the material next to the force, which Hertz's springs have; F0 is that of the body. What the
+shape of a fillet of radius s adds is of the order (1 - nu^2)/(2 pi E s), an eighth of F0 for the toy, and is left out.
 """
 
 from math import pi
