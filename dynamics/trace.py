@@ -79,8 +79,8 @@ machines: dict = {}
 
 def machine(function, signature):
     """Compile a function when it is first asked for, not when it is imported; numba keeps it on disk."""
-    if function not in machines:  # the hash of a signature takes longer than a call
-        machines[function] = njit(signature, cache=True, error_model="numpy")(function)
+    if function not in machines:  # numba takes longer to tell the types of a call than to make it
+        machines[function] = njit(signature, cache=True, error_model="numpy")(function).get_overload(signature)
     return machines[function]
 
 
