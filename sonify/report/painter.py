@@ -76,6 +76,8 @@ if hasattr(os, "register_at_fork"):
 def serve():
     """Draw what is asked for on the standard input until nobody asks any more; Ctrl-C is for the process that asks."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if hasattr(os, "nice"):
+        os.nice(5)  # what is solved goes first
     ask, answer, sys.stdout = sys.stdin.buffer, sys.stdout.buffer, sys.stderr
     for module in MODULES:
         import_module(f"sonify.report.{module}")
