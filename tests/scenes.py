@@ -67,5 +67,6 @@ def proves_its_outcome(motion, limit) -> bool:
         Outcome.SETTLED: beta < 1e-8,
         Outcome.FELL: nutation / sqrt(beta) == pytest.approx(FALLING, rel=1e-9),
         Outcome.LIFTED_OFF: motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-9),
+        Outcome.AIRBORNE: motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-9),
         Outcome.UPRIGHT: beta == pytest.approx(pi / 2, rel=1e-9),
     }[motion.outcome]

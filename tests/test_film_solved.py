@@ -9,7 +9,8 @@ import pytest
 from scipy.integrate import quad
 from scipy.special import jv, k0, k1
 
-from dynamics.film.law import FALLING, LEVER, TURNING
+from dynamics import Air, Disk
+from dynamics.film.law import FALLING, LEVER, TURNING, film_under
 from dynamics.film.reynolds import FilmMesh, compressible, mobility_of
 
 MU, RHO, AMBIENT, RADIUS = 1.82e-5, 1.204, 101325.0, 0.03755
@@ -70,6 +71,17 @@ def test_mobility_is_smooth_and_goes_over_to_that_of_a_mass():
     low, high = mobility_of(gap, 1.0) / gap**3
     assert low == pytest.approx(high, rel=1e-4)
     assert mobility_of(1.0, 30 * 1e3j**0.5) == pytest.approx(12 / (900e3j), rel=0.01)
+
+
+@pytest.mark.parametrize("S", [0.3, 1.0, 2.0, 3.0])
+def test_the_fit_of_inertia_is_that_of_unsteady_flow(S):
+    """5 % for S <= 3."""
+    mesh, disk = FilmMesh(10), Disk(radius=RADIUS, thickness=0.0128, mass=0.4387)
+    y = mesh.points.imag
+    still, unsteady = (mesh.linear([y], [y], inertia=k)[0].works[0].real for k in (0.0, S * (1 + 1j)))
+    film = film_under(disk, Air(viscosity=MU, density=RHO))
+    rate = S**2 * 2 * MU / (RHO * RADIUS**2) * disk.time_unit  # at sin(beta) = 1
+    assert film.heaviness(1.0, rate, pow) == pytest.approx(unsteady / still, rel=0.05)
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ CHARTS = {
     "sound": Chart("Sound: accuracy against speed", "rms error of the pressure over its rms"),
     "contact": Chart("Elastic contact: accuracy against speed"),
     "end_to_end": Chart("From scene to sound: accuracy against speed"),
+    "film": Chart("Film of air: accuracy against speed", "relative error of the power"),
     "stability": Chart("Stability: where methods fail"),
 }
 """Every chart there is, in the order of `chart all`; a line here is all that a new one needs besides its module.
