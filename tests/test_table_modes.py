@@ -64,6 +64,12 @@ def test_shapes_have_modal_mass_1_and_are_the_same_on_the_face_and_between_its_p
     assert np.abs(found.at(x, x, (1, 0)) - quotient).max() < 1e-6 * np.abs(quotient).max()
 
 
+def test_nowhere_has_no_values():
+    """A motion without slides has no jumps at which the shapes are asked for."""
+    found = modes_of(PlateSurface(radius=0.2, thickness=0.002, **GLASS), 300.0)
+    assert found.at(np.zeros(0), np.zeros(0)).shape == (0, len(found))
+
+
 def test_the_modes_add_up_to_the_static_deflection():
     """w(0) = P R^2 (3 + nu)/(16 pi B (1 + nu)); what modes above the highest add is below the spacing's share."""
     plate = PlateSurface(radius=0.15, thickness=0.003, **GLASS)

@@ -33,6 +33,9 @@ LEVELS |= {(18.5, 19): 69.0}
 """Of the published force on a supported glass plate, 300 mm across and 6 mm thick, damping ratio 0.01 [dB(A)]."""
 
 
+TABLE_BY_MODES = "surface={kind='modes', modes=[{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}]}"
+
+
 @pytest.fixture(scope="module")
 def scene():
     return load_scene("glass-plate")
@@ -142,6 +145,15 @@ def test_a_constant_force_at_rest_is_silent(scene, table):
         return source.from_rest(first, lambda *noted: None)(steady(source, 4096, force))
 
     assert np.abs(pressure(force)).max() < 1e-12 * np.abs(pressure(0 * force)).max()
+
+
+@pytest.mark.parametrize("change", ["friction.mu_static=inf", 'contact.law="elastic"', TABLE_BY_MODES])
+def test_other_scenes_sound_on_a_table(scene, change):
+    """Without slides; on a contact that yields, which shakes the table, too; on a table that is known by its modes."""
+    sound = solve(scene.replace("numerics.accuracy=draft", "numerics.time_limit=0.3", change)).sound
+    assert sound.finite
+    assert sound.stem_peak["table"] > 0
+    assert ("contact" in sound.names) == ("contact" in change)
 
 
 def test_the_contact_goes_where_the_rim_meets_the_table(scene, motion):
