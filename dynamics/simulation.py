@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 
@@ -55,12 +55,15 @@ Watch = Callable[[float, float, str], None]
 
 
 def simulate(
-    scene: MotionScene, watch: Watch = lambda t, inclination, doing: None, loads: OwnLaw | None = None
+    scene: MotionScene,
+    watch: Watch = lambda t, inclination, doing: None,
+    loads: OwnLaw | None = None,
+    surface_modes: Any = None,
 ) -> Motion:
     """Solve the motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
 
     It is that of the rigid disk, event by event, unless the contact of the scene is elastic and `coupled.choice` has it
-    solved in full.
+    solved in full. A table with surface.action = "motion" moves with the disk by its modes (`modal.SurfaceModes`).
 
     `watch(t, inclination, doing)` [s, rad] is called on the way, and before a wait for the compiler, which `doing` then
     names. Threads may call this at the same time and share scenes and motions, which nobody changes; every call has
@@ -72,7 +75,7 @@ def simulate(
 
         if loads is not None:
             raise ValueError("loads: a law of your own acts on a rigid contact, or with numerics.contact = 'filter'")
-        return solve(scene, watch)
+        return solve(scene, watch, surface_modes)
     prepare(scene, loads)
     disk, system = scene.disk, system_of(scene, loads)
     known, now, inclination, last = set(), 0.0, math.radians(scene.release.inclination_deg), None

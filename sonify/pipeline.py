@@ -55,7 +55,9 @@ def solve(
         plan, table = with_table(with_air(plan, scene), scene)
     with stages.stage("motion") as watch:
         motion = solve_motion(
-            scene, lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")
+            scene,
+            lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}"),
+            table,
         )
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion))
     with stages.stage("sound") as watch:

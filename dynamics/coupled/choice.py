@@ -36,6 +36,8 @@ class Choice(NamedTuple):
 
 def choice(scene: ContactScene) -> Choice:
     """Return which model solves the contact of a scene: `numerics.contact`, and what 'auto' takes."""
+    if acts_back(scene):
+        return Choice("full", "surface.action = 'motion': the table moves with the disk", 0.0, 0.0)
     if scene.contact.law == "rigid":
         return Choice("rigid", "contact.law = 'rigid'", 0.0, 0.0)
     beta, share = shaken(scene)
@@ -54,6 +56,11 @@ def choice(scene: ContactScene) -> Choice:
         return Choice("full", reason, predicted, below)
     less = f", less than {SHAKEN:g}" * bool(predicted)
     return Choice("filter", f"{expected}{less}, and no slide is expected", predicted, below)
+
+
+def acts_back(scene: ContactScene) -> bool:
+    """Return whether the table of a scene, which may say nothing on it, moves with the disk."""
+    return getattr(getattr(scene, "surface", None), "action", "sound") == "motion"
 
 
 def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:

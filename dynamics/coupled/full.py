@@ -8,7 +8,7 @@ tangential springs and the length of the ellipse are those under the weight, at 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from .profile import SMOOTH, Profile
 from .resonance import inertias, rate_needed
 from .state import SIZE
 from .table import STEP, LawTable
+from .waves import settle, still
 
 RATE = 400e3
 """Steps a second: safe to 1e-6 rad."""
@@ -61,7 +62,8 @@ class Compliant:
     """A disk on a table: the law of its contact, friction, power laws (c [W s^b], b) of the precession rate, a moment
     [N m s] and a force [N s/m] per velocity.
 
-    `profiles` of table and edge; `impedance` Z [N s/m] of the table; `rate` of the steps [1/s].
+    `profiles` of table and edge; `impedance` Z [N s/m] of the table; `modes` (`modal.SurfaceModes`)
+    with which it moves, none unless given; `rate` of the steps [1/s].
     """
 
     table: LawTable
@@ -70,6 +72,7 @@ class Compliant:
     viscous: tuple[float, float] = (0.0, 0.0)
     profiles: tuple[Profile, Profile] = (SMOOTH, SMOOTH)
     impedance: float = np.inf
+    modes: Any = None
     rate: float = RATE
 
     @cached_property
@@ -85,15 +88,18 @@ class Compliant:
         """The table of the law (intervals, columns, 4), each cubic in the part of its interval."""
         return np.ascontiguousarray(self.table.spline.c.transpose(1, 2, 0) * STEP ** np.array([3, 2, 1, 0]))
 
-    def run(self, y, every: int, stop: float, last: float = LEAST_INCLINATION, parts: int = 1) -> Iterator[Piece]:
+    def run(
+        self, y, every: int, stop: float, last: float = LEAST_INCLINATION, parts: int = 1, waves=None
+    ) -> Iterator[Piece]:
         """Yield the motion from the state y up to `stop` [s] or to the inclination `last`, a row every so many steps.
 
-        The steps of a row are meant in so many `parts`.
-        The array y is advanced. The last piece says by its `why` in ENDS where the model ended. Raises ValueError where
-        the rate is too low for the stiffness of the contact, naming what is needed.
+        The forces on the steps of a row are meant in so many `parts`; `waves` are those of y, if it was asked for them
+        before. The array y is advanced. The last piece says by its `why` in ENDS where the model ended. Raises
+        ValueError where the rate is too low for the stiffness of the contact, naming what is needed.
         """
         law = self.constants, np.reshape(np.array(self.powers, dtype=float), (-1, 2))
         table, sine = (self.table.grid[0], 1 / STEP, self.cubics, *self.profiles), np.sin(max(last, LEAST_INCLINATION))
+        waves = waves or self.waves(y)
         count, left, why = 0, int(np.ceil(stop * self.rate / every - 1e-9)), GOES
         flying, slipping = [np.nan, np.nan, 0.0], [np.nan, np.nan]
         while left > 0 and why == GOES:
@@ -103,7 +109,7 @@ class Compliant:
             flights, slips = (np.full((len(rows) * every // 2 + 2, k), np.nan) for k in (3, 2))
             flights[0], slips[0] = flying, slipping
             report = rows, forces, (flights, slips)
-            why, n, flown, slid = march(y, count, *law, *table, 1 / self.rate, every, sine, *report)
+            why, n, flown, slid = march(y, count, *law, *table, waves, 1 / self.rate, every, sine, *report)
             t = (count + every * np.arange(1, n + 1)) / self.rate
             losses = [ContactLoss(begin, end - begin, top) for begin, end, top in flights[:flown].tolist()]
             slid_through = [tuple(slip) for slip in slips[:slid].tolist()]
@@ -113,6 +119,12 @@ class Compliant:
                 losses += [ContactLoss(flying[0], end - flying[0], flying[2])] if flying[0] < end else []
                 slid_through += [(slipping[0], end)] if slipping[0] < end else []
             yield Piece(t, rows[:n], forces[: n * parts] * [-1.0, 1.0, 1.0], losses, slid_through, why)
+
+    def waves(self, y):
+        """Return the modes of the table as they carry a disk in the state y, which is raised onto them."""
+        waves = still(self.modes, 1 / self.rate)
+        settle(waves, self.modes, self, y)
+        return waves
 
     def _hold(self, y):
         """Raise ValueError where a resonance turns too far in a step."""

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from .contact import LEAST_INCLINATION
 from .profile import height
 from .resonance import inertias
 from .state import (
@@ -17,6 +18,7 @@ from .state import (
     SIZE,
     SPRING,
     STIFFNESS,
+    SURFACE,
     TABLE,
     VELOCITY,
     WEIGHT,
@@ -64,13 +66,17 @@ def inclination(y) -> np.ndarray:
 
 
 def energy(model, y) -> np.ndarray:
-    """Return kinetic, potential and elastic energy [J] of states (n, SIZE), zero for the disk lying flat."""
+    """Return kinetic, potential and elastic energy [J] of states (n, SIZE), zero for the disk lying flat, with that of
+    the modes of the table."""
     (J1, J2), L, n = inertias(model.table.law.disk), y[:, MOMENTUM : MOMENTUM + 3], y[:, AXIS : AXIS + 3]
     moving = model.table.law.disk.mass * np.sum(y[:, VELOCITY:AXIS] ** 2, axis=1)
     turning = np.sum(L * L, axis=1) / J1 + (1 / J2 - 1 / J1) * np.sum(L * n, axis=1) ** 2
-    pressed = 0.8 * model.table.columns(inclination(y))[:, K] * np.maximum(0.0, -y[:, GAP]) ** 2.5
+    stiffness = model.table.columns(np.maximum(inclination(y), LEAST_INCLINATION))[:, K]
+    pressed = 0.8 * stiffness * np.maximum(0.0, -y[:, GAP]) ** 2.5
     springs = np.sum(y[:, STIFFNESS : STIFFNESS + 2] * y[:, SPRING : SPRING + 2] ** 2, axis=1)
-    return (moving + turning + pressed + springs) / 2 + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE])
+    return (
+        (moving + turning + pressed + springs) / 2 + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE]) + y[:, SURFACE]
+    )
 
 
 def columns(model, y) -> np.ndarray:

@@ -1,28 +1,38 @@
 """Many steps of the disk on its compliant contact, with what is written down of them (compiled)."""
 
-from . import gap, normal, profile, state, table, tangential
+import numpy as np
+
+from . import gap, normal, profile, state, table, tangential, waves, waving
 from .compiled import fingerprint, kernel, outermost
 from .gap import locate
 from .normal import step_normal
-from .state import FORCE, GAP, SINE, SLIDES, TANGENTIAL
+from .state import FORCE, GAP, SINE, SLIDES, SURFACE, TANGENTIAL
 from .tangential import step_tangential
+from .waves import FLAT_FOR, energy_of
+from .waving import hold_waving, soften, step_waving
 
 FALLS = 0.6
 """A disk is flat where a step takes as much of its inclination: it would soon pass through the table."""
+LIES, RESTS = 1e-5, 0.02
+"""On a table that waves a disk is flat that has been below so many rad for so long [s]."""
 GOES, FLAT, UPRIGHT, UNSOLVED = range(4)
 """Why a march stopped: not at all, at its last inclination, upright, the equation for N had no solution."""
 
 
 @kernel
-def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, forces, events):
+def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h, every, last, rows, forces, events):
     flights, slips = events
     flying, sliding, flight, slip = flights[0, 0] == flights[0, 0], slips[0, 0] == slips[0, 0], 0, 0
     locate(y, start, per_unit, spline)
-    forces[:] = 0.0
+    forces[:], scratch, waving = 0.0, np.zeros((7, 6)), waves.state.shape[0] > 0
     part = every * len(rows) // len(forces)  # steps over which a force is meant
     for row in range(len(rows)):
         for i in range(every + 1):
-            step_tangential(y, law, powers, spline, h / 2 if i in (0, every) else h)
+            span = h / 2 if i in (0, every) else h
+            if waving:
+                hold_waving(y, law, powers, spline, waves, span)
+            else:
+                step_tangential(y, law, powers, spline, span)
             now = (row * every + i) // part
             for k in range(2):  # a whole step lies half before and half after
                 if i > 0:
@@ -35,16 +45,26 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every,
             if i == every:
                 break
             before, sine = y[GAP], y[SINE]
-            if not step_normal(y, law, start, per_unit, spline, table, rim, h):
+            if waving:
+                solved = step_waving(y, law, start, per_unit, spline, waves, scratch, h)
+                waves.contact[FLAT_FOR] = waves.contact[FLAT_FOR] + 1 if y[SINE] < LIES else 0
+                flat = waves.contact[FLAT_FOR] * h > RESTS
+            else:
+                solved = step_normal(y, law, start, per_unit, spline, table, rim, h)
+                flat = y[SINE] < FALLS * sine
+            if not solved:
                 return UNSOLVED, row, flight, slip
             forces[now, 2] += y[FORCE] / part
             flying, flight = note_flight(flights, flight, flying, before, y[GAP], count * h, h)
             count += 1
-            if y[SINE] < FALLS * sine:
+            if flat:
                 return FLAT, row, flight, slip
+        if waving:
+            soften(y, waves, spline)
+            y[SURFACE] = energy_of(waves)
         rows[row] = y
-        if y[SINE] < last or y[8] <= 0:
-            return (FLAT if y[SINE] < last else UPRIGHT), row + 1, flight, slip
+        if (y[SINE] < last and not waving) or y[8] <= 0:
+            return (UPRIGHT if y[8] <= 0 else FLAT), row + 1, flight, slip
     return GOES, len(rows), flight, slip
 
 
@@ -64,7 +84,7 @@ def note_flight(flights, flight, flying, before, gap, t, h):
 
 def _compiled(version):
     @outermost
-    def march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, forces, events):
+    def march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h, every, last, rows, forces, events):
         """Take `every` steps h for each of the `rows` (n, SIZE); return why it stopped, rows filled, events ended.
 
         `forces` (n p, 3), p to a row, are means of the force on the disk along t, d and of the normal force. `count`
@@ -72,9 +92,11 @@ def _compiled(version):
         slips (g, 2): begin and end. One with a begin but no end (NaN) goes on: the first from before, the last after.
         """
         version  # noqa: B018 -- a part of the key under which the machine code is kept
-        return _march(y, count, law, powers, start, per_unit, spline, table, rim, h, every, last, rows, forces, events)
+        return _march(
+            y, count, law, powers, start, per_unit, spline, table, rim, waves, h, every, last, rows, forces, events
+        )
 
     return march
 
 
-march = _compiled(fingerprint(gap, normal, profile, state, table, tangential))
+march = _compiled(fingerprint(gap, normal, profile, state, table, tangential, waves, waving))

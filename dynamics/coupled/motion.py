@@ -11,15 +11,16 @@ from ..dissipation import power_laws
 from ..motion import COLUMNS, Jumps, Outcome, Transition
 from ..rates import precession_rate
 from ..rigid_motion import HARMONICS, read_only
-from .choice import first_force
+from .choice import acts_back, first_force
+from .contact import LEAST_INCLINATION
 from .from_scene import contact_law, last_inclination, step_rate
 from .full import Compliant, ContactLoss
 from .handover import columns, energy, inclination, release
-from .march import FLAT, GOES, UNSOLVED, UPRIGHT
+from .march import FLAT, GOES, LIES, UNSOLVED, UPRIGHT
 from .record import Record, between
 from .resonance import mobility
 from .roughness import profiles
-from .state import CAUSES, EXCESS, LOSSES
+from .state import CAUSES, EXCESS, LOSSES, SURFACE
 from .table import LawTable
 
 FORCES_A_SECOND, STATES = 1e5, 4
@@ -36,8 +37,8 @@ OUTCOMES = {
     UNSOLVED: Outcome.STALLED,
     GOES: Outcome.TIME_LIMIT,
 }
-ENERGY, LOST = len(COLUMNS), slice(len(COLUMNS) + 1, None)
-"""What is kept of a state besides COLUMNS: its energy [J], and what was lost to each of CAUSES [J]."""
+ENERGY, LOST, TABLE = len(COLUMNS), slice(len(COLUMNS) + 1, len(COLUMNS) + 6), len(COLUMNS) + 6
+"""Kept of a state besides COLUMNS: its energy, what was lost to each of CAUSES, the energy of the table's modes [J]."""
 
 
 class Losses(Sequence):
@@ -151,7 +152,8 @@ class CompliantMotion:
     def bandwidth(self, state) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11)."""
         turning = np.abs(precession_rate(state)) / (2 * np.pi)
-        return np.maximum(HARMONICS * turning, OVERTONES * self.carrier(state[:, 1]))
+        held = np.maximum(HARMONICS * turning, OVERTONES * self.carrier(np.maximum(state[:, 1], LEAST_INCLINATION)))
+        return np.minimum(held, FORCES_A_SECOND / 2)
 
     def energy(self, t) -> np.ndarray:
         """Return kinetic, potential and elastic energy [J] at times t (k,) [s], zero at rest on the table."""
@@ -160,6 +162,10 @@ class CompliantMotion:
     def lost(self, t) -> np.ndarray:
         """Return what was lost to each of CAUSES until t (k,) [s], (k, 5) [J]."""
         return self._line(self._place(t))[:, LOST]
+
+    def table_energy(self, t) -> np.ndarray:
+        """Return the energy of the modes of the table at t (k,) [s], (k,) [J]: 0 of a table that does not act back."""
+        return self._line(self._place(t))[:, TABLE]
 
     def largest_regain(self) -> float:
         """Return by how much [J] the energy lost to any one cause ever falls, from any row to any later one."""
@@ -239,31 +245,39 @@ def _within(spans, t):
     return np.searchsorted(spans[:, 0], t, "right") > np.searchsorted(spans[:, 1], t, "right")
 
 
-def solve(scene, watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None) -> CompliantMotion:
+def solve(
+    scene, watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None, surface_modes=None
+) -> CompliantMotion:
     """Solve the full compliant motion of a scene from its release; `watch` is that of `dynamics.simulate`.
 
-    Raises ValueError where a profile cannot be read.
+    `surface_modes` are those of a table that acts back. Raises ValueError where a profile cannot be read, or where such
+    a table has no modes.
     """
-    model, last = compliant(scene), last_inclination(scene)
+    if acts_back(scene) and surface_modes is None:
+        raise ValueError("surface.action = 'motion': simulate needs the surface_modes of the table")
+    model = compliant(scene, surface_modes if acts_back(scene) else None)
+    last = LIES if model.modes is not None else last_inclination(scene)
     every = max(1, round(model.rate / FORCES_A_SECOND)) * STATES
     start = np.concatenate([[0.0, np.radians(scene.release.inclination_deg), 0, 0, 0], scene.release.omega, [0, 0, 0]])
     y, dt = release(model, start, first_force(scene)), every / STATES / model.rate
+    waves = model.waves(y)
     kept, given = _kept(model, y[None]), np.zeros((1, 3))
     rows, impulses, slides, losses = Record(kept), Record(given), Record(np.empty((0, 2))), Record(np.empty((0, 3)))
-    for piece in model.run(y, every, max(scene.numerics.time_limit, 2 * STATES * dt), last, STATES):
+    for piece in model.run(y, every, max(scene.numerics.time_limit, 2 * STATES * dt), last, STATES, waves):
         given = given[-1] + np.cumsum(np.vstack([0 * given[-1:], piece.force * dt]), axis=0)
-        state = piece.state[inclination(piece.state) >= last]
-        kept = _unwound(np.vstack([kept[-1:], _kept(model, state)]), STATES * dt)
+        kept = _unwound(np.vstack([kept[-1:], _kept(model, piece.state)]), STATES * dt)
         rows.append(kept[1:])
         impulses.append(given[1:])
         slides.append(np.reshape(piece.slips, (-1, 2)))
         losses.append(np.reshape(piece.losses, (-1, 3)))
         watch(float(piece.t[-1]), float(inclination(y[None])[0]), "")
+    written = rows.rows()
+    written = written[: max(np.flatnonzero(written[:, 1] >= last)[-1], 1) + 1]
     motion = CompliantMotion(
         model=model,
         dt=dt,
-        impulses=impulses.rows()[: STATES * (len(rows.rows()) - 1) + 1],
-        rows=rows.rows(),
+        impulses=impulses.rows()[: STATES * (len(written) - 1) + 1],
+        rows=written,
         slides=slides.rows(),
         contact_losses=Losses(losses.rows()),
         excess=float(y[EXCESS]),
@@ -272,8 +286,8 @@ def solve(scene, watch: Callable[[float, float, str], None] = lambda t, inclinat
     return replace(motion, outcome=Outcome.FELL) if motion.fell else motion
 
 
-def compliant(scene) -> Compliant:
-    """Return the model of a scene."""
+def compliant(scene, modes=None) -> Compliant:
+    """Return the model of a scene, on a table that acts back by its modes where they are given."""
     dissipation, disk = getattr(scene, "dissipation", None), scene.disk
     return Compliant(
         table=LawTable(law=contact_law(scene)),
@@ -281,13 +295,15 @@ def compliant(scene) -> Compliant:
         powers=tuple(power_laws(dissipation, disk)) if dissipation else (),
         viscous=(dissipation.viscous_moment, dissipation.viscous_force) if dissipation else (0.0, 0.0),
         profiles=profiles(scene.roughness, disk.radius),
+        modes=modes,
         rate=step_rate(scene),
     )
 
 
 def _kept(model, y) -> np.ndarray:
     """Return what is kept of states y (k, SIZE), (k, 17); the precession is in (-pi, pi]."""
-    return np.column_stack([columns(model, y), energy(model, y), y[:, LOSSES : LOSSES + len(CAUSES)]])
+    lost = y[:, LOSSES : LOSSES + len(CAUSES)]
+    return np.column_stack([columns(model, y), energy(model, y), lost, y[:, SURFACE]])
 
 
 def _unwound(rows, dt) -> np.ndarray:

@@ -14,6 +14,8 @@ SINE, CELL, PART = 34, 35, 36
 """sin(beta), and where it stands in the table of the law: the interval, and the part of it."""
 EXCESS = 37
 """By how much [N] the friction ever exceeded what its cone holds."""
-SIZE = 38
+SURFACE = 38
+"""Energy [J] of the modes of the table."""
+SIZE = 39
 MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE, VISCOUS_MOMENT, VISCOUS_FORCE = *range(9), 11, 12, 13
 """Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table, viscous loads."""

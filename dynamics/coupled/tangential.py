@@ -40,10 +40,16 @@ from .table import K1, K2, LENGTH1, LENGTH2
 
 @kernel
 def step_tangential(y, law, powers, spline, h):
-    """Advance the state y by the tangential part of a step h."""
+    """Advance the state y by the tangential part of a step h, at the lowest point of the rim."""
+    hold_at(y, law, powers, spline, y[6] / y[SINE], y[7] / y[SINE], h)
+
+
+@kernel
+def hold_at(y, law, powers, spline, d0, d1, h):
+    """Advance the state y by the tangential part of a step h, with the contact in the horizontal direction d."""
     m, J, R, H = law[MASS], law[J1], law[RADIUS], law[HALF]
-    s, c, i, u = y[SINE], y[8], int(y[CELL]), y[PART]
-    d0, d1, reach, rise = y[6] / s, y[7] / s, R * c - H * s, R * s + H * c
+    down, c, i, u = y[6] * d0 + y[7] * d1, y[8], int(y[CELL]), y[PART]
+    s, reach, rise = max(y[SINE], 1e-9), R - down * (R * down / (1 + c) + H), R * down + H * c
     for side in range(2):
         k = column(spline, i, u, K1 if side == 0 else K2)
         q, before = y[SPRING + side], y[STIFFNESS + side]
@@ -52,7 +58,7 @@ def step_tangential(y, law, powers, spline, h):
     resist(y, law, powers, s, c, d0, d1, h)
     e = 1 / law[J2] - 1 / J
     spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
-    wd, wt = (y[9] * d0 + y[10] * d1) / J + spin * s, (y[10] * d0 - y[9] * d1) / J
+    wd, wt = (y[9] * d0 + y[10] * d1) / J + spin * down, (y[10] * d0 - y[9] * d1) / J
     ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * c) + rise * wd
     ud = y[3] * d0 + y[4] * d1 - rise * wt
     Wt, Wd = 1 / m + R * R / law[J2] + H * H / J, 1 / m + rise * rise / J

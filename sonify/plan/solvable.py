@@ -54,9 +54,10 @@ def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
     return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
 
 
-def solve_motion(scene: Scene, watch=lambda t, inclination, doing: None) -> Motion:
-    """Return the motion of a scene. Raises SceneError where no contact force satisfies the balance laws."""
+def solve_motion(scene: Scene, watch=lambda t, inclination, doing: None, table=None) -> Motion:
+    """Return the motion of a scene, on a table with these modes. Raises SceneError where no contact force satisfies the
+    balance laws."""
     try:
-        return simulate(scene, watch)
+        return simulate(scene, watch, surface_modes=table)
     except ImpossibleContactError as error:
         raise SceneError(f"friction, release: {error}") from None

@@ -19,7 +19,14 @@ def check_table(scene: Scene):
     """Raise SceneError, before any work, where the table cannot be solved."""
     surface = scene.surface
     if getattr(surface, "action", "auto") == "motion":
-        raise SceneError("surface.action = 'motion': no table that acts back on the disk is solved, only 'sound' is")
+        for wrong, instead in (
+            (surface.kind == "infinite", "surface.kind = 'infinite': a table that acts back must have modes"),
+            (scene.contact.law == "rigid", "contact.law = 'rigid': a table that acts back needs an elastic contact"),
+            (scene.roughness is not None, "roughness: is not solved on a table that acts back"),
+            (scene.numerics.contact == "filter", "numerics.contact = 'filter': a table that acts back needs 'full'"),
+        ):
+            if wrong:
+                raise SceneError(f"surface.action = 'motion' with {instead}")
     if surface.kind == "mesh" and not Path(surface.file).is_file():
         raise SceneError(f"surface.file = {surface.file!r}: no such file")
 
@@ -43,7 +50,7 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         raise SceneError(f"surface: {error}".replace("surface: surface", "surface")) from None
     modes = every.select(heard(every, scene))
     told = (
-        Decision(subject="table", choice="it only sounds", reason=ONE_WAY[scene.surface.action]),
+        Decision(subject="table", choice=DOES[scene.surface.action], reason=ONE_WAY[scene.surface.action]),
         Decision(
             subject="modes of the table",
             choice=f"{len(modes)} of {len(every)} below {plan.highest_mode:g} Hz; {every.method}, "
@@ -53,7 +60,8 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         ),
     )
     plan = replace(plan, decisions=(*plan.decisions, *told), modelled=(*plan.modelled, *MODELLED[scene.surface.kind]))
-    return replace(plan, left_out=(*plan.left_out, *LEFT_OUT, *bending(every, scene))), modes
+    left_out = LEFT_OUT[scene.surface.action == "motion" :]
+    return replace(plan, left_out=(*plan.left_out, *left_out, *bending(every, scene))), modes
 
 
 def heard(modes: SurfaceModes, scene: Scene) -> np.ndarray:
@@ -98,9 +106,12 @@ def off_since(scene: Scene, motion: Motion) -> float | None:
 
 
 RIGID = "The sound of the table, which is rigid."
+DOES = {"auto": "it only sounds", "sound": "it only sounds", "motion": "it moves with the disk, and sounds"}
 ONE_WAY = {
     "auto": "surface.action = 'auto': the findings say from when on an elastic table holds more energy than the disk",
     "sound": "surface.action = 'sound'",
+    "motion": "surface.action = 'motion': the contact is at the least gap between rim and deflected table, and the "
+    "modes take the force that it has there",
 }
 UNDER = (
     "The contact force pushes the table where the contact is at the moment, and drives its modes.",

@@ -1,0 +1,254 @@
+"""The modes of a table that deflects under the contact, and where along the rim it touches (compiled).
+
+The table rises by W = sum q_m w_m(x, y), w_m of modal mass 1. A mode q'' = -k q - c q' - N w~, with ~ for the mean of
+both ends of a step h, moves by the midpoint rule, whose k and c are such that it rings and decays at exactly its own
+rates whatever the step: its energy (q'^2 + k q^2)/2 changes by the work -N w~ dq less h c q'~^2.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from .compiled import kernel
+from .state import AXIS, FORCE, HALF, J1, MOMENTUM, RADIUS, SPRING, SURFACE, VELOCITY
+
+SCANNED, OFTEN, SELDOM = 48, 16, 256
+"""Places at which the whole rim is looked at, and after so many steps, where the table is bent or hardly is."""
+BENT = 1e-3
+"""A table hardly is bent whose heights along the rim differ by less than this part of R sin(beta)."""
+Q, V, NOW, NEXT, FREE = range(5)
+"""Columns of the state of the modes: q, q', shapes at both ends of the step, what q would change by without a force."""
+STIFFNESS, DAMPING, EASE = range(3)
+"""Columns of their constants: k, c, and 1/(1 + h c/2 + h^2 k/4)."""
+MOST = 4
+ANGLE, LEFT, STIFF, FLAT_FOR, COUNT, PLACES = range(6)
+"""Of the contact: its direction, steps until the whole rim is looked at, stiffness K, steps for which the disk has lain
+flat, and the minima of the gap that are followed, at most MOST."""
+
+
+class Waves(NamedTuple):
+    """m modes of a table, for the steps: splines of their shapes, constants, place of the origin, and their state.
+
+    coefficients (a, b, m) over knots_x, knots_y [m]; constants (m, 3); place (2,) [m] in the frame of the splines, of
+    the disk's centre if the modes go with it (`stays` = 0) as those do that are given by numbers, else of the origin
+    (1); state (m, 5); contact (PLACES + MOST,).
+    """
+
+    coefficients: np.ndarray
+    knots_x: np.ndarray
+    knots_y: np.ndarray
+    constants: np.ndarray
+    place: np.ndarray
+    stays: float
+    state: np.ndarray
+    contact: np.ndarray
+
+
+def still(modes=None, h: float = 1.0) -> Waves:
+    """Return the Waves of modes of a table (`modal.SurfaceModes`) at rest, for steps of h [s]; without any, none."""
+    if modes is None or not len(modes.frequency):
+        none = np.zeros(0)
+        return Waves(
+            np.zeros((0, 0, 0)),
+            none,
+            none,
+            np.zeros((0, 3)),
+            np.zeros(2),
+            1.0,
+            np.zeros((0, 5)),
+            np.zeros(PLACES + MOST),
+        )
+    decay = modes.decay_rate
+    root = -decay + 1j * np.sqrt((2 * np.pi * modes.frequency) ** 2 + 0j)
+    midpoint = 2 / h * np.tanh(root * h / 2)
+    k, c = np.abs(midpoint) ** 2, -2 * midpoint.real
+    constants = np.column_stack([k, c, 1 / (1 + h * c / 2 + h * h * k / 4)])
+    splines = np.ascontiguousarray(modes.coefficients), *(np.ascontiguousarray(knots) for knots in modes.knots)
+    stays = float(modes.mass > 0)  # else they are given by numbers
+    return Waves(
+        *splines, constants, np.array(modes.place, dtype=float), stays, np.zeros((len(k), 5)), np.zeros(PLACES + MOST)
+    )
+
+
+@kernel
+def basis(knots, x, out):
+    """Write the four cubic B-splines at x, their first and second derivatives into out (3, 4); return the first."""
+    n = knots.size - 4
+    x = min(max(x, knots[3]), knots[n])
+    i = min(max(int((x - knots[3]) / (knots[n] - knots[3]) * (n - 3)) + 3, 3), n - 1)
+    while x < knots[i]:
+        i -= 1
+    while i < n - 1 and x >= knots[i + 1]:
+        i += 1
+    a = 1 / (knots[i + 1] - knots[i])
+    b0, b1 = 1 / (knots[i + 1] - knots[i - 1]), 1 / (knots[i + 2] - knots[i])
+    c0, c1, c2 = 1 / (knots[i + 1] - knots[i - 2]), 1 / (knots[i + 2] - knots[i - 1]), 1 / (knots[i + 3] - knots[i])
+    l0, l1 = (knots[i + 1] - x) * a, (x - knots[i]) * a
+    q0, q2 = (knots[i + 1] - x) * b0 * l0, (x - knots[i]) * b1 * l1
+    q1 = 1 - q0 - q2
+    out[0, 0], out[0, 3] = (knots[i + 1] - x) * c0 * q0, (x - knots[i]) * c2 * q2
+    out[0, 1] = (x - knots[i - 2]) * c0 * q0 + (knots[i + 2] - x) * c1 * q1
+    out[0, 2] = 1 - out[0, 0] - out[0, 1] - out[0, 3]
+    out[1, 0], out[1, 1], out[1, 2], out[1, 3] = (
+        -3 * c0 * q0,
+        3 * (c0 * q0 - c1 * q1),
+        3 * (c1 * q1 - c2 * q2),
+        3 * c2 * q2,
+    )
+    d0, d1, d2 = -2 * b0 * l0, 2 * (b0 * l0 - b1 * l1), 2 * b1 * l1
+    out[2, 0], out[2, 1], out[2, 2], out[2, 3] = (
+        -3 * c0 * d0,
+        3 * (c0 * d0 - c1 * d1),
+        3 * (c1 * d1 - c2 * d2),
+        3 * c2 * d2,
+    )
+    return i - 3
+
+
+@kernel
+def read_shapes(waves, x, y, bx, by, into):
+    """Write the shapes at (x, y) [m] of the table into a column of the state of the modes."""
+    i, j = basis(waves.knots_x, x + waves.place[0], bx), basis(waves.knots_y, y + waves.place[1], by)
+    modes, state = waves.coefficients.shape[2], waves.state
+    for m in range(modes):
+        state[m, into] = 0.0
+    for a in range(4):
+        for b in range(4):
+            share = bx[0, a] * by[0, b]
+            row = waves.coefficients[i + a, j + b]
+            for m in range(modes):
+                state[m, into] += share * row[m]
+
+
+@kernel
+def deflection(waves, x, y, bx, by, out):
+    """Write W at the end of the step, its gradient and second derivatives (xx, xy, yy) at (x, y) into out (6,)."""
+    i, j = basis(waves.knots_x, x + waves.place[0], bx), basis(waves.knots_y, y + waves.place[1], by)
+    out[:] = 0.0
+    for a in range(4):
+        for b in range(4):
+            row, value = waves.coefficients[i + a, j + b], 0.0
+            for m in range(row.size):
+                value += row[m] * (waves.state[m, Q] + waves.state[m, FREE])
+            out[0] += bx[0, a] * by[0, b] * value
+            out[1] += bx[1, a] * by[0, b] * value
+            out[2] += bx[0, a] * by[1, b] * value
+            out[3] += bx[2, a] * by[0, b] * value
+            out[4] += bx[1, a] * by[1, b] * value
+            out[5] += bx[0, a] * by[2, b] * value
+
+
+@kernel
+def look_round(waves, law, x, y, n0, n1, scratch):
+    """Note the directions, at most MOST, in which the rim has a minimum of its gap, of SCANNED."""
+    bx, by, field, R = scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6], law[RADIUS]
+    most, least, count = -np.inf, np.inf, 0
+    before = now = 0.0
+    for n in range(SCANNED + 2):
+        c, s = np.cos(2 * np.pi * n / SCANNED), np.sin(2 * np.pi * n / SCANNED)
+        reach = R - (n0 * c + n1 * s) * law[HALF]
+        deflection(waves, x + reach * c, y + reach * s, bx, by, field)
+        most, least = max(most, field[0]), min(least, field[0])
+        value = field[0] + R * (n0 * c + n1 * s)
+        if n > 1 and now >= before and now > value and count < MOST:
+            waves.contact[PLACES + count] = 2 * np.pi * (n - 1) / SCANNED
+            count += 1
+        before, now = now, value
+    waves.contact[COUNT] = count
+    bent = most - least > BENT * R * np.sqrt(n0 * n0 + n1 * n1)
+    waves.contact[LEFT] = OFTEN if bent else SELDOM
+
+
+@kernel
+def follow(waves, law, x, y, n0, n1, scratch):
+    """Find in which direction a disk with its axis along (n0, n1) at (x, y) touches, write the shapes there as NEXT.
+
+    Each minimum of the gap is followed by a step of Newton's method from where it was; the lowest is the contact.
+    """
+    bx, by, field, R = scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6], law[RADIUS]
+    x, y = waves.stays * x, waves.stays * y
+    waves.contact[LEFT] -= 1
+    if waves.contact[LEFT] < 0:
+        look_round(waves, law, x, y, n0, n1, scratch)
+    best, found = -np.inf, waves.contact[ANGLE]
+    for n in range(int(waves.contact[COUNT])):
+        angle = waves.contact[PLACES + n]
+        c, s = np.cos(angle), np.sin(angle)
+        reach = R - (n0 * c + n1 * s) * law[HALF]
+        deflection(waves, x + reach * c, y + reach * s, bx, by, field)
+        down, side = R * (n0 * c + n1 * s), R * (n1 * c - n0 * s)  # of the rim, and its slope
+        slope = side + reach * (field[2] * c - field[1] * s)
+        bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
+        bend -= reach * (field[1] * c + field[2] * s)
+        step = slope / max(down - bend, 0.1 * R * np.sqrt(n0 * n0 + n1 * n1) + 1e-300)
+        step = min(max(step, -0.1), 0.1)
+        waves.contact[PLACES + n] = angle + step
+        value = field[0] + down + step * slope / 2
+        if value > best:
+            best, found = value, angle + step
+    c, s = np.cos(found), np.sin(found)
+    reach = R - (n0 * c + n1 * s) * law[HALF]
+    read_shapes(waves, x + reach * c, y + reach * s, bx, by, NEXT)
+    return found
+
+
+@kernel
+def fall_free(waves, h):
+    """Note by how much every q would change in a step without a contact force."""
+    for m in range(waves.state.shape[0]):
+        q, v = waves.state[m, Q], waves.state[m, V]
+        waves.state[m, FREE] = h * waves.constants[m, EASE] * (v - h / 2 * waves.constants[m, STIFFNESS] * q)
+
+
+@kernel
+def sums(waves, h):
+    """Return sum w~ dq = D - E N and sum q~ dw = P - S N as D, E, P, S."""
+    D = E = P = S = 0.0
+    for m in range(waves.state.shape[0]):
+        mean, change = (waves.state[m, NOW] + waves.state[m, NEXT]) / 2, waves.state[m, NEXT] - waves.state[m, NOW]
+        yields = h * h / 2 * waves.constants[m, EASE] * mean
+        D, E = D + mean * waves.state[m, FREE], E + yields * mean
+        P, S = P + change * (waves.state[m, Q] + waves.state[m, FREE] / 2), S + change * yields / 2
+    return D, E, P, S
+
+
+@kernel
+def move_modes(waves, N, h):
+    """Advance the modes by a step h under the contact force N; return what they lose."""
+    lost = 0.0
+    for m in range(waves.state.shape[0]):
+        mean = (waves.state[m, NOW] + waves.state[m, NEXT]) / 2
+        change = waves.state[m, FREE] - h * h / 2 * waves.constants[m, EASE] * mean * N
+        waves.state[m, Q] += change
+        waves.state[m, V] = 2 * change / h - waves.state[m, V]
+        waves.state[m, NOW] = waves.state[m, NEXT]
+        lost += waves.constants[m, DAMPING] * change * change / h
+    return lost
+
+
+@kernel
+def energy_of(waves):
+    """Return the energy [J] of the modes."""
+    energy = 0.0
+    for m in range(waves.state.shape[0]):
+        q, v = waves.state[m, Q], waves.state[m, V]
+        energy += (v * v + waves.constants[m, STIFFNESS] * q * q) / 2
+    return energy
+
+
+def settle(waves: Waves, modes, model, y) -> None:
+    """Give the modes the deflection and velocity with which they carry the force of a contact that goes its way."""
+    if modes is None or not len(waves.state):
+        return
+    law, n = model.constants, y[AXIS:MOMENTUM]
+    s = np.hypot(n[0], n[1])
+    d, t, reach = n[:2] / s, np.array([-n[1], n[0]]) / s, law[RADIUS] * n[2] - law[HALF] * s
+    turning = np.cross(y[MOMENTUM:SPRING], n)[:2] / law[J1] @ t / s
+    place = waves.stays * y[:2] + reach * d + modes.place
+    along = (reach * turning + waves.stays * y[VELOCITY : VELOCITY + 2] @ t) * t
+    shape, gradient = modes.at(*place[:, None])[0], [modes.at(*place[:, None], slope)[0] for slope in ((1, 0), (0, 1))]
+    force = -y[FORCE] / waves.constants[:, STIFFNESS]
+    waves.contact[ANGLE] = np.arctan2(d[1], d[0])
+    waves.state[:, Q], waves.state[:, V], waves.state[:, NOW] = force * shape, force * (along @ gradient), shape
+    y[SURFACE] = energy_of(waves)
+    y[2] += waves.state[:, Q] @ shape
