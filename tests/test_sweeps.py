@@ -407,3 +407,21 @@ def test_the_conclusions_on_halt_and_pitch_are_those_of_their_tables():
     assert "in 3 of 5 runs, those up to 9 mm, by 9 to 32 dB over the disk" in lines[0]
     assert lines[1].endswith("by 4.0 dB at most.")
     assert "3 to 30 s before the end, about as the power -1.00 of its thickness" in lines[2]
+
+
+ARRAYS = {"motion.npz", "modes.json"}
+SOUNDS = ARRAYS | {"pressure.wav", "sound.wav", "audible.wav", "stems"}
+KEEP = [
+    (["motion", "modes"], ["arrays"], ARRAYS),
+    (["sound"], ["arrays", "wav"], SOUNDS),
+    pytest.param(["sound"], ["page"], SOUNDS | {"report.html", "run.json"}, marks=pytest.mark.slow),
+]
+
+
+@pytest.mark.parametrize(("stages", "keep", "files"), KEEP)
+def test_what_is_to_be_kept_is_there(stages, keep, files, tmp_path):
+    row = work.row_of(FALLING.document, stages, keep, str(tmp_path / "runs" / "7"))
+    assert row["passed"]
+    kept = {path.name for path in (tmp_path / "runs" / "7").iterdir()}
+    assert kept >= files if "page" in keep else kept == files
+    assert np.load(tmp_path / "runs" / "7" / "motion.npz")["t"][-1] == row["t_end"]
