@@ -1,7 +1,5 @@
 """The first guard that falls through zero along a curve, for integrators that do not find roots themselves."""
 
-import numpy as np
-
 LOOKS = 4
 """Points of a step at which the guards are looked at."""
 
@@ -12,7 +10,8 @@ def first_fall(curve, start, stop, guards, values):
     `curve(t)` is the state, `guards(y)` the guards by name, `values` what they are at `start`. A guard that is not
     positive at `start` cannot fall.
     """
-    for look in np.linspace(start, stop, LOOKS + 1)[1:]:
+    first, length = start, (stop - start) / LOOKS
+    for look in (*(first + k * length for k in range(1, LOOKS)), stop):
         now = guards(curve(look))
         falls = [name for name in now if values[name] > 0 >= now[name]]
         if falls:

@@ -8,8 +8,8 @@ import heyoka
 import numpy as np
 
 from .equations import Law
-from .hybrid import Arc, StalledError
-from .regime import Branch, Flow, Regime, describe
+from .hybrid import Arc
+from .regime import Branch, Flow, Regime
 from .symbolic import formulas, prepared, shape
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
@@ -74,7 +74,8 @@ def prepare(regime: Regime, law: Law, loads, tolerance: float) -> None:
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
     """Integrate from y within `regime` until a guard falls through zero, for `span`, or for MOST_STEPS steps.
 
-    Safe to call from several threads at once. Raises StalledError where the state overflows.
+    Where a law is not analytic, as a power of a precession that rests, the steps are those of DOP853. Safe to call from
+    several threads at once. Raises StalledError where those are too short.
     """
     future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
     flow = future.result()
@@ -93,6 +94,8 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     end = state.tolist()
     flow.give_back(borrowed)
     if outcome == NOT_FINITE:
-        raise StalledError(f"{describe(y)}: no step is short enough in {regime}")
+        from . import dop853  # numba loads slowly
+
+        return dop853.advance(y, regime, law, loads, r_end, span, tolerance)
     guard = flow.guards[-outcome - 1] if outcome > FIRST_OF_OTHERS else None
     return Arc(np.array(times), np.array(coefficients).swapaxes(1, 2), end, guard)

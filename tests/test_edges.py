@@ -190,3 +190,13 @@ def test_a_resistance_beyond_all_measure_is_a_named_end(integrator):
     assert motion.outcome is Outcome.STALLED
     assert np.isfinite(motion.state).all()
     assert energy_balance(motion).passed
+
+
+def test_a_disk_released_at_rest_falls_as_without_a_law_that_has_no_series_there():
+    """|Omega|^(b-1) has no Taylor series at Omega = 0 for b = 2.5; the precession stays there, and takes no power."""
+    still = {"inclination_deg": 12.0, "omega": (0.0, 0.0, 0.0)}
+    resisted = {"power_coefficient": 4e-9, "power_exponent": 2.5}
+    motions = [simulate(scene(release=still, **more)) for more in ({}, {"dissipation": resisted})]
+    assert {motion.outcome for motion in motions} == {Outcome.FELL}
+    assert motions[1].t[-1] == pytest.approx(motions[0].t[-1], rel=1e-12)
+    assert total_energy_spread(motions[1]) < 1e-13

@@ -1,0 +1,47 @@
+"""Claim: a slide so slow that its direction is stiff is followed by few implicit steps, to the digits of explicit ones.
+
+Source: collocation at Gauss-Chebyshev points (Hairer & Wanner 1996, IV.5), in polar slip. Oracle: the same slide in
+explicit steps, which are as short as the direction asks and of another method; the pieces of a motion, counted.
+"""
+
+import numpy as np
+import pytest
+
+from dynamics import simulate
+from dynamics.implicit_steps import ACCURACY, INTEGRAL, NODES, ORDER, SERIES, TO_POWERS
+from dynamics.rolling import RollingDisk
+from sonify import load_scene
+
+
+def equal(name, span):
+    scene = load_scene(name).replace(f"numerics.time_limit={span}", "air.film=none", "contact.law=rigid")
+    return scene.replace(f"friction.mu_static={scene.friction.mu_dynamic}")
+
+
+@pytest.mark.parametrize(("name", "span"), [("published", 2.0), ("hoop", 5.0), ("moffatt", 2.0)])
+def test_implicit_steps_follow_what_explicit_steps_follow(monkeypatch, name, span):
+    """Either step may err by ACCURACY, and what they add up to stays below their number of it."""
+    ours = simulate(equal(name, span))
+    monkeypatch.setattr(RollingDisk, "_is_stiff", lambda *_: False)
+    explicit = simulate(equal(name, span))
+    assert sum(e.guard == "slip" for e in ours.transitions) > 0
+    assert [e[1:] for e in ours.transitions] == [e[1:] for e in explicit.transitions]
+    t = np.linspace(0, span, 200)
+    bar = ACCURACY * len(ours.t) * np.maximum(1, np.abs(explicit.at(t)))
+    assert (np.abs(ours.at(t) - explicit.at(t)) <= bar).all()
+    assert len(ours.t) < len(explicit.t)
+
+
+def test_a_slide_without_a_jump_takes_no_more_pieces_than_one_with():
+    """Equal frictions bring as many pieces as unequal ones to a motion as long, where explicit steps have no bound."""
+    unequal = load_scene("published").replace("numerics.time_limit=12", "air.film=none")
+    assert len(simulate(equal("published", 12.0)).t) < 2 * len(simulate(unequal).t)
+
+
+def test_the_weights_integrate_polynomials_exactly():
+    """Of degree below ORDER, from 0 to the nodes; the powers are those of the same integral."""
+    for degree in range(ORDER):
+        values, wanted = NODES**degree, NODES ** (degree + 1) / (degree + 1)
+        np.testing.assert_allclose(INTEGRAL @ values, wanted, atol=1e-14)
+        powers = TO_POWERS @ (SERIES @ values)
+        np.testing.assert_allclose(np.polynomial.polynomial.polyval(NODES, powers), wanted, atol=1e-13)
