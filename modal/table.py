@@ -86,8 +86,8 @@ def splined(x, y, values):
 
 def spline_values(knots, coefficients, x, y, slope=(0, 0)):
     """Return the splines, or their derivatives, at x, y (k,) [m]: (k, m)."""
-    if not len(x):
-        return np.zeros((0, coefficients.shape[2]))
+    if not (len(x) and coefficients.size):
+        return np.zeros((len(x), coefficients.shape[2]))
     (a, i), (b, j) = (_basis(t, v, d) for t, v, d in zip(knots, (x, y), slope, strict=True))
     flat = coefficients.reshape(-1, coefficients.shape[2])
     value = a[:, :, None] * b[:, None, :]

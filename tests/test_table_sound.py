@@ -156,6 +156,14 @@ def test_other_scenes_sound_on_a_table(scene, change):
     assert ("contact" in sound.names) == ("contact" in change)
 
 
+def test_a_table_whose_modes_are_all_beyond_hearing_is_silent(scene):
+    sound = solve(
+        scene.replace("numerics.accuracy=draft", "numerics.time_limit=0.3", TABLE_BY_MODES.replace("600", "30000"))
+    ).sound
+    assert sound.stem_peak["table"] == 0
+    assert sound.finite
+
+
 def test_the_contact_goes_where_the_rim_meets_the_table(scene, motion):
     """The contact point is at rest while the disk rolls: its place moves along the rim by R times the spin against it.
 

@@ -97,4 +97,4 @@ def table_sources(scene, modes, listener: Listener) -> list:
     """Return what sounds of the table of a scene, of which the `modes` are given where it has any."""
     if scene.surface.kind == "infinite":
         return [InfiniteTable(scene, listener)]
-    return [ElasticTable(scene, modes, listener)] if modes else []
+    return [ElasticTable(scene, modes, listener)] if modes is not None else []

@@ -51,7 +51,7 @@ class ElasticTable:
         self._scene, self._modes, self._rate = scene, modes, scene.audio.sample_rate
         self.late = reach_of(modes, listener, self._rate)
         self._kernels = kernels(modes, listener, self._rate, self.late)
-        self.ends = np.array([[np.nan, FADE_FALL]] * len(modes))
+        self.ends = np.tile([np.nan, FADE_FALL], (len(modes), 1))
         slowest = modes.decay_rate.min(initial=np.inf)
         self.lasting = max(2 * FADE_OUT, min(np.log(10) / 20 * RING_DOWN_DB / max(slowest, 1e-9), LONGEST))
 
