@@ -1,0 +1,62 @@
+"""MAP: does one mode of a table break the contact, and by how much does it bring the halt forward?"""
+
+from types import SimpleNamespace
+from typing import NamedTuple
+
+import numpy as np
+
+from dynamics.coupled.from_scene import contact_law
+from dynamics.coupled.full import Compliant
+from dynamics.coupled.handover import inclination, release
+from dynamics.coupled.march import LIES
+from dynamics.coupled.table import LawTable
+from dynamics.numerics import inclination_at
+from dynamics.steady import steady_precession
+from dynamics.surface import ModesSurface, SurfaceMode
+from dynamics.time_left import time_left
+from modal import surface_modes
+from sonify.scene import Scene, load_scene
+
+BEFORE = 0.7
+"""A run begins in the steady motion whose contact passes the waves at this part of their resonance."""
+RATE = 2e5
+
+
+class Halt(NamedTuple):
+    """Whether contact was lost, and by how much [s] earlier than on a rigid table the disk lay flat for good."""
+
+    contact_lost: bool
+    advanced: float
+
+
+def halt(
+    modal_mass_ratio: float, damping: float, w_over_n: float, order: int, scene: Scene | None = None, rate: float = RATE
+) -> Halt:
+    """Return how a disk ends on a table of one mode: its mass over the disk's, damping ratio, w/n [rad/s], order n.
+
+    The disk, its friction and contact are those of a scene, of `published` unless given; the rigid halt is that of the
+    quasi-steady decline. Raises ValueError where the mode is none, or where a disk that passes its waves lies flat.
+    """
+    scene = (scene or load_scene("published")).replace("contact.law=elastic")
+    if not (modal_mass_ratio > 0 and w_over_n > 0 and 0 <= damping < 1 and order >= 1):
+        raise ValueError("halt: mass and w/n must be positive, damping in [0, 1), order at least 1")
+    disk, beta = scene.disk, inclination_at(scene.disk, BEFORE * w_over_n / (2 * np.pi))
+    if not 10 * LIES < beta < 0.3:
+        raise ValueError(f"w_over_n = {w_over_n:g}: the disk passes these waves at {beta:.2g} rad, outside 1e-4 to 0.3")
+    mode = SurfaceMode(
+        order=order,
+        frequency=order * w_over_n / (2 * np.pi),
+        damping_ratio=damping,
+        modal_mass=modal_mass_ratio * disk.mass,
+    )
+    known = surface_modes(SimpleNamespace(disk=disk, surface=ModesSurface(modes=(mode,)), numerics=scene.numerics), 1e6)
+    model = Compliant(table=LawTable(law=contact_law(scene)), friction=scene.friction, modes=known, rate=rate)
+    w3 = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit * np.sin(beta)
+    y = release(model, np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0]))
+    rigid = time_left(beta, disk, scene.friction, None) - time_left(LIES, disk, scene.friction, None)
+    lost, flat = False, 0.0
+    for piece in model.run(y, round(rate / 1e4), 2 * rigid):
+        lost |= bool(piece.losses)
+        above = piece.t[inclination(piece.state) > LIES]
+        flat = float(above[-1]) if len(above) else flat
+    return Halt(lost, rigid - flat)
