@@ -2,38 +2,43 @@
 
 from dataclasses import replace
 
-from dynamics.coupled.choice import Choice, choice
+from dynamics.coupled.choice import choice
 from dynamics.film.acting import film_of
 from sonify.plan.plan import Decision, Plan
-from sonify.plan.predictions import Prediction
+from sonify.plan.predictions import SOUND, Prediction
 from sonify.scene import Scene
 
-CONTACT = "level of the sound of the contact"
-ROLLS, SLIDES = 0.1, 0.9
-"""What the filter misses of it against the full model, relative: where the disk rolls; at most, where it slides."""
+MODES = 0.25
+"""The part of the modes in the sound of a rough contact along a rigid motion, in amplitude: the toy's, measured in
+tests/test_plan.py."""
+ERROR = "its level is within 10 % of the full model's where the disk rolls, up to 1.9 times too low where it slides"
+"""What the filter misses."""
 
 
 def with_contact(plan: Plan, scene: Scene) -> Plan:
-    """Return the plan with how the contact of the edge is solved."""
+    """Return the plan with how the contact of the edge is solved, and how far its sound will be from the reference."""
     chosen = choice(scene)
-    decision = Decision(subject="contact of the edge", choice=chosen.kind, reason=chosen.reason)
-    predictions = plan.predictions + (() if plan.accuracy == "reference" else filtered(chosen))
+    reason = f"{chosen.reason}; {ERROR}" if chosen.kind == "filter" else chosen.reason
     missing = (*LEFT_OUT[chosen.kind], *([NO_FILM] if chosen.kind == "full" and film_of(scene).film else []))
     return replace(
         plan,
-        decisions=(*plan.decisions, decision),
-        predictions=predictions,
+        predictions=tuple(rough_sound(p, chosen.kind) if p.name == SOUND else p for p in plan.predictions)
+        if scene.roughness
+        else plan.predictions,
+        decisions=(*plan.decisions, Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)),
         modelled=(*plan.modelled, *MODELLED[chosen.kind]),
         left_out=(*plan.left_out, *missing),
     )
 
 
-def filtered(chosen: Choice) -> tuple[Prediction, ...]:
-    """Return how far the filter is predicted to be from the full model; nothing where there is no filter."""
-    if chosen.kind != "filter":
-        return ()
-    source = f"measured: {ROLLS:.0%} where the disk rolls, up to a factor of {1 + SLIDES:g} too low where it slides"
-    return (Prediction(name=CONTACT, error=ROLLS, unit="relative", source=source),)
+def rough_sound(predicted: Prediction, kind: str) -> Prediction:
+    """Return the error of samples of which most are the contact's: a filter gives the same ones at every accuracy, the
+    full model a motion that parts from others by more than a wave of the surface, two noises of equal power."""
+    if kind == "rigid":
+        return predicted
+    if kind == "full":
+        return replace(predicted, error=2**0.5, source="the noise of a rough contact is another one at every step")
+    return replace(predicted, error=MODES * predicted.error, source=f"{predicted.source}; most is the contact's")
 
 
 BENDS = (

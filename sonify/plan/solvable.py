@@ -36,7 +36,7 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
     """Return what is to be computed, and the modes, which the plan needs to say which of them sound; `eigenmodes` finds
     these. Raises SceneError where there are too many modes, where the patch is lost in round-off, and where decay rates
     are given for more modes than there are."""
-    plan = with_contact(plan_of(scene), scene)
+    plan = plan_of(scene)
     try:
         elastic = eigenmodes(scene, below=plan.highest_mode)
     except UnsolvableError as error:
@@ -44,7 +44,7 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
     modes = damped(with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates)
     if scene.support.kind == "contact":
         plan = replace(plan, decisions=(*plan.decisions, compared(scene, modes, plan.highest_mode)))
-    return with_voices(plan, scene, modes, *after_a_jump(modes, scene)), modes
+    return with_contact(with_voices(plan, scene, modes, *after_a_jump(modes, scene)), scene), modes
 
 
 def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
