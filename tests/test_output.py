@@ -282,7 +282,8 @@ def test_modes_out_of_tune_that_turn_an_answer_leave_it_near_its_bar():
     third of it when they are 3 per mille higher."""
     arms = "friction.arm_nutation=1e-6", "friction.arm_rolling=1.5e-5", "friction.arm_pivoting=6e-5"
     others = "dissipation.contour_moment=0.0", "air.film=none", "contact.law=rigid", "support.kind=patch"
-    scene = load_scene("coin").replace(*arms, *others)
+    body = "disk.radius=0.011625", "disk.thickness=0.00233", "disk.mass=0.0075"
+    scene = load_scene("coin").replace(*body, *arms, *others)
     motion, (plan, modes) = simulate(scene), planned(scene)
     sharp = replace(modes, frequency=1.003 * modes.frequency)
     sounds = [Renderer(scene, motion, some, plan.voices, plan.calm).sound() for some in (modes, sharp)]

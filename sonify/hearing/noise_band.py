@@ -16,8 +16,8 @@ STEPS = 48
 """Steps an octave of the spectrum in which the highest peak is taken."""
 LINE = 5
 """What is narrower than half of so many steps is a line, and no band."""
-NEAR = 0.02
-"""Half of what is left out around a line, relative."""
+NEAR = 0.1
+"""Half of what is left out around a line, relative: that of a mode which the air detunes is broad."""
 FAINTEST_DB = 10.0
 """A carrier stands out by as much above the median of the stretch."""
 
@@ -51,6 +51,8 @@ def noise_band(sound: Source, start: float, stop: float, length: float, lines=()
     highest = 10 * np.log10(level[np.arange(len(peak)), peak] / np.median(level, axis=1))
     highest[(peak < LINE) | (peak >= len(f) - LINE)] = 0.0  # the flank of what lies outside
     middles = np.array([middle(seen.frequency, row, f[i]) for row, i in zip(power, peak, strict=True)])
+    for line in lines:
+        middles[np.abs(middles / line - 1) < NEAR] = np.nan
     return NoiseBand(edges + length / 2, np.where(highest > FAINTEST_DB, middles, np.nan), highest)
 
 
