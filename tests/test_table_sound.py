@@ -79,6 +79,7 @@ def test_the_stems_add_up(sound):
     assert np.abs(sound.pressure.read() - parts).max() < 1e-6 * sound.peak
 
 
+@pytest.mark.slow
 def test_what_the_plan_leaves_out_of_the_table_is_not_heard(scene, motion, table, sound):
     """All modes, and the force read at every sample: within the range of the accuracy, 60 dB below, and 1 % calm."""
     part = 3.0
@@ -147,7 +148,9 @@ def test_a_constant_force_at_rest_is_silent(scene, table):
     assert np.abs(pressure(force)).max() < 1e-12 * np.abs(pressure(0 * force)).max()
 
 
-@pytest.mark.parametrize("change", ["friction.mu_static=inf", 'contact.law="elastic"', TABLE_BY_MODES])
+@pytest.mark.parametrize(
+    "change", ["friction.mu_static=inf", pytest.param('contact.law="elastic"', marks=pytest.mark.slow), TABLE_BY_MODES]
+)
 def test_other_scenes_sound_on_a_table(scene, change):
     """Without slides; on a contact that yields, which shakes the table, too; on a table that is known by its modes."""
     sound = solve(scene.replace("numerics.accuracy=draft", "numerics.time_limit=0.3", change)).sound
