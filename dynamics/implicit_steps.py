@@ -10,7 +10,7 @@ from numpy.polynomial.chebyshev import cheb2poly, chebint, chebpts1, chebvander
 
 from . import slow_slide
 from .regime import DISSIPATED, STOP_SPEED, V1, V2, W1, R
-from .runge_kutta import GUARDS, MOST_TRIALS, at, fall_between
+from .runge_kutta import GUARDS, HALVINGS, at, fall_between
 from .trace import FLOW, ROW
 
 ORDER = 14
@@ -157,7 +157,7 @@ def slowest(c, low, high):
     """Return where in [low, high] the speed on the powers c is least, between a fall and a rise; high without these."""
     if not slope_of_speed(c, low) < 0 < slope_of_speed(c, high):
         return high
-    for _ in range(MOST_TRIALS):
+    for _ in range(HALVINGS):
         middle = (low + high) / 2
         low, high = (middle, high) if slope_of_speed(c, middle) < 0 else (low, middle)
     return low

@@ -15,8 +15,8 @@ STAGES = np.zeros((16, 16))
 STAGES[:12, :12], STAGES[12, :12], STAGES[13:] = DOP853.A, DOP853.B, DOP853.A_EXTRA
 ERRORS = np.zeros((2, 13))
 ERRORS[:] = DOP853.E5, DOP853.E3
-LOOKS, MOST_TRIALS, CLOSE = 4, 54, 2.0**-54
-"""Points of a step at which the guards are looked at, and how long and how closely a fall is then looked for."""
+LOOKS, HALVINGS = 4, 54
+"""Points of a step at which the guards are looked at, and how often the stretch before a fall is halved."""
 SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
 """Of the next step: part of the one that the error allows, and bounds on the ratio to the last."""
 MOST_STEPS, SHORTEST = 1000, 1e-13
@@ -74,25 +74,14 @@ def error_of_step(flow, y, p, h, rates, y_end, guards):
 
 
 @njit(cache=True, error_model="numpy")
-def root(flow, p, c, i, low, high, above, below):
-    """Return the end of the stretch, in [low, high] on the curve c (8, k), behind which guard i has fallen.
-
-    It is `above` > 0 at low and `below` <= 0 at high. The rule of false position, as the Illinois algorithm mends it:
-    an end that stays counts half.
-    """
-    y, rates, guards, last = np.empty(c.shape[1]), np.empty(c.shape[1]), np.empty(GUARDS), 0
-    for _ in range(MOST_TRIALS):
-        if below == 0 or high - low < CLOSE:
-            break
-        middle = (low * below - high * above) / (below - above)
-        if not low < middle < high:
-            middle = (low + high) / 2
+def root(flow, p, c, i, low, high):
+    """Return the end of the stretch, in [low, high] on the curve c (8, k), behind which guard i has fallen."""
+    y, rates, guards = np.empty(c.shape[1]), np.empty(c.shape[1]), np.empty(GUARDS)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2
         at(c, middle, y)
         flow(y, p, rates, guards)
-        if guards[i] > 0:
-            low, above, below, last = middle, guards[i], below / 2 if last == 1 else below, 1
-        else:
-            high, below, above, last = middle, guards[i], above / 2 if last == -1 else above, -1
+        low, high = (middle, high) if guards[i] > 0 else (low, middle)
     return high
 
 
@@ -105,7 +94,7 @@ def fall_between(flow, p, c, count, before, now, low, high):
     place, fired = 1.0, -1
     for i in range(count):
         if before[i] > 0 >= now[i]:
-            fall = root(flow, p, c, i, low, high, before[i], now[i])
+            fall = root(flow, p, c, i, low, high)
             if fired < 0 or fall < place:
                 place, fired = fall, i
     return place, fired
