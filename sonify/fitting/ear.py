@@ -190,7 +190,7 @@ def stream(sound: Sound, signal: str) -> Heard:
     else:
         down = max(int(sound.rate // TONE_RATE), 1)
         samples, rate = resample_poly(sound.samples, 1, down), sound.rate / down
-    return Heard(samples=samples, rate=rate, first=sound.start)
+    return Heard(samples=samples, rate=rate, first=sound.start, filtered=signal == "tone")
 
 
 def _guess(decline, sounds, signal):

@@ -63,11 +63,13 @@ class Fit:
 
 @dataclass(frozen=True, kw_only=True)
 class Heard:
-    """A sound to be fitted: samples (n,) at `rate` [Hz] from the time `first` [s] on."""
+    """A sound to be fitted: samples (n,) at `rate` [Hz] from the time `first` [s] on, `filtered` or not by the
+    high-pass of a recorder, whose phase looks like a rate of its own."""
 
     samples: np.ndarray
     rate: float
     first: float
+    filtered: bool = False
 
 
 def tracked(decline: Decline, sound: Heard, end, shares, length) -> Rates:
@@ -105,41 +107,58 @@ def solved_near(decline: Decline, sounds: list[Heard], heard, ends, shares, free
 
 def _unpack(x, sounds, shares, free, unit):
     full = shares.copy()
-    full[list(free)] = x[sounds:] * unit
-    return x[:sounds], full
+    full[list(free)] = x[sounds:-1] * unit
+    return x[:sounds], full, x[-1] * CORNER
 
 
 def _residual(x, decline, sounds, heard, shares, free, unit):
     """log(heard / model) of every block over its error."""
-    ends, full = _unpack(x, len(heard), shares, free, unit)
+    ends, full, corner = _unpack(x, len(heard), shares, free, unit)
     out = []
     for h, end in zip(heard, ends, strict=True):
-        model = decline.frequency(np.maximum(end - h.time, LAST / 10), full)
+        model = _through_high_pass(partial(decline.frequency, shares=full), np.maximum(end - h.time, LAST / 10), corner)
         out.append(np.log(h.frequency / model) / np.hypot(h.error / h.frequency, FLOOR))
     return np.concatenate(out)
 
 
+def _through_high_pass(frequency, left, corner):
+    """The rate [Hz] at times left (k,) [s] behind a high-pass of second order (Butterworth) with a corner [Hz]: its
+    phase falls as the tone rises, and what falls is a rate."""
+    here = frequency(left)
+    if not corner:
+        return here
+    lead = [
+        np.arctan2(2**0.5 * corner * f, f**2 - corner**2)
+        for f in (frequency(left * (1 - STEP)), frequency(left * (1 + STEP)))
+    ]
+    return here + (lead[0] - lead[1]) / (2 * STEP * left) / (2 * np.pi)
+
+
 def _solved(decline, sounds, heard, ends, shares, free):
     unit = np.maximum(shares[list(free)], [UNITS[i] for i in free])
-    x = np.append(ends, np.maximum(shares[list(free)] / unit, 0.05))
-    lower = np.append([h.time.max(initial=-np.inf) + LAST / 5 for h in heard], np.zeros(len(free)))
-    x = np.maximum(x, lower + 1e-9)
+    known = not all(sound.filtered for sound in sounds)
+    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, 0.05), [0.0 if known else 0.1]])
+    lower = np.append([h.time.max(initial=-np.inf) + LAST / 5 for h in heard], np.zeros(len(free) + 1))
+    upper = np.append(np.full(len(x) - 1, np.inf), 1e-6 if known else HIGHEST_CORNER)
+    x = np.clip(x, lower + 1e-9, upper)
     arguments = (decline, sounds, heard, shares, free, unit)
     first = np.abs(_residual(x, *arguments))
     scale = max(np.median(first) * 1.48, 1.0)
     solved = least_squares(
         _residual,
         x,
-        bounds=(lower, np.inf),
+        bounds=(lower, upper),
         args=arguments,
         loss="cauchy",
         f_scale=2 * scale,
-        x_scale=np.append(np.full(len(heard), 0.05), np.ones(len(free))),
+        x_scale=np.append(np.full(len(heard), 0.05), np.ones(len(free) + 1)),
     )
-    ends, full = _unpack(solved.x, len(heard), shares, free, unit)
+    ends, full, _ = _unpack(solved.x, len(heard), shares, free, unit)
     return ends, full, (solved, unit)
 
 
+CORNER, HIGHEST_CORNER, STEP = 50.0, 4.0, 1e-3
+"""A corner is sought in this unit [Hz], up to so many of them; relative step in the time left."""
 UNITS = (1e-5, 0.05, 0.05)
 """Shares of the LAWS below which they are looked for from the ground up."""
 
@@ -154,6 +173,8 @@ def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
     jacobian = _jacobian(
         partial(_residual, decline=decline, sounds=sounds, heard=heard, shares=shares, free=free, unit=unit), solved.x
     )
+    if not all(sound.filtered for sound in sounds):
+        jacobian[:, -1] = 0.0
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
     random, count = np.random.default_rng(0), len(residual)
     run = max(RUN, count // RUNS)
@@ -165,7 +186,7 @@ def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
     moved = solved.x - noise @ inverse.T
     draws = np.tile(np.append(ends, shares), (DRAWS, 1))
     draws[:, : len(ends)] = moved[:, : len(ends)]
-    draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) :] * unit
+    draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : -1] * unit
     sigma = np.concatenate([np.hypot(h.error / h.frequency, FLOOR) for h in heard])
     cost = np.log1p((residual / (2 * scale)) ** 2) * (2 * scale) ** 2
     return Fit(
@@ -194,7 +215,7 @@ def _jacobian(function, x):
 def pooled(decline: Decline, fits: list[Fit]) -> Fit:
     """Return the fit of one decline to the rates that were heard in several sounds, without listening again."""
     heard = tuple(rates for one in fits for rates in one.heard)
-    silent = [Heard(samples=np.zeros(0), rate=1.0, first=0.0)] * len(heard)
+    silent = [Heard(samples=np.zeros(0), rate=1.0, first=0.0, filtered=True)] * len(heard)
     ends, free = np.concatenate([one.ends for one in fits]), fits[0].free
     ends, shares, solution = _solved(decline, silent, heard, ends, np.mean([one.shares for one in fits], axis=0), free)
     return _with_intervals(decline, silent, heard, ends, shares, free, solution)
