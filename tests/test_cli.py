@@ -112,7 +112,7 @@ def test_what_cannot_be_solved_ends_with_2_before_any_work(assignment, tmp_path)
 
 @pytest.mark.parametrize("name", ["sound.wav", "run.json"])
 def test_a_folder_in_the_place_of_a_file_ends_with_2_and_one_line(tmp_path, name, monkeypatch):
-    def written(result, stages):
+    def written(*_, **__):
         raise IsADirectoryError(errno.EISDIR, "Is a directory", name)
 
     monkeypatch.setattr("sonify.plan.solvable.simulate", written)
@@ -140,7 +140,7 @@ def test_a_patch_lost_in_round_off_ends_with_2_and_writes_nothing(tmp_path):
 
 
 def test_an_interrupt_ends_with_130(tmp_path, monkeypatch):
-    def interrupted(*_):
+    def interrupted(*_, **__):
         raise KeyboardInterrupt
 
     monkeypatch.setattr("sonify.plan.solvable.simulate", interrupted)
@@ -161,7 +161,7 @@ def test_an_interrupted_rerun_leaves_no_record_of_sounds_it_replaced(tmp_path, m
 
 
 def test_a_full_disk_ends_with_1_and_one_line(tmp_path, monkeypatch):
-    def full(*_):
+    def full(*_, **__):
         raise OSError(errno.ENOSPC, "No space left on device", "sound.wav")
 
     monkeypatch.setattr("sonify.plan.solvable.simulate", full)
