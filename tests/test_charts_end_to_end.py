@@ -28,6 +28,7 @@ def errors(records, family, case):
     return {r["method"]: float(r["error"]) for r in records if r["family"] == family and r["case"] == case}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("support", ["held", "free"])
 def test_the_reference_agrees_with_itself_and_nothing_else_does(records, support):
     found = errors(records, ACCURACY, f"{support}: samples")
@@ -35,12 +36,14 @@ def test_the_reference_agrees_with_itself_and_nothing_else_does(records, support
     assert min(found.values()) > 0
 
 
+@pytest.mark.slow
 def test_better_accuracies_of_the_free_disk_are_nearer_to_the_reference(records):
     for measure in ("samples, A-weighted", "samples"):
         found = errors(records, ACCURACY, f"free: {measure}")
         assert found["standard"] < found["draft"] / 3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("support", ["held", "free"])
 def test_the_plan_foresees_the_error(records, support):
     case = f"{support}: samples, A-weighted"
@@ -49,6 +52,7 @@ def test_the_plan_foresees_the_error(records, support):
     assert all(found[name] / 3 < error < 3 * found[name] for name, error in foreseen.items())
 
 
+@pytest.mark.slow
 def test_a_tolerance_that_is_too_coarse_is_heard(records):
     assert errors(records, CHOICE, "free: samples")["tolerance of the motion 1e-9"] > 1e-5
 

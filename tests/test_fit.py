@@ -99,6 +99,7 @@ def test_the_truth_is_found_and_named(decline, shares, verdict):
     assert found.fit.value(0).value == pytest.approx(12.0, abs=0.02)
 
 
+@pytest.mark.slow
 def test_what_cannot_be_told_is_not_told(decline):
     """Of three seconds in strong noise, it is never said that rolling alone slowed a disk which air alone did."""
     sounds = [listened(decline, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed) for seed in range(4)]

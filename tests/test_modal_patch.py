@@ -195,6 +195,7 @@ def test_a_patch_over_half_the_thickness(modes, position):
     assert (part.frequency[:9] < modes.frequency[:9]).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("position", PART)
 def test_a_patch_that_grows_over_the_thickness_becomes_the_full_patch(modes, position):
     """Every frequency rises with the height held, and less and less: the last strips hold next to nothing."""

@@ -135,6 +135,7 @@ def test_more_than_a_million_runs_are_asked_for_with_their_hours(tmp_path, monke
         sonify.sweep(many, out=tmp_path, processes=2)
 
 
+@pytest.mark.slow
 def test_a_hundred_thousand_points_are_planned_with_their_time():
     """The middle run is really solved; the estimate is that for all of them."""
     told = plan(QUICK | {"axes": {AXIS: {"from": 0.31, "to": 0.6, "n": 100_000}}}, processes=4)
