@@ -34,13 +34,14 @@ present if it takes at least that at the lower end."""
 
 @dataclass(frozen=True, kw_only=True)
 class Sound:
-    """A sound that was read, and the rising tone that stands out in it."""
+    """A sound that was read, and the rising tone that stands out in it; it may have passed a recorder's high-pass."""
 
     name: str
     samples: np.ndarray
     rate: float
     start: float
     tones: dict[str, RisingTone]
+    recorded: bool = True
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,7 +68,7 @@ class Judged:
         return {LAWS[i]: self.fit.value(len(self.sounds) + i) for i in self.fit.free}
 
 
-def heard(source: Source, name: str, wanted=("tone", "envelope")) -> Sound:
+def heard(source: Source, name: str, wanted=("tone", "envelope"), recorded: bool = True) -> Sound:
     """Return a sound with the rising tones in the signals `wanted`. Raises RecordingError for one that cannot be
     fitted, in one line."""
     samples, rate, start, _ = read(source)
@@ -88,7 +89,7 @@ def heard(source: Source, name: str, wanted=("tone", "envelope")) -> Sound:
             raise RecordingError(
                 f"{name}: a second disk ends at {start + end + 1.0 + again.end:.2f} s: cut the file between them"
             )
-    return Sound(name=name, samples=samples, rate=rate, start=start, tones=tones)
+    return Sound(name=name, samples=samples, rate=rate, start=start, tones=tones, recorded=recorded)
 
 
 def _refuse_clipped(samples, name):
@@ -190,7 +191,7 @@ def stream(sound: Sound, signal: str) -> Heard:
     else:
         down = max(int(sound.rate // TONE_RATE), 1)
         samples, rate = resample_poly(sound.samples, 1, down), sound.rate / down
-    return Heard(samples=samples, rate=rate, first=sound.start, filtered=signal == "tone")
+    return Heard(samples=samples, rate=rate, first=sound.start, filtered=sound.recorded and signal == "tone")
 
 
 def _guess(decline, sounds, signal):

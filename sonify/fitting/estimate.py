@@ -107,8 +107,9 @@ def solved_near(decline: Decline, sounds: list[Heard], heard, ends, shares, free
 
 def _unpack(x, sounds, shares, free, unit):
     full = shares.copy()
-    full[list(free)] = x[sounds:-1] * unit
-    return x[:sounds], full, x[-1] * CORNER
+    count = sounds + len(free)
+    full[list(free)] = x[sounds:count] * unit
+    return x[:sounds], full, x[count] * CORNER if len(x) > count else 0.0
 
 
 def _residual(x, decline, sounds, heard, shares, free, unit):
@@ -136,11 +137,13 @@ def _through_high_pass(frequency, left, corner):
 
 def _solved(decline, sounds, heard, ends, shares, free):
     unit = np.maximum(shares[list(free)], [UNITS[i] for i in free])
-    known = not all(sound.filtered for sound in sounds)
-    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, 0.05), [0.0 if known else 0.1]])
-    lower = np.append([h.time.max(initial=-np.inf) + LAST / 5 for h in heard], np.zeros(len(free) + 1))
-    upper = np.append(np.full(len(x) - 1, np.inf), 1e-6 if known else HIGHEST_CORNER)
-    x = np.clip(x, lower + 1e-9, upper)
+    corner = [0.1] * all(sound.filtered for sound in sounds)
+    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, 0.05), corner])
+    others = np.zeros(len(x) - len(heard))
+    lower = np.append([h.time.max(initial=-np.inf) + LAST / 5 for h in heard], others)
+    upper = np.full(len(x), np.inf)
+    upper[len(heard) + len(free) :] = HIGHEST_CORNER
+    x = np.maximum(x, lower + 1e-9)
     arguments = (decline, sounds, heard, shares, free, unit)
     first = np.abs(_residual(x, *arguments))
     scale = max(np.median(first) * 1.48, 1.0)
@@ -151,7 +154,7 @@ def _solved(decline, sounds, heard, ends, shares, free):
         args=arguments,
         loss="cauchy",
         f_scale=2 * scale,
-        x_scale=np.append(np.full(len(heard), 0.05), np.ones(len(free) + 1)),
+        x_scale=np.append(np.full(len(heard), 0.05), np.ones(len(others))),
     )
     ends, full, _ = _unpack(solved.x, len(heard), shares, free, unit)
     return ends, full, (solved, unit)
@@ -173,8 +176,6 @@ def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
     jacobian = _jacobian(
         partial(_residual, decline=decline, sounds=sounds, heard=heard, shares=shares, free=free, unit=unit), solved.x
     )
-    if not all(sound.filtered for sound in sounds):
-        jacobian[:, -1] = 0.0
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
     random, count = np.random.default_rng(0), len(residual)
     run = max(RUN, count // RUNS)
@@ -186,7 +187,7 @@ def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
     moved = solved.x - noise @ inverse.T
     draws = np.tile(np.append(ends, shares), (DRAWS, 1))
     draws[:, : len(ends)] = moved[:, : len(ends)]
-    draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : -1] * unit
+    draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : len(ends) + len(free)] * unit
     sigma = np.concatenate([np.hypot(h.error / h.frequency, FLOOR) for h in heard])
     cost = np.log1p((residual / (2 * scale)) ** 2) * (2 * scale) ** 2
     return Fit(
@@ -212,10 +213,11 @@ def _jacobian(function, x):
     return np.stack(columns, axis=1)
 
 
-def pooled(decline: Decline, fits: list[Fit]) -> Fit:
-    """Return the fit of one decline to the rates that were heard in several sounds, without listening again."""
+def pooled(decline: Decline, fits: list[Fit], filtered: bool) -> Fit:
+    """Return the fit of one decline to the rates that were heard in several sounds, without listening again;
+    `filtered` as in `Heard`."""
     heard = tuple(rates for one in fits for rates in one.heard)
-    silent = [Heard(samples=np.zeros(0), rate=1.0, first=0.0, filtered=True)] * len(heard)
+    silent = [Heard(samples=np.zeros(0), rate=1.0, first=0.0, filtered=filtered)] * len(heard)
     ends, free = np.concatenate([one.ends for one in fits]), fits[0].free
     ends, shares, solution = _solved(decline, silent, heard, ends, np.mean([one.shares for one in fits], axis=0), free)
     return _with_intervals(decline, silent, heard, ends, shares, free, solution)

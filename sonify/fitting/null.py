@@ -47,7 +47,9 @@ def _null(judged, name):
         )
         clear = tracked(decline, stream(pilot, judged.signal), made["end"], shares, LENGTHS[-1]).clear
         louder = np.sqrt(np.median(clear) / np.median(rates.clear)) if len(clear) else 1.0
-        sound = heard(_source(decline, shares, made, PILOT * louder), "null test", (judged.signal,))
+        sound = heard(
+            _source(decline, shares, made, PILOT * louder), "null test", (judged.signal,), judged.sounds[0].recorded
+        )
         one = judge(decline, [sound], correct=False)
     except RecordingError:
         return Null(truth=name, shares=tuple(shares), verdict="cannot tell")

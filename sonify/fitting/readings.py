@@ -7,6 +7,7 @@ import zipfile
 from pathlib import Path
 
 import numpy as np
+import soundfile
 
 from sonify.fitting.synthetic import Recording
 from sonify.hearing.recording import RecordingError
@@ -16,6 +17,8 @@ TAKES = (".wav", ".flac", ".ogg", ".oga", ".opus", ".mp3", ".aiff", ".aif", ".w6
 """What a folder of takes is searched for."""
 TIME = re.compile(r"time.*\((m?s)\)", re.IGNORECASE)
 LEAST_ROWS = 100
+OWN = "eulers-disk-sonify"
+"""So begins what this program notes in its sound files, `sonify.sound.wav`."""
 
 
 def takes(paths) -> list[Path]:
@@ -46,6 +49,15 @@ def source(path: Path) -> Source | Path:
             f"{path}: holds no table with a column 'Time (s)' or 'Time (ms)' and an amplitude beside it"
         )
     return max(found, key=lambda recording: recording.frames)
+
+
+def recorded(path: Path) -> bool:
+    """Return whether a recorder has made a file, and not this program, whose sounds pass no high-pass."""
+    try:
+        with soundfile.SoundFile(path) as file:
+            return not file.software.startswith(OWN)
+    except (soundfile.LibsndfileError, OSError):
+        return True
 
 
 def _tables(path):

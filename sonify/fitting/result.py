@@ -13,7 +13,7 @@ from sonify.fitting.ear import BETTER, Judged, heard, judge, shares_of_power, ve
 from sonify.fitting.estimate import Fit, Value, pooled
 from sonify.fitting.fu_berlin import Exponent, exponents
 from sonify.fitting.null import Null, null_tests
-from sonify.fitting.readings import source, takes
+from sonify.fitting.readings import recorded, source, takes
 from sonify.hearing.recording import RecordingError
 from sonify.scene import Scene, load_scene
 
@@ -77,7 +77,7 @@ def fit(
         fitted.append(one)
         watch(len(fitted) / len(paths), one.file)
     decline, fits = fitted[0].judged.decline, [one.judged.fit for one in fitted]
-    pool = fits[0] if len(fits) == 1 else pooled(decline, fits)
+    pool = fits[0] if len(fits) == 1 else pooled(decline, fits, fitted[0].judged.streams[0].filtered)
     verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool, len(fits))
     return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict)
 
@@ -96,7 +96,7 @@ def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
     from sonify.scene import from_document
 
     scene = from_document(document)
-    sound = heard(source(path), str(path))
+    sound = heard(source(path), str(path), recorded=recorded(path))
     judged = judge(Decline(scene), [sound])
     published = None
     if like == "fu-berlin":
