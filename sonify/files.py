@@ -1,7 +1,9 @@
 """Files that are either whole or not there, and nothing left behind by whatever way a run ends."""
 
 import os
+from collections.abc import Callable
 from contextlib import contextmanager, suppress
+from itertools import chain, count
 from pathlib import Path
 from secrets import token_hex
 
@@ -24,6 +26,11 @@ def claim(folder: str | Path) -> Path:
             return folder
     except OSError as error:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
+
+
+def numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
+    """Return the first of the folders `first`, `first`-2, `first`-3, ... that `serves`."""
+    return next(filter(serves, chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2)))))
 
 
 @contextmanager

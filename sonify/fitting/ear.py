@@ -25,8 +25,6 @@ SHORTEST = 2.0
 """A sound that is shorter [s] tells of no decline."""
 CLIPPED, RUN = 1e-3, 3
 """A sound is clipped if this share of it, in runs of so many samples, is at its greatest value."""
-BETTER = 2.0
-"""A fit is better than another where its robust residual is so many times smaller."""
 ABSENT, PRESENT = 0.1, 0.02
 """A law is absent if, at the upper end of its interval, it takes less than this share of the power that was lost; and
 present if it takes at least that at the lower end."""
@@ -61,11 +59,11 @@ class Judged:
     @property
     def contour_fits(self) -> bool:
         """Whether contour friction and film alone explain the sounds: the scene's other law takes little."""
-        return 2 not in self.fit.free or shares_of_power(self.decline, self.fit, len(self.sounds))["law"][0] < ABSENT
+        return 2 not in self.fit.free or shares_of_power(self.decline, self.fit)["law"][0] < ABSENT
 
     def values(self) -> dict[str, Value]:
         """Return `rolling`, `air` and `law`, the share of the scene's other laws: those that were sought."""
-        return {LAWS[i]: self.fit.value(len(self.sounds) + i) for i in self.fit.free}
+        return self.fit.values()
 
 
 def heard(source: Source, name: str, wanted=("tone", "envelope"), recorded: bool = True) -> Sound:
@@ -75,10 +73,10 @@ def heard(source: Source, name: str, wanted=("tone", "envelope"), recorded: bool
     if len(samples) < SHORTEST * rate:
         raise RecordingError(f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s of a disk are needed")
     _refuse_clipped(samples, name)
-    signals = {"tone": (samples, rate)} | ({"envelope": envelope(samples, rate)} if rate > 2 * ENVELOPE_FROM else {})
-    tones = {
-        kind: tone for kind, (x, r) in signals.items() if kind in wanted and (tone := rising_tone(x, r)) is not None
-    }
+    signals = {"tone": lambda: (samples, rate)}
+    if rate > 2 * ENVELOPE_FROM:
+        signals["envelope"] = lambda: envelope(samples, rate)
+    tones = {kind: tone for kind in wanted if kind in signals and (tone := rising_tone(*signals[kind]())) is not None}
     if not tones:
         raise RecordingError(f"{name}: no tone rises in it towards an end")
     end = max(tone.end for tone in tones.values())
@@ -121,7 +119,7 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
         decline=best.decline,
         streams=best.streams,
         fit=best.fit,
-        verdict=verdict_of(best.decline, best.fit, len(sounds)),
+        verdict=verdict_of(best.decline, best.fit),
     )
 
 
@@ -236,21 +234,21 @@ def _corrected(track):
     return replace(track, model="solved", lines=lines | {track.line: solved}, fit=one)
 
 
-def shares_of_power(decline: Decline, one: Fit, count: int) -> dict[str, tuple[float, float]]:
+def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]]:
     """Return for each of the LAWS the least and greatest share, in 95 %, of the energy that was lost while heard."""
     left = np.concatenate([end - h.time for end, h in zip(one.ends, one.heard, strict=True)])
     beta = np.geomspace(*decline.inclination(np.clip([left.min(), left.max()], 1e-3, None), one.shares), 60)
     power = np.array([np.interp(beta, decline.beta, p) for p in decline.powers])
     fall = np.gradient(beta)  # energy goes with the inclination
-    each = one.draws[:, count:, None] * power
+    each = one.draws[:, len(one.ends) :, None] * power
     share = (np.clip(each, 0, None) / np.clip(each, 0, None).sum(axis=1, keepdims=True) * fall).sum(axis=2) / fall.sum()
     low, high = np.percentile(share, [2.5, 97.5], axis=0)
     return {name: (float(low[i]), float(high[i])) for i, name in enumerate(LAWS)}
 
 
-def verdict_of(decline: Decline, one: Fit, count: int) -> str:
+def verdict_of(decline: Decline, one: Fit) -> str:
     """Return rolling, air or both, where 95 % of what is as likely as the fit agrees on it; else cannot tell."""
-    share = shares_of_power(decline, one, count)
+    share = shares_of_power(decline, one)
     if 2 in one.free and share.pop("law")[1] > ABSENT:
         return "cannot tell"
     share = {name: share[name] for name in ("rolling", "air")}

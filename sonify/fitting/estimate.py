@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 from scipy.optimize import least_squares
 
-from sonify.fitting.decline import Decline
+from sonify.fitting.decline import LAWS, Decline
 from sonify.fitting.phase import Rates, rates
 
 LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
@@ -35,7 +35,7 @@ class Value:
 class Fit:
     """A decline fitted to one sound or several: `ends` [s], one a sound, and `shares` of the LAWS, of which the
     `free` ones were sought. `draws` (d, sounds + 3) are as likely as they; `residual` (k,) is log(heard / fitted) and
-    `sigma` (k,) its error by noise; `misfit` is the robust mean square of residual / sigma, and `deviance` its sum."""
+    `sigma` (k,) its error by noise."""
 
     free: tuple[int, ...]
     ends: np.ndarray
@@ -44,13 +44,15 @@ class Fit:
     heard: tuple[Rates, ...]
     residual: np.ndarray
     sigma: np.ndarray
-    misfit: float
-    deviance: float
 
     @property
     def spread(self) -> float:
         """The robust standard deviation of the residual: how far heard and fitted rates are apart, relative."""
-        return float(1.48 * np.median(np.abs(self.residual)))
+        return _deviation(self.residual)
+
+    def values(self) -> dict[str, Value]:
+        """Return the shares of the LAWS that were sought, by name."""
+        return {LAWS[i]: self.value(len(self.ends) + i) for i in self.free}
 
     def value(self, i: int) -> Value:
         """Return the end of sound i, or from the number of sounds on the shares."""
@@ -105,6 +107,20 @@ def solved_near(decline: Decline, sounds: list[Heard], heard, ends, shares, free
     return ends, shares, float(solved.cost)
 
 
+def in_words(values: dict[str, Value]) -> str:
+    """Return values by name with their 95 % intervals."""
+    return ", ".join(f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)" for name, v in values.items())
+
+
+def _deviation(residual) -> float:
+    """A standard deviation about 0 that few outliers do not change."""
+    return float(1.48 * np.median(np.abs(residual)))
+
+
+def _relative_error(h):
+    return np.hypot(h.error / h.frequency, FLOOR)
+
+
 def _unpack(x, sounds, shares, free, unit):
     full = shares.copy()
     count = sounds + len(free)
@@ -118,7 +134,7 @@ def _residual(x, decline, sounds, heard, shares, free, unit):
     out = []
     for h, end in zip(heard, ends, strict=True):
         model = _through_high_pass(partial(decline.frequency, shares=full), np.maximum(end - h.time, LAST / 10), corner)
-        out.append(np.log(h.frequency / model) / np.hypot(h.error / h.frequency, FLOOR))
+        out.append(np.log(h.frequency / model) / _relative_error(h))
     return np.concatenate(out)
 
 
@@ -145,8 +161,8 @@ def _solved(decline, sounds, heard, ends, shares, free):
     upper[len(heard) + len(free) :] = HIGHEST_CORNER
     x = np.maximum(x, lower + 1e-9)
     arguments = (decline, sounds, heard, shares, free, unit)
-    first = np.abs(_residual(x, *arguments))
-    scale = max(np.median(first) * 1.48, 1.0)
+    first = _residual(x, *arguments)
+    scale = max(_deviation(first), 1.0)
     solved = least_squares(
         _residual,
         x,
@@ -171,11 +187,9 @@ def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
     solved, unit = solution
     arguments = (decline, sounds, heard, shares, free, unit)
     residual = _residual(solved.x, *arguments)
-    scale = max(1.48 * np.median(np.abs(residual)), 1.0)
+    scale = max(_deviation(residual), 1.0)
     weight = 1 / (1 + (residual / (2 * scale)) ** 2)
-    jacobian = _jacobian(
-        partial(_residual, decline=decline, sounds=sounds, heard=heard, shares=shares, free=free, unit=unit), solved.x
-    )
+    jacobian = _jacobian(lambda x: _residual(x, *arguments), solved.x)
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
     random, count = np.random.default_rng(0), len(residual)
     run = max(RUN, count // RUNS)
@@ -188,8 +202,7 @@ def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
     draws = np.tile(np.append(ends, shares), (DRAWS, 1))
     draws[:, : len(ends)] = moved[:, : len(ends)]
     draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : len(ends) + len(free)] * unit
-    sigma = np.concatenate([np.hypot(h.error / h.frequency, FLOOR) for h in heard])
-    cost = np.log1p((residual / (2 * scale)) ** 2) * (2 * scale) ** 2
+    sigma = np.concatenate([_relative_error(h) for h in heard])
     return Fit(
         free=free,
         ends=ends,
@@ -198,8 +211,6 @@ def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
         heard=heard,
         residual=residual * sigma,
         sigma=sigma,
-        misfit=float(cost.mean()),
-        deviance=float(cost.sum()),
     )
 
 

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from sonify.fitting.decline import Decline
 from sonify.fitting.ear import Judged, Sound, heard, judge, stream
 from sonify.fitting.estimate import LENGTHS, Value, solved_near, tracked
 from sonify.fitting.synthetic import Recording, recording
@@ -35,7 +36,7 @@ def null_tests(judged: Judged) -> list[Null]:
 
 
 def _null(judged, name):
-    decline, rates, end = judged.decline.lines()["precession"], judged.fit.heard[0], judged.fit.ends[0]
+    decline, rates, end = Decline(judged.decline.scene), judged.fit.heard[0], judged.fit.ends[0]
     streams = [judged.streams[0]]
     free = tuple(np.flatnonzero(ALONE[name]).tolist())
     _, shares, _ = solved_near(judged.decline, streams, (rates,), [end], np.array(ALONE[name]), free)

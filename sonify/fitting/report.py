@@ -1,13 +1,14 @@
 """FITS -> FILES: fit.json, a picture, a table and a short page."""
 
-from itertools import chain, count
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from sonify.files import claimed, whole
-from sonify.fitting.result import Fits, Fitted, power_shares
+from sonify.files import claimed, numbered, whole
+from sonify.fitting.ear import shares_of_power
+from sonify.fitting.estimate import in_words
+from sonify.fitting.result import Fits, Fitted
 from sonify.report.figure import figure_at
 from sonify.report.write import finite, write_json
 
@@ -21,7 +22,8 @@ def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
     """Write fit.json, fit.csv, fit.png and fit.md into `out`, return the folder. Raises OutputError."""
     with claimed(out or own_folder(fits.files[0].file)) as folder:
         write_json(finite(as_json(fits)), folder / "fit.json")
-        draw(fits, folder / "fit.png")
+        with whole(folder / "fit.png") as temporary:
+            draw(fits, temporary)
         with whole(folder / "fit.csv") as temporary:
             temporary.write_text("\n".join(table(fits, ",")) + "\n", encoding="utf-8")
         with whole(folder / "fit.md") as temporary:
@@ -31,16 +33,14 @@ def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
 
 def own_folder(file: str) -> Path:
     """Return outputs/fit/<name of the recording>, or <name>-2, ... where the folder before is there already."""
-    first = Path("outputs") / "fit" / Path(file).stem
-    folders = chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2)))
-    return next(folder for folder in folders if not (folder / "fit.json").exists())
+    return numbered(Path("outputs") / "fit" / Path(file).stem, lambda folder: not (folder / "fit.json").exists())
 
 
 def as_json(fits: Fits) -> dict[str, Any]:
     """Return what fit.json holds."""
     single = len(fits.files) == 1
     pool = {"t_end": value(fits.pool.value(0)) if single else None} | _values(fits.values()) | {"verdict": fits.verdict}
-    shares = {name: list(share) for name, share in power_shares(fits).items()}
+    shares = {name: list(share) for name, share in shares_of_power(fits.files[0].judged.decline, fits.pool).items()}
     return {"scene": fits.scene.name, "files": [_one(f) for f in fits.files], "pooled": pool | {"power_shares": shares}}
 
 
@@ -107,7 +107,7 @@ def sentences(fits: Fits) -> list[str]:
     """Return what was found in words."""
     said = [line for fitted in fits.files for line in _of_one(fitted)]
     if len(fits.files) > 1:
-        said.append(f"together: {fits.verdict}; {_in_words(fits.values())}")
+        said.append(f"together: {fits.verdict}; {in_words(fits.values())}")
     return said
 
 
@@ -115,7 +115,7 @@ def _of_one(fitted):
     judged, end = fitted.judged, fitted.judged.fit.value(0)
     told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.1%}"
     yield f"{fitted.file}: {judged.verdict}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
-    yield f"  {_in_words(judged.values())}"
+    yield f"  {in_words(judged.values())}"
     if not judged.contour_fits:
         yield "  contour friction and film do not explain it; the scene's own law takes more than a tenth of the power"
     yield f"  a radius 10 % off {'would show' if fitted.radius_shows else 'cannot be told: the shares take it up'}"
@@ -123,10 +123,6 @@ def _of_one(fitted):
         yield f"  null test: a disk slowed by {null.truth} alone, with the same noise, is called: {null.verdict}"
     for name, e in (fitted.published_way or {}).items():
         yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f} of a line through {e.columns} columns"
-
-
-def _in_words(values):
-    return ", ".join(f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)" for name, v in values.items())
 
 
 def page(fits: Fits) -> str:

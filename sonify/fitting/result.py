@@ -8,17 +8,19 @@ from pathlib import Path
 
 from modal.one_thread import one_blas_thread
 from sonify.fitting import estimate
-from sonify.fitting.decline import LAWS, Decline
-from sonify.fitting.ear import BETTER, Judged, heard, judge, shares_of_power, verdict_of
-from sonify.fitting.estimate import Fit, Value, pooled
+from sonify.fitting.decline import Decline
+from sonify.fitting.ear import Judged, heard, judge, verdict_of
+from sonify.fitting.estimate import Fit, Value, in_words, pooled
 from sonify.fitting.fu_berlin import Exponent, exponents
 from sonify.fitting.null import Null, null_tests
 from sonify.fitting.readings import recorded, source, takes
 from sonify.hearing.recording import RecordingError
-from sonify.scene import Scene, load_scene
+from sonify.scene import Scene, from_document, load_scene
 
 WRONG = (0.9, 1.1)
 """Factors on the radius with which every fit is tried again."""
+BETTER = 2.0
+"""A fit is far better than another where its spread is so many times smaller."""
 WORKERS, MANY = 2, 3
 """So many processes share the recordings where there are at least so many."""
 
@@ -34,10 +36,7 @@ class Fitted:
     published_way: dict[str, Exponent] | None = None
 
     def __repr__(self):
-        values = ", ".join(
-            f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g})" for name, v in self.judged.values().items()
-        )
-        return f"Fitted({self.file}: {self.judged.verdict}; {values})"
+        return f"Fitted({self.file}: {self.judged.verdict}; {in_words(self.judged.values())})"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -51,11 +50,10 @@ class Fits:
 
     def values(self) -> dict[str, Value]:
         """Return `rolling`, `air` and whatever else was sought, of all recordings together."""
-        return {LAWS[i]: self.pool.value(len(self.files) + i) for i in self.pool.free}
+        return self.pool.values()
 
     def __repr__(self):
-        values = ", ".join(f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g})" for name, v in self.values().items())
-        return f"Fits({len(self.files)} recordings: {self.verdict}; {values})"
+        return f"Fits({len(self.files)} recordings: {self.verdict}; {in_words(self.values())})"
 
 
 @one_blas_thread
@@ -78,7 +76,7 @@ def fit(
         watch(len(fitted) / len(paths), one.file)
     decline, fits = fitted[0].judged.decline, [one.judged.fit for one in fitted]
     pool = fits[0] if len(fits) == 1 else pooled(decline, fits, fitted[0].judged.streams[0].filtered)
-    verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool, len(fits))
+    verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool)
     return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict)
 
 
@@ -93,8 +91,6 @@ def _each(paths, scene, like):
 @one_blas_thread
 def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
     """Return the fit of one recording; the scene comes as its document. Raises RecordingError."""
-    from sonify.scene import from_document
-
     scene = from_document(document)
     sound = heard(source(path), str(path), recorded=recorded(path))
     judged = judge(Decline(scene), [sound])
@@ -130,8 +126,3 @@ def _with_radius(judged, factor):
         return estimate.fit(decline, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free).spread
     except ValueError:
         return None
-
-
-def power_shares(fits: Fits) -> dict[str, tuple[float, float]]:
-    """Return for each of the LAWS the least and greatest share of the energy that it took while heard."""
-    return shares_of_power(fits.files[0].judged.decline, fits.pool, len(fits.files))

@@ -2,10 +2,9 @@
 
 import json
 from dataclasses import asdict
-from itertools import chain, count
 from pathlib import Path
 
-from sonify.files import claim, whole
+from sonify.files import claim, numbered, whole
 from sonify.hearing.recording import Heard, listen
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 
@@ -30,8 +29,7 @@ def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
 def own_folder(recording: str | Path) -> Path:
     """Return outputs/listen/<name of the recording>, or <name>-2, ... where the folder before is another one's."""
     first = Path("outputs") / "listen" / Path(recording).stem
-    folders = chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2)))
-    return next(folder for folder in folders if _recording_in(folder) in (None, _name(recording)))
+    return numbered(first, lambda folder: _recording_in(folder) in (None, _name(recording)))
 
 
 def _recording_in(folder):
