@@ -67,7 +67,7 @@ def solve(
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)
         findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
-        findings += table_findings(motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND))
+        findings += table_findings(scene, motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND))
         on_contact, several = contact_findings(scene, motion, sound, heard)
         findings += air_findings(scene, motion, sound) + on_contact + literature_findings(scene, motion, modes, sound)
     return Result(

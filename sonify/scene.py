@@ -14,7 +14,7 @@ from annotated_types import Ge, Gt, Le, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
 from dynamics.air import Air, dry
-from dynamics.coupled.sections import Contact, Roughness
+from dynamics.coupled.sections import Contact, Imperfection, Roughness
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
 from dynamics.numerics import Numerics
@@ -73,6 +73,7 @@ class Scene:
     dissipation: Dissipation = field(default_factory=Dissipation)
     contact: Contact = field(default_factory=Contact)
     roughness: Roughness | None = None
+    imperfection: Imperfection | None = None
     air: Air = field(default_factory=Air)
     audio: Audio = field(default_factory=Audio)
     numerics: Numerics = field(default_factory=Numerics)

@@ -38,6 +38,8 @@ def choice(scene: ContactScene) -> Choice:
     """Return which model solves the contact of a scene: `numerics.contact`, and what 'auto' takes."""
     if acts_back(scene):
         return Choice("full", "surface.action = 'motion': the table moves with the disk", 0.0, 0.0)
+    if imperfect(scene):
+        return Choice("full", "imperfection: the rim follows the waves of the table", 0.0, 0.0)
     if scene.contact.law == "rigid":
         return Choice("rigid", "contact.law = 'rigid'", 0.0, 0.0)
     beta, share = shaken(scene)
@@ -61,6 +63,11 @@ def choice(scene: ContactScene) -> Choice:
 def acts_back(scene: ContactScene) -> bool:
     """Return whether the table of a scene, which may say nothing on it, moves with the disk."""
     return getattr(getattr(scene, "surface", None), "action", "sound") == "motion"
+
+
+def imperfect(scene: ContactScene) -> bool:
+    """Return whether the table of a scene is wavy."""
+    return getattr(scene, "imperfection", None) is not None
 
 
 def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:

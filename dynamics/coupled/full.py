@@ -18,9 +18,10 @@ from .handover import inclination
 from .march import FLAT, GOES, UNSOLVED, UPRIGHT, march
 from .profile import SMOOTH, Profile
 from .resonance import inertias, rate_needed
+from .sections import Imperfection
 from .state import SIZE
 from .table import STEP, LawTable
-from .waves import settle, still
+from .waves import settle, still, wavy
 
 RATE = 400e3
 """Steps a second: safe to 1e-6 rad."""
@@ -63,7 +64,7 @@ class Compliant:
     [N m s] and a force [N s/m] per velocity.
 
     `profiles` of table and edge; `impedance` Z [N s/m] of the table; `modes` (`modal.SurfaceModes`)
-    with which it moves, none unless given; `rate` of the steps [1/s].
+    with which it moves, or its `imperfection`, none unless given; `rate` of the steps [1/s].
     """
 
     table: LawTable
@@ -73,6 +74,7 @@ class Compliant:
     profiles: tuple[Profile, Profile] = (SMOOTH, SMOOTH)
     impedance: float = np.inf
     modes: Any = None
+    imperfection: Imperfection | None = None
     rate: float = RATE
 
     @cached_property
@@ -122,6 +124,8 @@ class Compliant:
 
     def waves(self, y):
         """Return the modes of the table as they carry a disk in the state y, which is raised onto them."""
+        if self.imperfection is not None:
+            return wavy(self.imperfection, y, self.constants)
         waves = still(self.modes, 1 / self.rate)
         settle(waves, self.modes, self, y)
         return waves

@@ -256,7 +256,7 @@ def solve(
     if acts_back(scene) and surface_modes is None:
         raise ValueError("surface.action = 'motion': simulate needs the surface_modes of the table")
     model = compliant(scene, surface_modes if acts_back(scene) else None)
-    last = LIES if model.modes is not None else last_inclination(scene)
+    last = LIES if model.modes is not None or model.imperfection is not None else last_inclination(scene)
     every = max(1, round(model.rate / FORCES_A_SECOND)) * STATES
     start = np.concatenate([[0.0, np.radians(scene.release.inclination_deg), 0, 0, 0], scene.release.omega, [0, 0, 0]])
     y, dt = release(model, start, first_force(scene)), every / STATES / model.rate
@@ -296,6 +296,7 @@ def compliant(scene, modes=None) -> Compliant:
         viscous=(dissipation.viscous_moment, dissipation.viscous_force) if dissipation else (0.0, 0.0),
         profiles=profiles(scene.roughness, disk.radius),
         modes=modes,
+        imperfection=getattr(scene, "imperfection", None),
         rate=step_rate(scene),
     )
 

@@ -106,6 +106,16 @@ class Roughness:
         return (self.rms or 0.0) if self.rms_edge is None else self.rms_edge
 
 
+@dataclass(frozen=True, kw_only=True)
+class Imperfection:
+    """A rigid table that is wavy round the circle of the contact: its height is amplitude cos(order angle)."""
+
+    order: Annotated[int, Ge(2), Le(64)]
+    """Number of waves round the circle of the contact."""
+    amplitude: Annotated[float, Gt(0), Le(1e-3)]
+    """Height of their crests [m]."""
+
+
 def require_seen(roughness: Roughness, half_length: float) -> None:
     """Raise ValueError where every wave is shorter than the ellipse of half-length a [m] and so averaged away."""
     if roughness.longest <= 2 * half_length:

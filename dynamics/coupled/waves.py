@@ -8,6 +8,7 @@ rates whatever the step: its energy (q'^2 + k q^2)/2 changes by the work -N w~ d
 from typing import NamedTuple
 
 import numpy as np
+from scipy.interpolate import make_interp_spline
 
 from .compiled import kernel
 from .state import AXIS, FORCE, HALF, J1, MOMENTUM, RADIUS, SPRING, SURFACE, VELOCITY
@@ -68,6 +69,27 @@ def still(modes=None, h: float = 1.0) -> Waves:
     return Waves(
         *splines, constants, np.array(modes.place, dtype=float), stays, np.zeros((len(k), 5)), np.zeros(PLACES + MOST)
     )
+
+
+def wavy(imperfection, y, law) -> Waves:
+    """Return the Waves of a table that is wavy and rigid, one mode that does not move, with the disk of y raised onto
+    it: it goes with the disk, as modes that are given by numbers do, and is (r/R)^n amplitude cos n theta."""
+    n, R, a = imperfection.order, law[RADIUS], y[AXIS : AXIS + 2] / np.hypot(*y[AXIS : AXIS + 2])
+    x = np.linspace(-R, R, 4 + 8 * n)
+    height = imperfection.amplitude * ((x[:, None] + 1j * x) ** n / R**n).real
+    spline = make_interp_spline(x, make_interp_spline(x, height).c, axis=1)
+    waves = still()._replace(
+        coefficients=np.ascontiguousarray(spline.c.T[:, :, None]),
+        knots_x=spline.t,
+        knots_y=spline.t,
+        constants=np.zeros((1, 3)),
+        stays=0.0,
+        state=np.array([[1.0, 0, 0, 0, 0]]),
+    )
+    waves.contact[ANGLE] = np.arctan2(a[1], a[0])
+    read_shapes(waves, *(R * a), np.zeros((3, 4)), np.zeros((3, 4)), NOW)
+    y[2] += waves.state[0, NOW]
+    return waves
 
 
 @kernel

@@ -8,6 +8,7 @@ from sonify.claims.sound import LAST, since_as_much
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
 from sonify.hearing.rising_tone import rising_tone
 from sonify.hearing.spectrogram import spectrogram
+from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 from sonify.sound.radiation import Listener
 
@@ -21,19 +22,45 @@ ACTS = 0.01
 """The share of the energy of the disk with which the table begins to act back."""
 
 
-def table_findings(motion: Motion, sound: Sound, listener: Listener, tone, error: float = 0.0) -> list[Finding]:
-    """Every claim on an elastic table: none of a rigid one, nor on an end that was not reached.
+def table_findings(
+    scene: Scene, motion: Motion, sound: Sound, listener: Listener, tone, error: float = 0.0
+) -> list[Finding]:
+    """Every claim on a wavy table, or an elastic one: none of a rigid one, nor on an end that was not reached.
 
     `tone` is the rising tone of the whole sound, or None; `error` the relative one of the sound, in quadratic mean.
     """
     if "table" not in sound.names:
-        return []
+        return motion_findings(scene, motion)
     found = [table_is_louder(motion, sound, error), radiation_takes_little(motion, sound, listener, error)]
     if sound.table_energy is not None:  # an endless plate holds none
         found += [table_takes_little(motion, sound, error), table_takes_a_hundredth(motion, sound, error)]
     if motion.outcome.name != "SETTLED":
         return found
     return [*found, table_tone_rises(sound), *([] if tone is None else [table_carries_the_tone(sound, tone, error)])]
+
+
+def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
+    """Return those that the motion alone can judge: none but of a table that is wavy."""
+    return [waves_break_contact(scene, motion)] if scene.imperfection else []
+
+
+def waves_break_contact(scene: Scene, motion: Motion) -> Finding:
+    """The inclination at which contact is first lost over (n^2 - 1) delta/R; 0 if it never is.
+
+    There a plane rim can no longer stand in a trough: a wave h along it bends up by h + h'' = (n^2 - 1) delta, the rim of
+    a disk of inclination beta by beta R, both against the circle that any tilt would follow.
+    """
+    lost, waves = motion.contact_losses, scene.imperfection
+    scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
+    return Finding(
+        key="waves_break_contact",
+        claim="The waves of the table break the contact where they outweigh the inclination",
+        value=float(motion.at([lost[0].t])[0, 1]) / scale if lost else 0.0,
+        unit="inclination at the first loss of contact over (n^2 - 1) amplitude/radius",
+        at_least=0.7,
+        at_most=1.8,
+        source="section 8: the vibrations will result in a loss of contact; here the waves are those of the table",
+    )
 
 
 def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:

@@ -18,15 +18,16 @@ BENT = 0.5
 def check_table(scene: Scene):
     """Raise SceneError, before any work, where the table cannot be solved."""
     surface = scene.surface
-    if getattr(surface, "action", "auto") == "motion":
-        for wrong, instead in (
-            (surface.kind == "infinite", "surface.kind = 'infinite': a table that acts back must have modes"),
-            (scene.contact.law == "rigid", "contact.law = 'rigid': a table that acts back needs an elastic contact"),
-            (scene.roughness is not None, "roughness: is not solved on a table that acts back"),
-            (scene.numerics.contact == "filter", "numerics.contact = 'filter': a table that acts back needs 'full'"),
-        ):
-            if wrong:
-                raise SceneError(f"surface.action = 'motion' with {instead}")
+    acts = "surface.action = 'motion'" if getattr(surface, "action", "auto") == "motion" else ""
+    for wrong, instead in (
+        (acts and surface.kind == "infinite", "surface.kind = 'infinite': a table that acts back must have modes"),
+        (acts and scene.imperfection, "imperfection: a table is wavy or acts back"),
+        (scene.contact.law == "rigid", "contact.law = 'rigid': such a table needs an elastic contact"),
+        (scene.roughness, "roughness: the rim may stand on several waves, and heights are read along one path"),
+        (scene.numerics.contact == "filter", "numerics.contact = 'filter': such a table needs 'full'"),
+    ):
+        if wrong and (acts or scene.imperfection):
+            raise SceneError(f"{acts or 'imperfection'} with {instead}")
     if surface.kind == "mesh" and not Path(surface.file).is_file():
         raise SceneError(f"surface.file = {surface.file!r}: no such file")
 
@@ -36,6 +37,8 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
 
     Raises SceneError where the modes cannot be sought.
     """
+    if scene.imperfection:
+        plan = replace(plan, modelled=(*plan.modelled, WAVY))
     if scene.surface.kind == "rigid":
         return replace(plan, left_out=(*plan.left_out, RIGID)), None
     if scene.surface.kind == "infinite":
@@ -105,6 +108,10 @@ def off_since(scene: Scene, motion: Motion) -> float | None:
     return float(t[off.argmax()]) if off.any() else None
 
 
+WAVY = (
+    "The table is wavy round the circle of the contact, which goes with the disk; the contact is where the gap between "
+    "rim and waves is least."
+)
 RIGID = "The sound of the table, which is rigid."
 DOES = {"auto": "it only sounds", "sound": "it only sounds", "motion": "it moves with the disk, and sounds"}
 ONE_WAY = {
