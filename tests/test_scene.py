@@ -358,7 +358,7 @@ def test_the_range_in_the_reference_is_what_is_allowed(published, key):
 
     for bound in key.range.split(": ")[-1].split(", "):
         sign, number = bound.split()
-        limit, whole = float(number), key.name in {"audio.sample_rate", "roughness.seed"}
+        limit, whole = float(number), key.name in {"audio.sample_rate", "imperfection.order", "roughness.seed"}
         step = 1 if whole else max(abs(limit), 1e-300) * 1e-6
         outward = -step if sign.startswith(">") else step
         assert refused(type(step)(limit) + outward)

@@ -39,7 +39,7 @@ from .state import (
 )
 from .table import LOSS, K
 from .tangential import hold_at
-from .waves import ANGLE, STIFF, fall_free, follow, move_modes, sums
+from .waves import ANGLE, STIFF, V, fall_free, follow, move_modes, sums
 
 JUMP = 0.3
 """Where the contact turns by more [rad] in a step it is another one: it did not roll there."""
@@ -142,7 +142,8 @@ def kinetic(y, law):
 
 @kernel
 def put_back(y, law, waves, work):
-    """Change the kinetic energy of the disk by a work, every velocity in proportion; what it has not the gap gives."""
+    """Change the kinetic energy of the disk by a work, every velocity in proportion; what it has not the gap gives, and
+    what that has not, where a disk that lies all but flat comes to another wave, the velocities of the modes."""
     energy = kinetic(y, law)
     change = max(work, -energy)
     scale = np.sqrt(1 + change / energy) if energy > 0 else 0.0
@@ -154,4 +155,9 @@ def put_back(y, law, waves, work):
     most = 0.4 * waves.contact[STIFF] * r**5
     if most > 0 and left > 0:
         y[GAP] *= max(0.0, 1 - left / most) ** 0.4
-    y[LOSSES] += work - change + min(left, most)
+    left -= min(left, most)
+    moving = np.sum(waves.state[:, V] ** 2) / 2
+    if moving > 0 and left > 0:
+        waves.state[:, V] *= np.sqrt(max(0.0, 1 - left / moving))
+        left -= min(left, moving)
+    y[LOSSES] -= left

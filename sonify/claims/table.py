@@ -34,7 +34,7 @@ def table_findings(
     found = [table_is_louder(motion, sound, error), radiation_takes_little(motion, sound, listener, error)]
     if sound.table_energy is not None:  # an endless plate holds none
         found += [table_takes_little(motion, sound, error), table_takes_a_hundredth(motion, sound, error)]
-    if motion.outcome.name != "SETTLED":
+    if motion.outcome.name not in ("SETTLED", "FELL"):
         return found
     return [*found, table_tone_rises(sound), *([] if tone is None else [table_carries_the_tone(sound, tone, error)])]
 
@@ -47,8 +47,8 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
 def waves_break_contact(scene: Scene, motion: Motion) -> Finding:
     """The inclination at which contact is first lost over (n^2 - 1) delta/R; 0 if it never is.
 
-    There a plane rim can no longer stand in a trough: a wave h along it bends up by h + h'' = (n^2 - 1) delta, the rim of
-    a disk of inclination beta by beta R, both against the circle that any tilt would follow.
+    There a plane rim can no longer stand in a trough: along it a wave h bends up by h + h'' = (n^2 - 1) delta, and the
+    rim of a disk of inclination beta by beta R, both against the circle that any tilt would follow.
     """
     lost, waves = motion.contact_losses, scene.imperfection
     scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius

@@ -1,0 +1,71 @@
+"""Claim: a table that is wavy breaks the contact where its waves outweigh the inclination of the disk, and not before.
+
+Source: the docstring of claims.table.waves_break_contact. Oracle: (n^2 - 1) delta/R, within 0.7 and 1.8 of which other
+programs find the first loss; energies of the states; the disk on a table without waves.
+"""
+
+import numpy as np
+import pytest
+from test_table_acts_back import GRIPS, run, steady
+
+from dynamics.coupled.from_scene import contact_law
+from dynamics.coupled.full import Compliant
+from dynamics.coupled.handover import columns, energy, release
+from dynamics.coupled.sections import Imperfection
+from dynamics.coupled.state import LOSSES
+from dynamics.coupled.table import LawTable
+from sonify import SceneError, load_scene
+from sonify.plan.solvable import solvable
+
+
+@pytest.fixture(scope="module")
+def wavy():
+    return load_scene("wavy")
+
+
+def fall(scene, order, amplitude, start, stop=3.0, friction=None):
+    """Return energy at first, times, states, losses of contact of a disk let go in steady motion at `start` [rad]."""
+    model = Compliant(
+        table=LawTable(law=contact_law(scene)),
+        friction=friction or scene.friction,
+        rate=4e5,
+        imperfection=Imperfection(order=order, amplitude=amplitude),
+    )
+    return model, *run(model, release(model, steady(scene.disk, start)[0]), 4, stop)[:4]
+
+
+@pytest.mark.parametrize("order", [2, 3, 4])
+def test_where_contact_is_first_lost(wavy, order):
+    """Waves that are higher than the contact yields under the weight: lower ones come near its resonance."""
+    amplitude = 1e-6
+    scale = (order**2 - 1) * amplitude / wavy.disk.radius
+    model, first, t, state, losses = fall(wavy, order, amplitude, 4 * scale)
+    assert 0.7 < np.interp(losses[0].t, t, columns(model, state)[:, 1]) / scale < 1.8
+    kept = energy(model, state) + state[:, LOSSES : LOSSES + 5].sum(axis=1)
+    assert np.abs(kept - first).max() < 1e-9 * first
+
+
+def test_a_hundredth_of_the_wave_is_not_felt(wavy):
+    """The inclination after 50 ms is that on a table without waves, but for the share of the wave in it."""
+    beta = 1e-3
+    found = [
+        columns(model, state[-1:])[0, 1]
+        for model, _, _, state, losses in (fall(wavy, 3, amplitude, beta, 0.05, GRIPS) for amplitude in (1e-8, 1e-12))
+        if not losses
+    ]
+    assert found[0] == pytest.approx(found[1], rel=8 * 1e-8 / wavy.disk.radius / beta)
+
+
+def test_what_is_not_solved_with_waves_is_refused_in_one_line(wavy):
+    plate = "surface={kind='plate', radius=0.1, thickness=0.01, young=7e10, poisson=0.22, density=2500.0}"
+    for change, said in (
+        (("contact.law=rigid",), "contact.law"),
+        (("roughness.rms=1e-8",), "roughness"),
+        (("numerics.contact=filter",), "numerics.contact"),
+        ((plate, "surface.action=motion"), "is wavy or acts back"),
+        (("imperfection.order=1",), "imperfection.order"),
+        (("imperfection.amplitude=0.0",), "imperfection.amplitude"),
+    ):
+        with pytest.raises(SceneError, match=said) as caught:
+            solvable(wavy.replace(*change), None)
+        assert len(str(caught.value).splitlines()) == 1
