@@ -93,7 +93,7 @@ def test_what_the_plan_leaves_out_of_the_table_is_not_heard(scene, motion, table
 
 
 def answers(motion, sound, tone):
-    found = table_findings(motion, sound, Listener(distance=0.5, elevation=np.pi / 4), tone)
+    found = table_findings(load_scene("glass-plate"), motion, sound, Listener(distance=0.5, elevation=np.pi / 4), tone)
     return {finding.key: finding.holds for finding in found}
 
 

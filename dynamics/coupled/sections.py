@@ -110,7 +110,7 @@ class Roughness:
 class Imperfection:
     """A rigid table that is wavy round the circle of the contact: its height is amplitude cos(order angle)."""
 
-    order: Annotated[int, Ge(2), Le(64)]
+    order: Annotated[int, Ge(2), Le(64)] = 2
     """Number of waves round the circle of the contact."""
     amplitude: Annotated[float, Gt(0), Le(1e-3)]
     """Height of their crests [m]."""

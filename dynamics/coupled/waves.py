@@ -73,8 +73,8 @@ def still(modes=None, h: float = 1.0) -> Waves:
 
 def wavy(imperfection, y, law) -> Waves:
     """Return the Waves of a table that is wavy and rigid, one mode that does not move, with the disk of y raised onto
-    it: it goes with the disk, as modes that are given by numbers do, and is amplitude (r/R)^n cos n theta from the crest
-    on which the disk is let go, since there it need not rise."""
+    it: it goes with the disk, as modes given by numbers do, and is amplitude (r/R)^n cos n theta from the crest on
+    which the disk is let go, since there it need not rise."""
     n, R, a = imperfection.order, law[RADIUS], y[AXIS : AXIS + 2] / np.hypot(*y[AXIS : AXIS + 2])
     x = np.linspace(-R, R, 4 + 8 * n)
     height = imperfection.amplitude * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real

@@ -51,7 +51,7 @@ def waves_break_contact(scene: Scene, motion: Motion) -> Finding:
     rim of a disk of inclination beta by beta R, both against the circle that any tilt would follow.
     """
     lost, waves = motion.contact_losses, scene.imperfection
-    scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius
+    scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius if waves else np.inf
     return Finding(
         key="waves_break_contact",
         claim="The waves of the table break the contact where they outweigh the inclination",
