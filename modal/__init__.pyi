@@ -16,4 +16,6 @@ from .spectral.axisymmetric import plate_modes as plate_modes
 from .spectral.basis import Plate as Plate
 from .surface import surface_modes as surface_modes
 from .synthesis.patches import FreeDisk as FreeDisk
+from .synthesis.regular import Edge as Edge
+from .synthesis.regular import yielding_edge as yielding_edge
 from .table import SurfaceModes as SurfaceModes

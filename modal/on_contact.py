@@ -20,12 +20,12 @@ from modal.modes import Modes, UnsolvableError
 from modal.spectral.axisymmetric import plate_modes
 from modal.spectral.basis import Plate
 from modal.synthesis.patches import FreeDisk
-from modal.synthesis.regular import regular_flexibility
+from modal.synthesis.regular import RESOLVED, regular_flexibility
 
 
 class Suspension(Protocol):
     """The springs of a contact: stiffness (3,) [N/m], the rates (3,) [1/s] at which they forget what they are stretched
-    by, damping (3,) [N s/m]; and the fillet [m] to which the edge is rounded."""
+    by, and damping (3,) [N s/m]."""
 
     @property
     def stiffness(self) -> ArrayLike: ...
@@ -33,8 +33,6 @@ class Suspension(Protocol):
     def forgets(self) -> ArrayLike: ...
     @property
     def damping(self) -> ArrayLike: ...
-    @property
-    def fillet(self) -> float: ...
 
 
 def contact_modes(plate: Plate, suspension: Suspension, inclination: float, below: float, accuracy: str) -> Modes:
@@ -45,7 +43,7 @@ def contact_modes(plate: Plate, suspension: Suspension, inclination: float, belo
     """
     free = with_rigid(plate, below, accuracy)
     turn = along_the_table(inclination)
-    rest, doubt = left_out(plate, below, accuracy, suspension.fillet)
+    rest, doubt = left_out(plate, below, accuracy)
     rest = turn @ rest @ turn.T
     at_contact = turn @ free.rim_shape[:, 0].T
     yields = np.diag(1 / np.asarray(suspension.stiffness)) + rest
@@ -98,10 +96,11 @@ def with_rigid(plate, below, accuracy) -> Modes:
 
 
 @lru_cache(maxsize=8)
-def left_out(plate, below, accuracy, fillet):
+def left_out(plate, below, accuracy):
     """Flexibility (3, 3) [m/N] at the bottom edge of the modes that `with_rigid` lacks, in the frame of the patch, and
     how much of its diagonal is in doubt (3,)."""
-    whole, doubt = regular_flexibility(FreeDisk(plate=plate, richness=richness_of(accuracy)), fillet)
+    disk = FreeDisk(plate=plate, richness=richness_of(accuracy))
+    whole, doubt = regular_flexibility(disk, RESOLVED * plate.thickness)
     free = with_rigid(plate, below, accuracy)
     there = free.rim_shape[6:, 0].T / (2 * pi * free.frequency[6:])
     return whole - there @ there.T, doubt

@@ -87,14 +87,20 @@ def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | Non
             f"no more than {MOST} can be sought"
         )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
-    size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
-    plate = Plate(**size, material=scene.material, density=rho)
+    plate = free_plate(scene)
     if support.kind == "free":
         return axisymmetric.plate_modes(plate, below, accuracy)
     if support.kind == "contact":
         inclination, suspension = standing(scene, support)
         return on_contact.contact_modes(plate, suspension, inclination, below, accuracy)
     return held.held_modes(disk, scene.material, support, rho, below, accuracy)
+
+
+def free_plate(scene: ElasticScene) -> Plate:
+    """The disk of a scene, its edge free."""
+    disk = scene.disk
+    size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
+    return Plate(**size, material=scene.material, density=density(disk))
 
 
 def standing(scene: Any, support: Support) -> tuple[float, on_contact.Suspension]:

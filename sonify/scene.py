@@ -4,11 +4,11 @@ import json
 import tomllib
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
-from functools import cache
+from functools import cache, cached_property
 from importlib import resources
 from math import inf, isfinite
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 from annotated_types import Ge, Gt, Le, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
@@ -98,6 +98,16 @@ class Scene:
     def document(self) -> dict:
         """The TOML document that this scene came from, or would come from, as nested plain values (a copy)."""
         return deepcopy(self._document) if hasattr(self, "_document") else _document(asdict(self))
+
+    @cached_property
+    def edge(self) -> Any:
+        """What the disk yields as a body at its edge (`modal.Edge`); None for a shell, of which it is not known."""
+        if self.disk.shape != "solid":
+            return None
+        from modal import yielding_edge
+        from modal.solve import free_plate
+
+        return yielding_edge(free_plate(self))
 
     def replace(self, *assignments: str) -> "Scene":
         """Return this scene with `section.key=value` applied in turn; values are TOML, a bare word is a string.

@@ -63,7 +63,7 @@ def test_a_wave_at_a_time(beta):
     n = len(edge.coefficients) - 5
     raw = np.fft.rfft(heights(*edge, np.arange(n) / edge.cells_per_metre, np.full(n, 2e-5))) / n
     order = np.rint(k * edge.period / (2 * np.pi)).astype(int)
-    wave = 2 * raw[order] / window(k * 2e-5) * window(k * a[0]) * s * ((x[..., 0] @ system.C[0]) + system.D[0])
+    wave = 2 * raw[order] / window(k * 2e-5) * window(k * a[0]) * s * (x[..., 0] @ system.C[0, 2] + system.D[0, 2])
     t = np.arange(len(force) * 2 // 3, len(force), 37)
     expected = (wave * np.exp(np.outer((t + 1) / rate, s))).real.sum(axis=1)
     step = (np.abs(wave) ** 2 @ (k * speed / rate) ** 4 / np.sum(np.abs(wave) ** 2)) ** 0.5

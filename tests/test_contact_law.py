@@ -12,7 +12,8 @@ from contact_scenes import GRANITE, REFERENCE, STEEL, granite, prototype
 from scipy.integrate import quad
 
 from dynamics.coupled.creep import C11, C22, RATIOS, UNCERTAINTY, creep_coefficients, slender
-from dynamics.coupled.resonance import carrier, linear, mobility, on_springs, resonances, rigid_shapes, stiffness_matrix
+from dynamics.coupled.resonance import linear, mobility, on_springs, resonances, rigid_shapes, stiffness_matrix
+from dynamics.coupled.table import LawTable
 
 
 def column(name):
@@ -48,7 +49,7 @@ def test_resonances_of_the_prototype():
 def test_one_resonance_rings_and_rises():
     """Creep that is Kalker's and not one number moves the carrier by less than 2 %, and it still is the only one."""
     contact, beta = granite(loss_factor=0.0), column("inclination")
-    found = carrier(contact, beta, contact.disk.weight, column("speed"))
+    found = LawTable(law=contact).carrier(beta, contact.disk.weight, column("speed"))
     assert found.frequency == pytest.approx(column("relaxed")[:, 0, 2], rel=0.02)
     assert (np.diff(found.frequency) > 0).all()
     assert (found.loss_factor < 0.2).all()

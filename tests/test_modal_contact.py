@@ -84,7 +84,7 @@ def test_small_losses_are_of_first_order():
     springs = suspension(LAW, 0.1)
     still = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), 0.1)
     assert still.decay_rate == pytest.approx(0, abs=1e-6)
-    rest, _ = left_out(PLATE, 24e3, "standard", LAW.fillet)
+    rest, _ = left_out(PLATE, 24e3, "standard")
     turn = along_the_table(0.1)
     yields = np.diag(1 / springs.stiffness) + turn @ rest @ turn.T
     stretch = np.linalg.solve(yields, turn @ still.rim_shape[:, 0].T).T / springs.stiffness

@@ -16,13 +16,14 @@ from scipy.special import jv
 
 from dynamics import Outcome, simulate
 from dynamics.coupled.filter import predicted_spectrum
+from dynamics.coupled.from_scene import law_table
 from dynamics.coupled.profile import SMOOTH
 from dynamics.motion import Jumps
 from modal import eigenmodes
 from modal.radiation import SOUND_SPEED
 from sonify import load_scene
 from sonify.scene import from_document
-from sonify.sound.contact import AddedByContact, Filter, law_table, low_pass, thinned
+from sonify.sound.contact import AddedByContact, Filter, low_pass, thinned
 from sonify.sound.drive import in_patch_frame, rigid_acceleration
 from sonify.sound.radiation import piston_strength
 from sonify.sound.render import Renderer

@@ -13,8 +13,7 @@ from ..rolling import RollingDisk, released
 from ..steady import steady_precession
 from ..switching import ImpossibleContactError
 from .filter import predicted_rms
-from .from_scene import ContactScene, contact_law, last_inclination
-from .table import LawTable
+from .from_scene import ContactScene, last_inclination, law_table
 
 SHAKEN = 0.3
 """From this rms of N' over the weight on contact is lost: the force of a Gaussian vibration is then at times 0."""
@@ -79,9 +78,7 @@ def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
     if scene.roughness is None:
         return beta, np.zeros(PLACES)
     speed = np.array([disk.radius * steady_rate(disk, b) * (np.cos(b) - disk.aspect * np.sin(b)) for b in beta])
-    return beta, predicted_rms(
-        LawTable(law=contact_law(scene)), scene.roughness, beta, disk.weight, speed
-    ) / disk.weight
+    return beta, predicted_rms(law_table(scene), scene.roughness, beta, disk.weight, speed) / disk.weight
 
 
 def steady_rate(disk, beta: float) -> float:

@@ -13,7 +13,6 @@ from . import profile
 from .compiled import fingerprint, kernel, outermost
 from .contact import LEAST_INCLINATION
 from .profile import SMOOTH, height
-from .resonance import linear
 from .roughness import density, window
 from .sections import Roughness
 from .table import LawTable
@@ -83,21 +82,21 @@ def respond(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH), imp
 
 
 def _coefficients(table, block, rate, impedance):
-    """Return what `_march` needs: at knots a, path, edge, k2, kn, c (k, 6); between them A (k - 1, 4, 4), B, drive."""
-    springs, a, c = table.springs(block.inclination, block.load)
-    rolls = block.rolls[1:] & block.rolls[:-1]
-    between = springs._replace(**{name: (s[1:] + s[:-1]) / 2 for name, s in springs._asdict().items()})
-    between = between._replace(k2=np.where(rolls, between.k2, 0.0))
-    inclination, speed = (block.inclination[1:] + block.inclination[:-1]) / 2, np.diff(block.path) / np.diff(block.t)
-    system = linear(table.law.disk, inclination, between, speed, (c[1:] + c[:-1]) / 2, impedance)
+    """Return what `_march` needs: at knots a, path, edge, C and D of the force along a_2, a_3 (k, 13); between them
+    A (k - 1, 4, 4), B, drive."""
+    rolls, speed = block.rolls[1:] & block.rolls[:-1], np.diff(block.path) / np.diff(block.t)
+    inclination, load = ((at[1:] + at[:-1]) / 2 for at in (block.inclination, block.load))
+    system = table.system(inclination, load, speed, impedance, rolls)
     A, B = system.A[:, PART][:, :, PART], system.B[:, PART]
     fastest = np.sqrt(np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])).max() / LARGEST
     if fastest > rate:
         raise ValueError(
             f"rate = {rate:g}: too low for the stiffness of the contact, at least {fastest:.4g} 1/s is needed"
         )
-    share = 1 / (1 + c / impedance)
-    knots = np.column_stack([a, block.path, block.edge, springs.k2, springs.kn * share, c * share])
+    springs, a, _ = table.springs(block.inclination, block.load)
+    there = table.system(block.inclination, block.load, np.append(speed, speed[-1]), impedance, block.rolls)
+    forces = np.concatenate([there.C[:, 1:, PART], there.D[:, 1:, None]], axis=2)
+    knots = np.column_stack([a, block.path, block.edge, forces.reshape(len(a), -1)])
     drive = np.column_stack(
         [np.where(rolls, block.jumps[:-1, 0] / springs.k2[:-1], np.nan), block.jumps[:-1, 1] / springs.kn[:-1]]
     )
@@ -123,9 +122,8 @@ def predicted_spectrum(
     table: LawTable, roughness: Roughness, inclination, load, speed, frequency, impedance=np.inf, rolls=True
 ):
     """Return the power spectral density [N^2/Hz] of the force at frequencies (f,) [Hz] in one steady motion."""
-    springs, a, c = table.springs(np.array([inclination]), np.array([load]))
-    springs = springs._replace(k2=springs.k2 * bool(rolls))
-    system = linear(table.law.disk, inclination, springs, speed, c, impedance)
+    steady = np.array([[inclination], [load], [speed]])
+    a, system = table.springs(*steady[:2])[1], table.system(*steady, impedance, rolls)
     k = 2 * np.pi * frequency / abs(speed)
     heights = np.interp(k, *density(roughness), left=0.0, right=0.0) * window(k * a) ** 2
     return heights * np.abs(gain(system, 2 * np.pi * frequency)) ** 2 * 2 * np.pi / abs(speed)
@@ -134,9 +132,9 @@ def predicted_spectrum(
 def gain(system, omega):
     """Return N'/z (f,) [N/m] of a linearised contact at angular frequencies (f,) [rad/s]."""
     roots, vectors = np.linalg.eig(system.A[0][np.ix_(PART, PART)])
-    weight = (system.C[0, PART] @ vectors) * np.linalg.solve(vectors, system.B[0, PART].astype(complex))
+    weight = (system.C[0, 2, PART] @ vectors) * np.linalg.solve(vectors, system.B[0, PART].astype(complex))
     s = 1j * omega
-    return s * ((weight / (s[:, None] - roots)).sum(axis=1) + system.D[0])
+    return s * ((weight / (s[:, None] - roots)).sum(axis=1) + system.D[0, 2])
 
 
 @kernel
@@ -165,7 +163,7 @@ def _steps(x, z, knots, A, B, drive, h, table, rim):
 
     Where `drive` along a_2 is NaN the contact slides, and its tangential spring is gone.
     """
-    out, following, now = np.empty((EVERY * len(A), 2)), np.empty(4), np.empty(6)
+    out, following, now = np.empty((EVERY * len(A), 2)), np.empty(4), np.empty(13)
     for j in range(len(A)):
         E = _propagator(A[j], B[j], h)
         slides = np.isnan(drive[j, 0])
@@ -173,9 +171,8 @@ def _steps(x, z, knots, A, B, drive, h, table, rim):
         x[3] += drive[j, 1]
         for i in range(EVERY):
             f = (i + 1) / EVERY
-            for m in range(6):
+            for m in range(13):
                 now[m] = knots[j, m] + f * (knots[j + 1, m] - knots[j, m])
-
             rise = (
                 height(table.coefficients, table.cells_per_metre, now[1], now[0])
                 + height(rim.coefficients, rim.cells_per_metre, now[2], now[0])
@@ -185,8 +182,11 @@ def _steps(x, z, knots, A, B, drive, h, table, rim):
             for m in range(4):
                 following[m] = E[m, 0] * x[0] + E[m, 1] * x[1] + E[m, 2] * x[2] + E[m, 3] * x[3] + E[m, 4] * rise
             x, following = following, x
-            out[EVERY * j + i, 0] = 0.0 if slides else -now[3] * x[2]
-            out[EVERY * j + i, 1] = -now[4] * x[3] - now[5] * (x[1] - rise / h)
+            for m in range(2):
+                c = now[3 + 5 * m : 8 + 5 * m]
+                out[EVERY * j + i, m] = c[0] * x[0] + c[1] * x[1] + c[2] * x[2] + c[3] * x[3] + c[4] * rise / h
+            if slides:
+                out[EVERY * j + i, 0] = 0.0
     return out, x, z
 
 

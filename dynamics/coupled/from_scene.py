@@ -1,5 +1,6 @@
 """SCENE -> LAW of its elastic contact, and what is wrong with it."""
 
+from functools import lru_cache
 from math import radians
 from typing import Protocol
 
@@ -10,6 +11,7 @@ from ..numerics import Numerics
 from .contact import LEAST_INCLINATION, ContactLaw
 from .resonance import rate_needed
 from .sections import Contact, Roughness, require_seen
+from .table import LawTable
 
 
 class ContactScene(Protocol):
@@ -34,6 +36,17 @@ class ContactScene(Protocol):
 def contact_law(scene: ContactScene) -> ContactLaw:
     """Return the law of the elastic contact of a scene. Raises ValueError where its fillet does not fit."""
     return scene.contact.law_of(scene.disk, scene.material)
+
+
+def law_table(scene: ContactScene, kind: type[LawTable] = LawTable) -> LawTable:
+    """Return that law by table, with what the edge of the disk yields where the scene has it bend; threads share it."""
+    bends = scene.contact.body == "elastic"
+    return _tabulated(kind, contact_law(scene), getattr(scene, "edge", None) if bends else None)
+
+
+@lru_cache(maxsize=16)
+def _tabulated(kind, law, edge):
+    return kind(law=law, edge=edge)
 
 
 def last_inclination(scene: ContactScene) -> float:

@@ -13,7 +13,7 @@ from ..rates import precession_rate
 from ..rigid_motion import HARMONICS, read_only
 from .choice import acts_back, first_force
 from .contact import LEAST_INCLINATION
-from .from_scene import contact_law, last_inclination, step_rate
+from .from_scene import last_inclination, law_table, step_rate
 from .full import Compliant, ContactLoss
 from .handover import columns, energy, inclination, release
 from .march import FLAT, GOES, LIES, UNSOLVED, UPRIGHT
@@ -21,7 +21,7 @@ from .record import Record, between
 from .resonance import mobility
 from .roughness import profiles
 from .state import CAUSES, EXCESS, LOSSES, SURFACE
-from .table import LawTable
+from .table import InSeries
 
 FORCES_A_SECOND, STATES = 1e5, 4
 """Mean forces that are kept a second, and how many of them for each state."""
@@ -290,7 +290,7 @@ def compliant(scene, modes=None) -> Compliant:
     """Return the model of a scene, on a table that acts back by its modes where they are given."""
     dissipation, disk = getattr(scene, "dissipation", None), scene.disk
     return Compliant(
-        table=LawTable(law=contact_law(scene)),
+        table=law_table(scene, InSeries),
         friction=scene.friction,
         powers=tuple(power_laws(dissipation, disk)) if dissipation else (),
         viscous=(dissipation.viscous_moment, dissipation.viscous_force) if dissipation else (0.0, 0.0),

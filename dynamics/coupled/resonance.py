@@ -11,6 +11,8 @@ from ..disk import Disk
 from .contact import ContactLaw, Springs
 
 TINY = 1e-300
+RIGID = np.zeros((3, 3))
+"""Flexibility [m/N] of a rigid disk."""
 LARGEST, HEAVIEST = 1.0, 4.0
 """Radians that the fastest resonance may turn in a step, under so many times the weight."""
 
@@ -23,9 +25,9 @@ class Resonances(NamedTuple):
 
 
 class Linear(NamedTuple):
-    """x' = A x + B z' and N' = C x + D z', for x = (velocities, spring deflections) of the contact point (k, 6).
+    """x' = A x + B z' and p = C x + D z', for x = (velocities, spring deflections) of the contact point (k, 6).
 
-    z' [m/s] is the rate at which the table rises under the contact; N' [N] what it adds to the normal force.
+    z' [m/s] is the rate at which the table rises under the contact; p (k, 3) [N] what is added to its force.
     """
 
     A: np.ndarray
@@ -92,24 +94,27 @@ def rate_needed(law: ContactLaw, inclination):
     return np.sqrt(springs.kn * W[:, 2, 2] + springs.k2 * W[:, 1, 1]) / LARGEST
 
 
-def linear(disk: Disk, inclination, springs: Springs, speed=0.0, damping=0.0, impedance=np.inf) -> Linear:
+def linear(
+    disk: Disk, inclination, springs: Springs, speed=0.0, damping=0.0, impedance=np.inf, flexibility=RIGID
+) -> Linear:
     """Return the linearised contact at inclinations (k,), with the contact moving along its path at `speed` [m/s].
 
-    q_t' = u_t - q_t V/l: the tangential springs forget; q_z' = u_z - z' + N'/Z: the table yields at `impedance` Z
-    [N s/m], downwards under a force that lifts the disk; N' = -kn q_z - c q_z'.
+    The tangential springs forget, q_t' = u_t - q_t V/l; the table yields at `impedance` Z [N s/m], downwards under a
+    force that lifts the disk, q_z' = u_z - z' + N'/Z; the disk itself yields F p, F its `flexibility` (k, 3, 3) [m/N].
+    With G = (1 + F k)^-1, to the first order in the damping c: q' = G (u - q V/l - (z' - N'/Z) e_3) and
+    p = -k q - G^T c q_z' e_3.
     """
-    W = mobility(disk, inclination)
-    share = 1 / (1 + np.asarray(damping) / impedance)
-    C, B, A = np.zeros((len(W), 6)), np.zeros((len(W), 6)), np.zeros((len(W), 6, 6))
-    C[:, 2], C[:, 5] = -damping * share, -springs.kn * share
-    D = np.broadcast_to(damping * share, len(W))
-    forces = np.zeros((len(W), 3, 6))
-    forces[:, 0, 3], forces[:, 1, 4], forces[:, 2] = -springs.k1, -springs.k2, C
-    A[:, :3], B[:, :3] = W @ forces, W[:, :, 2] * D[:, None]
-    A[:, range(3, 6), range(3)] = 1.0
-    A[:, 3, 3], A[:, 4, 4] = -np.abs(speed) / springs.length1, -np.abs(speed) / springs.length2
-    A[:, 5] += C / impedance
-    B[:, 5] = D / impedance - 1.0
+    W, stiff = mobility(disk, inclination), stiffness_matrix(springs)
+    G, forgets = np.linalg.inv(np.eye(3) + flexibility @ stiff), np.zeros((len(W), 1, 3))
+    forgets[:, 0, 0], forgets[:, 0, 1] = np.abs(speed) / springs.length1, np.abs(speed) / springs.length2
+    stretch, rise = np.concatenate([G, -G * forgets], axis=2), -G[:, :, 2]
+    lost = -G[:, 2] * np.broadcast_to(damping, len(W))[:, None]
+    C, D = lost[:, :, None] * stretch[:, 2:], lost * rise[:, 2:]
+    C[:, :, 3:] -= stiff
+    share = 1 / (1 + D[:, 2:] / impedance)
+    C, D = C - D[:, :, None] * (share * C[:, 2])[:, None] / impedance, D * share
+    A = np.concatenate([W @ C, stretch - rise[:, :, None] * C[:, 2:] / impedance], axis=1)
+    B = np.concatenate([(W @ D[:, :, None])[:, :, 0], rise * (1 - D[:, 2:] / impedance)], axis=1)
     return Linear(A, B, C, D)
 
 
@@ -118,13 +123,3 @@ def resonances(system: Linear) -> Resonances:
     roots = np.linalg.eigvals(system.A)
     roots = np.take_along_axis(roots, np.argsort(roots.imag, axis=1), axis=1)[:, 3:]
     return Resonances(roots.imag / (2 * np.pi), -2 * roots.real / np.maximum(np.abs(roots), TINY))
-
-
-def carrier(law: ContactLaw, inclination, load, speed) -> Resonances:
-    """Return frequency (k,) [Hz] and loss factor (k,) of the resonance that rings, along a motion that rolls.
-
-    Arguments (k,): inclination [rad], normal force [N], speed of the contact along its path [m/s].
-    """
-    springs, c = law.springs(inclination, load), damping(law, inclination, load)
-    found = resonances(linear(law.disk, inclination, springs, speed, c))
-    return Resonances(found.frequency[:, 2], found.loss_factor[:, 2])

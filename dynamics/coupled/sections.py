@@ -28,6 +28,8 @@ class Contact:
     """Radius to which the edge is rounded [m], at most half the thickness; an eighth of it unless given."""
     loss_factor: Annotated[float, Ge(0), Lt(1)] = 0.02
     """Loss of energy per radian over the energy of the contact's normal resonance."""
+    body: Literal["elastic", "rigid"] = "elastic"
+    """Whether a solid disk bends as a whole at its contact, in series with the springs of the edge, or is rigid."""
     young: Annotated[float, Ge(1), Le(1e15)] = 60e9
     """Young's modulus of the table where the disk touches it [Pa]; that of granite unless given."""
     poisson: Annotated[float, Gt(-1), Lt(0.5)] = 0.2

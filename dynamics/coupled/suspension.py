@@ -10,13 +10,12 @@ from .resonance import damping
 
 
 class Suspension(NamedTuple):
-    """Stiffness (3,) [N/m] along a_1, a_2, a_3, rates (3,) [1/s] at which the springs forget, damping (3,) [N s/m], and
-    the fillet [m] of the edge: q' = u - forgets q, p = stiffness q + damping q'."""
+    """Stiffness (3,) [N/m] along a_1, a_2, a_3, rates (3,) [1/s] at which the springs forget, damping (3,) [N s/m]:
+    q' = u - forgets q, p = stiffness q + damping q'."""
 
     stiffness: np.ndarray
     forgets: np.ndarray
     damping: np.ndarray
-    fillet: float
 
 
 def suspension(law: ContactLaw, inclination: float) -> Suspension:
@@ -33,4 +32,4 @@ def suspension(law: ContactLaw, inclination: float) -> Suspension:
     speed = abs(disk.radius * rate * (np.cos(inclination) - disk.aspect * np.sin(inclination)))
     k1, k2, kn, length1, length2 = (float(value[0]) for value in springs)
     forgets = np.array([speed / length1, speed / length2, 0.0])
-    return Suspension(np.array([k1, k2, kn]), forgets, np.array([0.0, 0.0, lost]), law.fillet)
+    return Suspension(np.array([k1, k2, kn]), forgets, np.array([0.0, 0.0, lost]))

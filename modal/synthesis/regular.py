@@ -5,22 +5,70 @@ The part a/s is that of the material next to the force, which Hertz's springs ha
 shape of a fillet of radius s adds is of the order (1 - nu^2)/(2 pi E s), an eighth of F0 for the toy, and is left out.
 """
 
+from dataclasses import dataclass
+from functools import lru_cache
 from math import pi
 
 import numpy as np
 from scipy.special import eval_legendre
 
+from modal.one_thread import one_blas_thread
+from modal.spectral.basis import Plate
 from modal.synthesis.patches import FreeDisk
 
 DOUBT = 2
 """What a basis lacks over what its highest polynomials contribute, at most: tests/test_modal_contact.py."""
+RESOLVED = 1 / 8
+"""Least height of a strip that the polynomials through the thickness resolve, over the thickness: F0 is found there."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Edge:
+    """What a free disk yields as a body at its bottom edge, in its own frame: along radius, rim and axis.
+
+    `flexibility` (3, 3) [m/N] of all its elastic modes at rest; of the lowest m of them `squared` (m,) [1/s^2], their
+    angular frequencies, and `shapes` (m, 3) [kg^-1/2], their motion there at unit modal mass.
+    """
+
+    flexibility: np.ndarray
+    squared: np.ndarray
+    shapes: np.ndarray
+
+
+def yielding_edge(plate: Plate) -> Edge:
+    """Return the `Edge` of a solid free disk, the same one whenever asked; tests/test_contact_edge.py."""
+    return _edge_of(plate)
+
+
+@lru_cache(maxsize=32)
+@one_blas_thread
+def _edge_of(plate):
+    disk, size = FreeDisk(plate=plate), RESOLVED * plate.thickness
+    orders = [(n, even, order) for (n, even, _), order in disk.kept.items()]
+    squared = np.concatenate([order.values for _, _, order in orders])
+    shapes = np.concatenate([at_edge(disk, size, n, even, order.shapes) for n, even, order in orders])
+    apart = shapes[:, None] * np.array([[1, 0, 1], [0, 1, 0]])  # of a pair one moves radius and axis, one the rim
+    elastic = squared > 0
+    return Edge(
+        flexibility=regular_flexibility(disk, size)[0],
+        squared=np.repeat(squared[elastic], 2),
+        shapes=apart[elastic].reshape(-1, 3),
+    )
+
+
+def at_edge(disk, size, n, even, shapes):
+    """Means (k, 3) over a strip of the shapes (3 nz, k) of an order n."""
+    through = through_strip(disk.nz, even, size / disk.plate.thickness * 2)
+    return np.sinc(n * size / (2 * pi * disk.plate.radius)) * np.einsum(
+        "ca,cak->kc", through, shapes.reshape(3, disk.nz, -1)
+    )
 
 
 def regular_flexibility(disk: FreeDisk, size: float):
     """F0 (3, 3) [m/N] along radius, rim and axis of the bottom edge, and how much of its
     diagonal is in doubt (3,) [m/N].
 
-    It is 2 F(2 s) - F(s) for s = size [m]: that of the fillet to which the edge is rounded.
+    It is 2 F(2 s) - F(s) for s = size [m].
     """
     (wide, more), (narrow, less) = flexibility(disk, 2 * size), flexibility(disk, size)
     return 2 * wide - narrow, DOUBT * np.diag(2 * more + less)

@@ -10,8 +10,7 @@ from dynamics import Motion
 from dynamics.coupled.choice import SHAKEN
 from dynamics.coupled.contact import LEAST_INCLINATION
 from dynamics.coupled.filter import gain, predicted_rms, predicted_spectrum
-from dynamics.coupled.from_scene import contact_law
-from dynamics.coupled.resonance import carrier, linear
+from dynamics.coupled.from_scene import law_table
 from dynamics.coupled.roughness import density, shift_of_contact, window
 from dynamics.coupled.table import LawTable
 from sonify.claims.motion import Finding, median
@@ -56,7 +55,7 @@ class Vibration:
 
 def vibration(scene: Scene, motion: Motion) -> Vibration:
     """Return what the heights and the law of a scene let expect along its motion, while one ellipse is the contact."""
-    table = LawTable(law=contact_law(scene))
+    table = law_table(scene)
     t = last_ellipse(motion) * (np.arange(PLACES) + 0.5) / PLACES
     inclination, load, speed, rolls = course(motion, t)
     rms, power, shift = np.zeros((3, PLACES))
@@ -92,9 +91,8 @@ def taken(table: LawTable, roughness, inclination, load, speed) -> float:
 
     The mean over the waves z of their spectrum of omega Im(N'/z).
     """
-    springs, a, c = table.springs(np.array([inclination]), np.array([load]))
-    k, heights = density(roughness)
-    response = gain(linear(table.law.disk, inclination, springs, speed, c), k * speed)
+    steady, (k, heights) = np.array([[inclination], [load], [speed]]), density(roughness)
+    a, response = table.springs(*steady[:2])[1], gain(table.system(*steady), k * speed)
     return float(trapezoid(heights * window(k * a) ** 2 * k * speed * response.imag, k))
 
 
@@ -276,12 +274,12 @@ def carrier_line(scene: Scene, motion: Motion, delay: float) -> tuple[np.ndarray
         return None
     t = last_ellipse(motion) * (np.arange(FINE) + 0.5) / FINE
     inclination, load, speed, _ = course(motion, t)
-    return t + delay, carrier(contact_law(scene), inclination, load, speed).frequency
+    return t + delay, law_table(scene).carrier(inclination, load, speed).frequency
 
 
 def frequency(expected: Vibration) -> np.ndarray:
     """Return the resonance of the contact (k,) [Hz] along a motion."""
-    return carrier(expected.table.law, expected.inclination, expected.load, expected.speed).frequency
+    return expected.table.carrier(expected.inclination, expected.load, expected.speed).frequency
 
 
 def last_ellipse(motion: Motion) -> float:

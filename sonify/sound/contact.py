@@ -11,9 +11,9 @@ from scipy.signal import oaconvolve, upfirdn
 from dynamics import Motion
 from dynamics.coupled.contact import LEAST_INCLINATION
 from dynamics.coupled.filter import LARGEST, along, respond
-from dynamics.coupled.from_scene import contact_law
+from dynamics.coupled.from_scene import law_table
 from dynamics.coupled.profile import Profile
-from dynamics.coupled.resonance import carrier, rate_needed
+from dynamics.coupled.resonance import rate_needed
 from dynamics.coupled.roughness import profiles
 from dynamics.coupled.table import LawTable
 from dynamics.rigid_motion import RigidMotion
@@ -192,11 +192,6 @@ class WithContact:
         return advance
 
 
-def law_table(scene) -> LawTable:
-    """Return the law of the elastic contact of a scene."""
-    return LawTable(law=contact_law(scene))
-
-
 def with_contact(scene, motion, rigid, elastic, *below) -> list:
     """Return the sources of a disk: with its contact, where that is elastic, added to a rigid motion or already in it.
 
@@ -206,6 +201,5 @@ def with_contact(scene, motion, rigid, elastic, *below) -> list:
         return [rigid, elastic]
     if isinstance(motion, RigidMotion):
         return [rigid, elastic, AddedByContact(scene, motion, rigid, elastic, *below)]
-    law, beta = contact_law(scene), np.array([motion.state[0, 1]])
-    lowest = float(carrier(law, beta, np.array([scene.disk.weight]), 0.0).frequency[0])
+    lowest = float(law_table(scene).carrier(motion.state[:1, 1], scene.disk.weight, 0.0).frequency[0])
     return [WithContact(rigid, elastic, lowest / 2, scene.audio.sample_rate)]
