@@ -65,6 +65,7 @@ class Jumps(NamedTuple):
 class Motion(Protocol):
     """A solved motion, in SI units; times outside it raise ValueError. `RigidMotion` is the rigid disk's."""
 
+    def __hash__(self) -> int: ...
     @property
     def disk(self) -> Disk: ...
     @property

@@ -15,10 +15,18 @@ many neighbours: more than the corners that the resisting moment makes (1e-4), m
 
 
 @lru_cache(maxsize=1)
+def halves(motion: Motion) -> np.ndarray:
+    """Return the ends and the middles (2n - 1,) [s] of the pieces of a motion, read-only."""
+    t = np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2]))
+    t.flags.writeable = False
+    return t
+
+
+@lru_cache(maxsize=1)
 def load_peaks(motion: Motion) -> np.ndarray:
     """Return the times (p,) [s] of the peaks of the normal force, found by prominence on two points a piece."""
-    t = np.sort(np.concatenate([motion.t[:-1], (motion.t[:-1] + motion.t[1:]) / 2]))
-    peaks, found = find_peaks(motion.steady_load(t) / motion.disk.weight, prominence=PROMINENCE)
+    t = halves(motion)
+    peaks, found = find_peaks(motion.steady_load(t)[:-1] / motion.disk.weight, prominence=PROMINENCE)
     prominence = found["prominences"]
     return t[peaks[prominence >= SHARE * median_filter(prominence, NEIGHBOURS)]]
 

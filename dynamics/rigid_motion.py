@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, wraps
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +13,7 @@ from .equations import Law
 from .kinematics import energy, precession_rate
 from .monotone import largest_fall
 from .motion import COLUMNS, Jumps, Outcome, Transition
+from .rates import halves
 from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
 
 if TYPE_CHECKING:
@@ -22,6 +23,24 @@ HARMONICS = 8
 """Multiples of the precession rate that the contact force is taken to contain."""
 BLOCK = 8192
 """Times at which the force is computed together: few enough for the cache."""
+
+
+def remembered(method):
+    """Let a method of a motion know its answers for the last two rows of times that nobody can change: many ask for
+    what is at `t` and at its `halves`."""
+
+    @wraps(method)
+    def answer(self, t):
+        if not isinstance(t, np.ndarray) or t.flags.writeable or t.base is not None:
+            return method(self, t)
+        known = self.__dict__.setdefault(f"_{method.__name__}", [])
+        found = next((found for row, found in known if row is t), None)
+        if found is None:
+            found = method(self, t)
+            known[:] = [*known[-1:], (t, found)]
+        return tuple(part.copy() for part in found) if isinstance(found, tuple) else found.copy()
+
+    return answer
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -72,6 +91,7 @@ class RigidMotion:
         """
         return self.at_and_force(t)[1]
 
+    @remembered
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation; ValueError for times outside the motion."""
         tau = self._tau(t)
@@ -94,6 +114,7 @@ class RigidMotion:
         """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""
         return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
 
+    @remembered
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
         y = self.path(self._tau(t)).T
@@ -106,8 +127,7 @@ class RigidMotion:
 
     def friction_excess(self) -> float:
         """Return by how much |F|/N exceeds mu_s while rolling, or misses mu_d while sliding, between the instants t."""
-        t = (self.t[1:] + self.t[:-1]) / 2
-        force = self.force(t)
+        t, force = halves(self)[1::2], self.force(halves(self))[1::2]
         ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
         sliding = np.char.startswith(self.regime(t), "slide")
         excess, miss = ratio[~sliding] - self.law.mu_static, np.abs(ratio[sliding] - self.law.mu_dynamic)

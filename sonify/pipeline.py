@@ -59,10 +59,10 @@ def solve(
             lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}"),
             table,
         )
-    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion))
+    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion))
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.voices, plan.calm, table, watch)
-    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, motion=motion, sound=sound))
+    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion, sound=sound))
     with stages.stage("findings"):
         heard, silence = hear(sound)
         checks = all_checks(scene, motion, modes, sound)

@@ -91,6 +91,18 @@ def test_a_disk_without_modes_says_so(tmp_path):
     assert "no mode below" in (tmp_path / "none.svg").read_text()
 
 
+def test_the_modes_of_a_table_are_below_those_of_the_disk(tmp_path):
+    """Two made-up shapes on a square: ink in the two cells below, none in the third."""
+    none = plate_modes(Plate(radius=0.003, thickness=0.001, material=STEEL, density=7737.27), 20e3)
+    points = np.stack(np.meshgrid(*[np.linspace(0, 0.4, 21)] * 2), axis=-1).reshape(-1, 2)
+    face = np.array([points[:, 0] - 0.2, points[:, 1] - 0.2])
+    draw_modes(none, tmp_path / "table.png", slanted=False, table=(points, face, ["1: 100 Hz", "2: 200 Hz"], 2))
+    image = matplotlib.image.imread(tmp_path / "table.png")[..., :3]
+    shares = [ink(image, (0.7, 0.95), (column / 5, (column + 1) / 5)) for column in range(3)]
+    assert min(shares[:2]) > 0.3
+    assert shares[2] < 0.01
+
+
 def test_a_stiff_disk_that_turns_about_its_patch_swings():
     """Oracle: the field of a rotation about a point of the rim; half of it where as much again is bending."""
     angle = 2 * np.pi * np.arange(64) / 64

@@ -10,6 +10,7 @@ import signal
 import sys
 from base64 import b64decode
 from dataclasses import replace
+from html import unescape
 from io import BytesIO
 from pathlib import Path
 from types import SimpleNamespace
@@ -23,7 +24,9 @@ from dynamics import simulate
 from dynamics.rates import slips
 from sonify import load_scene, run, solve, summary, write
 from sonify.claims.checks import Check, no_sample_clipped
+from sonify.claims.hangs import hangs_on
 from sonify.claims.motion import Finding, contact_kept
+from sonify.claims.paper import of_the_paper, paper_rows
 from sonify.claims.sound import modes_take_little
 from sonify.hearing import loudness as hearing
 from sonify.plan.predictions import audible_error
@@ -188,6 +191,46 @@ def test_the_page_needs_no_other_file(result):
     assert written.count("data:audio/flac") == 2 * len(result.sound.stems)
     assert len(page) < 12e6
     assert all(f"{finding.claim[:30]}" in page.replace("&#39;", "'") for finding in result.findings)
+
+
+def test_every_verdict_says_its_number_its_error_and_what_it_hangs_on(result):
+    page = unescape((result.out / "report.html").read_text())
+    verdicts = re.findall(r"<li class=.*?</li>", page.partition('class="verdicts"')[2], re.DOTALL)
+    assert len(verdicts) == len(result.findings)
+    for finding, told in zip(result.findings, verdicts, strict=True):
+        assert all(part in told for part in (finding.answer, finding.claim, finding.measured, finding.unit))
+        assert f"Hangs on {hangs_on(finding.key)}" in told
+        assert hangs_on(finding.key).startswith("the ")
+    assert hangs_on("tone_is_precession") == "the tone that is tracked in the sound alone, the motion, the sound"
+
+
+@pytest.mark.parametrize(
+    ("value", "margin", "told"),
+    [(0.99953, 0.0088, "1.000 ± 0.009"), (879.6, 96.3, "880 ± 100"), (128.0, 1.0, "128 ± 1"), (0.25512, 0.0, "0.2551")],
+)
+def test_a_number_is_no_finer_than_its_margin(value, margin, told):
+    assert Finding(key="k", claim="c", value=value, margin=margin, unit="", source="").measured == told
+
+
+def test_the_paper_s_figures_stand_beside_ours_where_the_scene_is_the_paper_s(result):
+    """Section 7 prints chi, h (upside down), the density, 36 Hz; its figures begin at alpha = 1 and end flat."""
+    rows = paper_rows(result.motion, result.findings)
+    assert len(rows) == 15
+    assert [row.key for row in rows if not row.holds] == []
+    page = unescape((result.out / "report.html").read_text())
+    assert all(row.claim in page.partition('id="paper"')[2] for row in rows)
+    assert of_the_paper(result.scene.replace("audio.distance=1.0", "numerics.accuracy=draft"))
+    assert not of_the_paper(result.scene.replace("friction.mu_static=0.4"))
+
+
+def test_pictures_say_what_is_seen(result):
+    """Oracle: numbers of the result itself, in the text that stands for each picture."""
+    seen = re.findall(r'<img src="data:image/png[^"]*" alt="([^"]*)"', (result.out / "report.html").read_text())
+    spectrogram, stems, motion, modes = map(unescape, seen)
+    assert f"the motion ends at {result.sound.source_end:.2f} s" in spectrogram
+    assert all(name.replace("_", " ") in stems for name in result.sound.stems)
+    assert "goes from 1 to 1.57 rad" in motion
+    assert f"{result.modes.frequency[0]:.0f} Hz" in modes
 
 
 def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatch):

@@ -3,6 +3,7 @@
 Source: sonify/report/web/package-lock.json. Oracle: building them anew. Skipped where there is no npm.
 """
 
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -31,3 +32,9 @@ def test_the_page_says_under_which_licences_its_libraries_stand():
     for name in ("three", "uplot", "fft.js", "signalsmith-stretch"):
         assert f"{name} " in text
     assert text.count("MIT") >= 4
+
+
+def test_the_stretcher_is_in_the_bundle_once_as_text():
+    """It is loaded when it is needed, by an address of its own; a second copy of its 110 kB would be dead weight."""
+    text = (REPORT / "templates" / "page.js").read_text(encoding="utf-8")
+    assert len(re.findall(r"registerProcessor\(", text)) == 1

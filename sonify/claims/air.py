@@ -1,5 +1,6 @@
 """AIR -> FINDINGS: from when it counts, what ends the motion, whether it carries the disk and lets it be heard."""
 
+from functools import lru_cache
 from math import log
 from typing import Any
 
@@ -73,6 +74,7 @@ def air_negligible(motion: Motion, film: Film) -> Finding:
     )
 
 
+@lru_cache(maxsize=1)
 def shares_of_the_end(motion: Motion, film: Film | None) -> dict[str, float]:
     """Return the shares in which film, sliding and the moments at the contact take the LAST of the energy."""
     energy = motion.energy(motion.t)

@@ -82,8 +82,7 @@ def friction_cone(motion: Motion) -> Check:
 
 def pushing_contact(motion: Motion) -> Check:
     """The share of the motion in which the normal force pulls, or is zero other than in a noted loss of contact."""
-    t = motion.t[:-1]
-    force = motion.force(t)[:, 2]
+    force = motion.force(motion.t)[:-1, 2]
     pulls = force <= 0 if not motion.contact_losses else force < 0
     return Check(
         key="pushing_contact",

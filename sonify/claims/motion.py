@@ -7,7 +7,7 @@ import numpy as np
 
 from dynamics import Motion
 from dynamics.numerics import HIGHEST_HEARD
-from dynamics.rates import nutation_frequency, precession_rate, slips
+from dynamics.rates import halves, nutation_frequency, precession_rate, slips
 from modal import Modes
 
 HEARING = (20.0, HIGHEST_HEARD)
@@ -54,8 +54,19 @@ class Finding:
         return ("yes" if self.holds else "no") + ", near its bar" * self.near
 
     @property
+    def measured(self) -> str:
+        """The value, no finer than its margin, and that."""
+        if not (self.margin > 0 and np.isfinite([self.value, self.margin]).all()):
+            return f"{self.value:.4g}"
+        digits, coarse = -int(np.floor(np.log10(self.margin))), float(f"{self.margin:.1g}")
+        shown = round(self.value, digits) + 0.0
+        return f"{shown:.{digits}f} ± {coarse:g}" if 0 <= digits <= 6 else f"{shown:.6g} ± {coarse:g}"
+
+    @property
     def expectation(self) -> str:
         """The range in words."""
+        if self.at_least == self.at_most:
+            return f"{self.at_least:.6g} ± {self.tolerance:.2g}"
         bounds = {"at least": self.at_least, "at most": self.at_most}
         return " and ".join(f"{word} {bound:g}" for word, bound in bounds.items() if np.isfinite(bound))
 
@@ -75,8 +86,7 @@ def repeated_slips(motion: Motion) -> Finding:
 
 def contact_kept(motion: Motion) -> Finding:
     """The least normal force over the weight, on two points a piece, the last instant included."""
-    t = np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2]))
-    load = motion.force(t)[:, 2] / motion.disk.weight
+    load = motion.force(halves(motion))[:, 2] / motion.disk.weight
     return Finding(
         key="contact_kept",
         claim="The normal force is never zero",

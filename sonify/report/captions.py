@@ -3,6 +3,7 @@
 import numpy as np
 
 from modal.modes import Modes
+from modal.table import SurfaceModes
 
 SWING = 0.97
 """A mode of a held disk of which so much is motion of the stiff disk is called a swing."""
@@ -16,6 +17,11 @@ def caption(modes: Modes, i, held=False):
     if held and stiff_share(modes, i) > SWING:
         kind = f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
     return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{kind}"
+
+
+def table_caption(table: SurfaceModes, i) -> str:
+    """Number, frequency and order of mode i of a table; a table without an axis has no orders."""
+    return f"{i + 1}: {table.frequency[i]:.0f} Hz" + (f", order {table.order[i]}" if table.order[i] >= 0 else "")
 
 
 def stiff_share(modes: Modes, i) -> float:

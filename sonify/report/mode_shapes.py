@@ -6,6 +6,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle
+from matplotlib.tri import Triangulation
 
 from modal.modes import Modes, Support
 from sonify.report.captions import caption, stiff_share  # noqa: F401, found here, too
@@ -20,20 +21,24 @@ STRETCH = 0.16
 """Largest drawn displacement over the radius, of the rim seen from above."""
 
 
-def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None = None, moving: str = "") -> None:
+def draw_modes(
+    modes: Modes, path, slanted: bool = True, support: Support | None = None, moving: str = "", table=None
+) -> None:
     """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the whole body over it.
 
     At a slant colour is how far a point moves; from above it is axial motion, black its nodal lines, dashed the rim
     moved in its plane. All are to scale within a mode. The arc of the rim over which the patch of `support` holds it,
-    where it is given, is green. `moving`, lines on where the modes go, stands where the next mode would.
+    where it is given, is green. `moving`, lines on where the modes go, stands where the next mode would. Below are
+    those of a `table`: points (p, 2) and upward motion (n, p) of its face, n captions, and how many modes it has.
     A disk without modes gives a picture that says so.
     """
     tall = SLANTED if slanted else 0.0
     rows, high = max(1, -(-(len(modes) + bool(moving)) // COLUMNS)), HEAD + tall + ABOVE
-    figure = Figure(figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + HEAD)), dpi=100)
+    below = (HEAD + -(-len(table[2]) // COLUMNS) * (HEAD + ABOVE)) if table else 0.0
+    figure = Figure(figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + below + HEAD)), dpi=100)
     FigureCanvasAgg(figure)
     axis = figure.add_axes((0, 0, 1, 1))  # one for all: every other one would cost as much as a mode
-    axis.set(xlim=(0, ACROSS * COLUMNS), ylim=(-high * rows, HEAD))
+    axis.set(xlim=(0, ACROSS * COLUMNS), ylim=(-high * rows - below, HEAD))
     axis.set_axis_off()
     polygons = skin(modes.body) if slanted and len(modes) else None
     for i in range(len(modes)):
@@ -55,6 +60,8 @@ def draw_modes(modes: Modes, path, slanted: bool = True, support: Support | None
         axis.text(ACROSS * (column + 0.5), -high * row - 0.05, moving, fontsize=10, ha="center", va="top")
     if not len(modes):
         axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
+    if table:
+        draw_table(axis, *table, -high * rows)
     axis.text(ACROSS * COLUMNS / 2, HEAD / 2, LEGEND, fontsize=11, ha="center", va="center")
     figure.savefig(path)
 
@@ -73,6 +80,23 @@ def draw_solid(axis, modes: Modes, polygons, i, at):
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
     axis.add_collection(PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4))
+
+
+def draw_table(axis, points, face, captions, count, top):
+    """The modes of a table from above, below the height `top`: upward motion (colour), nodal lines (black)."""
+    few = "" if len(face) == count else f", the lowest {len(face)} of {count}"
+    told = f"Modes of the table{few}: upward motion of its top face (colour), nodal lines (black)"
+    axis.text(ACROSS * COLUMNS / 2, top - HEAD / 2, told, fontsize=11, ha="center", va="center")
+    middle = (points.max(axis=0) + points.min(axis=0)) / 2
+    x, y = ((points - middle) / np.abs(points - middle).max()).T
+    mesh = Triangulation(x, y)
+    for i, (shape, told) in enumerate(zip(face, captions, strict=True)):
+        row, column = divmod(i, COLUMNS)
+        at, head = ACROSS * (column + 0.5), top - HEAD - (HEAD + ABOVE) * row
+        here = Triangulation(x + at, y + head - HEAD - ABOVE / 2, mesh.triangles)
+        axis.text(at, head - 0.05, told, fontsize=10, ha="center", va="top")
+        axis.tricontourf(here, shape / np.abs(shape).max(), levels=np.linspace(-1, 1, 22), cmap="RdBu_r")
+        axis.tricontour(here, shape, levels=[0.0], colors="black", linewidths=1.3)
 
 
 def edges(modes: Modes):

@@ -14,8 +14,10 @@ TITLES = (
 )
 
 
-def draw_motion(path, curves, weight: float):
-    """Draw the `curves` (x, y) of the paper's figures 3 to 6, and the normal force of a disk at rest."""
+def draw_motion(path, curves, weight: float, paper: tuple[float, float] | None = None):
+    """Draw the `curves` (x, y) of the paper's figures 3 to 6, and the normal force of a disk at rest; of the `paper`'s
+    scene what it says besides: where the angle begins, and the frequency of the normal force that it names, and when.
+    """
     with figure_at(path, 3, 2, (11, 11)) as (_, axes):
         for panel, (x, y), (label, title) in zip(axes.flat, curves, TITLES, strict=True):
             panel.plot(x, y, color="k", lw=0.6)
@@ -23,7 +25,14 @@ def draw_motion(path, curves, weight: float):
             panel.grid(alpha=0.3)
         for panel, height, name in ((axes[0, 0], np.pi / 2, "flat"), (axes[1, 0], weight, "weight")):
             panel.axhline(height, color="0.5", lw=1.2, ls="--", label=name)
-            panel.legend(loc="lower right", fontsize=8, framealpha=1)
+        if paper is not None:
+            axes[0, 0].plot(0, 1.0, "o", color="#d55e00", label="the paper: α = 1.0 at τ = 0")
+            axes[0, 1].annotate("the paper: steeper in each slide", (0.35, 0.8), xycoords="axes fraction")
+            axes[1, 0].axhline(0, color="#d55e00", lw=1.2, label="the paper: never reached")
+            axes[1, 1].axhline(paper[0], color="#d55e00", lw=1.2, ls="--", label=f"the paper: {paper[0]:g} is 36 Hz")
+            axes[1, 1].plot(paper[1], paper[0], "o", color="#d55e00", label=f"reached at τ = {paper[1]:g}")
+        for panel in (axes[0, 0], axes[1, 0], *([axes[1, 1]] if paper else [])):
+            panel.legend(loc="best", fontsize=8, framealpha=1)
         axes[1, 1].set(ylim=(0, 4))
         axes[2, 0].set(xlabel="x/R", aspect="equal", adjustable="datalim")
         lowest, highest = np.percentile(curves[5][1], [1, 99])

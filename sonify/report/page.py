@@ -9,7 +9,10 @@ from jinja2 import Environment, PackageLoader
 from markupsafe import Markup
 from tomli_w import dumps
 
+from sonify.claims.hangs import hangs_on
+from sonify.claims.paper import of_the_paper, paper_rows
 from sonify.files import whole
+from sonify.report import in_words as words
 from sonify.report.page_data import compressed, page_data
 
 if TYPE_CHECKING:
@@ -19,7 +22,8 @@ PICTURES = {
     "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
     "stems.png": "What can be heard: each cause of sound against the threshold of hearing.",
     "motion.png": "Figures 3 to 6 of the paper.",
-    "modes.png": "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines.",
+    "modes.png": "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines; "
+    "below, those of the table, if it has any.",
 }
 MOST_EMBEDDED = 100_000_000
 """A longer sound [bytes] is not put into a notebook."""
@@ -33,11 +37,14 @@ def write(result: "Result", path: Path):
         .render(
             result=result,
             zip=zip,
+            hangs_on=hangs_on,
+            paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
+            not_from=words.not_from(result),
             data=page_data(result),
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[
-                (embedded(result.out / name, "image/png"), caption)
+                (embedded(result.out / name, "image/png"), caption, words.PICTURES[name](result))
                 for name, caption in PICTURES.items()
                 if (result.out / name).exists()
             ],
@@ -75,7 +82,8 @@ def in_words(result: "Result") -> str:
 def in_a_notebook(result: "Result") -> str:
     """Return a result as a piece of HTML: the sound to play, and the verdict on every claim."""
     template = templates().get_template("notebook.html")
-    return template.render(result=result, audible=playable(result.sound.audible), words=in_words(result))
+    audible = playable(result.sound.audible)
+    return template.render(result=result, hangs_on=hangs_on, audible=audible, words=in_words(result))
 
 
 def playable(source) -> str:

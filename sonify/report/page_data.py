@@ -17,7 +17,8 @@ from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_frequency
 from modal import Modes, Support
 from modal.table import SurfaceModes
-from sonify.report.captions import caption
+from sonify.report.captions import caption, table_caption
+from sonify.report.in_words import spectrogram
 from sonify.report.painter import painter
 from sonify.report.solid_view import skin
 from sonify.sound.listening import Copy
@@ -57,7 +58,7 @@ def page_data(result: "Result") -> dict[str, Any]:
         "motion": instants(motion),
         "shapes": shapes(result.modes, result.scene.support),
         "table": table_shapes(result.table) if result.table is not None and len(result.table) else None,
-        "seen": in_words(result),
+        "seen": spectrogram(result),
     }
 
 
@@ -68,7 +69,7 @@ def sounds(sound: Sound) -> dict[str, Any]:
     audible, whole = sound.audible.full_scale, sound.full_scale
     return {
         "audible": {"full_scale": audible, "unit": "dB(A)", "tracks": tracks(sound, audible, True)},
-        "true": {"full_scale": whole, "unit": "dB", "tracks": tracks(sound, whole, False)},
+        "true": {"full_scale": whole, "unit": "dB SPL", "tracks": tracks(sound, whole, False)},
     }
 
 
@@ -137,25 +138,12 @@ def table_shapes(table: SurfaceModes) -> dict[str, Any]:
     few = range(min(len(table), MOST_SHAPES))
     flat = np.zeros(len(table.points))
     moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
-    orders = [f", order {n}" if n >= 0 else "" for n in table.order]
     return {
         "points": packed(np.column_stack([table.points, flat])),
         "triangles": packed(Delaunay(table.points).simplices, np.uint32),
-        "captions": [f"{i + 1}: {table.frequency[i]:.0f} Hz{orders[i]}" for i in few],
+        "captions": [table_caption(table, i) for i in few],
         "shapes": [packed(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved],
     }
-
-
-def in_words(result: "Result") -> str:
-    """Return what the spectrogram shows, for those who do not see it."""
-    tone = None if result.heard is None else result.heard.tone
-    rising = f", a tone that rises {tone.factor:.2g} times over the ridge that is heard" if tone else ""
-    carriers = [f"{c.frequency:.0f} Hz" for c in (result.heard.carriers if result.heard else [])]
-    steady = f", steady tones at {', '.join(carriers)}" if carriers else ""
-    return (
-        f"Spectrogram of {result.scene.name}, 10 Hz to {result.sound.sample_rate / 2000:g} kHz over "
-        f"{result.sound.duration:.1f} s{rising}{steady}; the motion ends at {result.sound.source_end:.2f} s."
-    )
 
 
 def packed(values, kind: Any = np.float32) -> dict[str, str]:

@@ -12,17 +12,26 @@ from scipy.ndimage import median_filter
 
 from dynamics.rates import nutation_frequency, precession_frequency, precession_rate
 from sonify.claims.contact import carrier_line
+from sonify.claims.motion import FIGURE_4
+from sonify.claims.paper import of_the_paper
 from sonify.claims.sound import LAST
 from sonify.files import whole
 from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.plan.supports import over_the_run
+from sonify.report.captions import table_caption
 from sonify.report.painter import drawn, painter
 
 if TYPE_CHECKING:
     from PIL.Image import Image
 
     from sonify.result import Result
+
+
+NEAR, NOISE = 5, 0.1
+"""So many readings of a rate to either side, and the step between them [in the logarithm], that say it is none."""
+MOST_TABLE = 10
+"""Modes of the table that are drawn, the lowest."""
 
 
 class Pictures:
@@ -72,7 +81,15 @@ def _spectrogram(found):
     seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
     delay = sound.source_end - motion.t[-1]
     carrier = carrier_line(found.scene, motion, delay)
-    return seen | {"time": peaks + delay, "rates": rates, "frequencies": found.modes.frequency, "carrier": carrier}
+    table = found.table.frequency if found.table else []
+    seen |= {"frequencies": found.modes.frequency, "table": table, "carrier": carrier}
+    return seen | {"time": peaks + delay, "rates": [readable(rate) for rate in rates]}
+
+
+def readable(rate: np.ndarray) -> np.ndarray:
+    """Return a rate (q,) without what is noise: where readings near one another differ by more than NOISE, median."""
+    off = np.abs(np.diff(np.log(rate), prepend=np.log(rate[:1])))
+    return np.where(median_filter(off, 2 * NEAR + 1) < NOISE, rate, np.nan)
 
 
 def _stems(found):
@@ -95,14 +112,19 @@ def _motion(found):
         (state[:, 3] / disk.radius, state[:, 4] / disk.radius),
         (t / chi, precession_rate(state) * chi),
     )
-    return {"curves": curves, "weight": motion.normal_load([0.0])[0] * disk.weight / motion.force([0.0])[0, 2]}
+    weight = motion.normal_load([0.0])[0] * disk.weight / motion.force([0.0])[0, 2]
+    return {"curves": curves, "weight": weight, "paper": FIGURE_4 if of_the_paper(found.scene) else None}
 
 
 def _modes(found):
     """The modes of a draft are seen from above only."""
     steps = over_the_run(found.scene, found.motion, found.plan.highest_mode)
-    slanted = found.plan.accuracy != "draft"
-    return {"modes": found.modes, "slanted": slanted, "support": found.scene.support, "moving": moving(steps)}
+    slanted, table = found.plan.accuracy != "draft", found.table
+    shown = {"modes": found.modes, "slanted": slanted, "support": found.scene.support, "moving": moving(steps)}
+    if not table:
+        return shown
+    few = range(min(len(table), MOST_TABLE))
+    return shown | {"table": (table.points, table.face[few], [table_caption(table, i) for i in few], len(table))}
 
 
 def moving(steps) -> str:

@@ -22,14 +22,21 @@ STEM_STYLES = (
     ("#e69f00", (0, (3, 2))),
 )
 """Colours told apart by the colour-blind, with dashes told apart in grey print."""
+EDGES = 0.04
+"""The share of a panel over which the lines of a table go."""
+LINE = 14
+"""Height of a line of small text [px]."""
 EDGE = [withStroke(linewidth=2.5, foreground="k")]
 """Makes a white line visible on white."""
 
 
-def draw_spectrogram(path, low: Spectrogram, high: Spectrogram, spans, time, rates, frequencies, carrier=None):
+def draw_spectrogram(
+    path, low: Spectrogram, high: Spectrogram, spans, time, rates, frequencies, table=(), carrier=None
+):
     """Draw the pressure in the bands of the contact rates and of the modes, over both `spans` [s], with the precession
-    and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it; where the
-    contact is elastic, the times [s] and frequencies [Hz] of its resonance, the `carrier`."""
+    and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it, those of an
+    elastic `table` at its right edge; where the contact is elastic, the times [s] and frequencies [Hz] of its
+    resonance, the `carrier`."""
     floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
@@ -39,12 +46,18 @@ def draw_spectrogram(path, low: Spectrogram, high: Spectrogram, spans, time, rat
             _rate_lines(top, time, rates, 1.0)
             ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
             bottom.set(ylim=(0, high.frequency[-1] / 1e3), xlim=span, xlabel="time at the listener [s]")
-            _mode_lines(bottom, frequencies, span)
+            _mode_lines(bottom, frequencies, span, 1e3, "modes of the disk, solved")
+            if len(table):
+                _table_lines((top, bottom), table, span)
             if carrier is not None:
                 label = "resonance of the contact, solved"
                 bottom.plot(carrier[0], carrier[1] / 1e3, color="w", lw=0.7, label=label, path_effects=EDGE)
         _rate_lines(axes[1, 1], time, rates, 1e3)
-        _legend(axes[1, 0])
+        for panel in axes[:, 0]:
+            _legend(panel)
+        _labels(axes[1, 0], frequencies, 1e3)
+        for panel, unit in zip(axes[:, 1], (1.0, 1e3), strict=True):
+            _labels(panel, table if len(table) else frequencies, unit)
         axes[0, 0].set(ylabel="frequency [Hz]", title="Contact rates")
         axes[1, 0].set(ylabel="frequency [kHz]", title="Modes")
         axes[0, 1].set(title="The end")
@@ -104,27 +117,37 @@ def draw_colours(path):
 def _rate_lines(axes, time, rates, unit):
     for rate, color, style, name in zip(rates, ("w", "#56b4e9"), ("-", "--"), ("precession", "nutation"), strict=True):
         axes.plot(time, rate / unit, color=color, lw=1.2, ls=style, label=f"{name}, solved", path_effects=EDGE)
-    _legend(axes)
 
 
 def _legend(axes):
     axes.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
 
 
-def _mode_lines(axes, frequencies, span):
-    heights = np.unique(np.round(frequencies)) / 1e3  # the two of a pair are one line
-    places = heights.copy()
-    apart = 0.036 * axes.get_ylim()[1]  # a line of text
-    for i in range(1, len(places)):
-        places[i] = max(places[i], places[i - 1] + apart)
-    axes.hlines(heights, *span, color="w", lw=0.8, ls=":", alpha=0.7, label="modes, solved")
-    near = (places < axes.get_ylim()[1]) & (places - heights < 3 * apart)  # the others have no room
+def _mode_lines(axes, frequencies, span, unit, label):
+    axes.hlines(np.unique(np.round(frequencies)) / unit, *span, color="w", lw=0.8, ls=":", alpha=0.7, label=label)
+
+
+def _table_lines(panels, table, span):
+    """Short lines at the right edge: a table has many modes, and what they sound is seen on its way through them."""
+    begin = span[1] - EDGES * (span[1] - span[0])
+    for axes, unit in zip(panels, (1.0, 1e3), strict=True):
+        axes.hlines(np.round(table) / unit, begin, span[1], color="#e69f00", lw=1.2, label="modes of the table, solved")
+
+
+def _labels(axes, frequencies, unit):
+    """Write frequencies [Hz] beside the right edge, none over another: where there is no room, not all of them."""
+    scaled, (low, high) = axes.yaxis.get_transform().transform, axes.get_ylim()
+    heights = np.unique(np.round(frequencies)) / unit  # the two of a pair are one line
+    shares = (scaled(heights) - scaled(low)) / (scaled(high) - scaled(low))
+    apart, last = LINE / axes.get_window_extent().height, -1.0
     leader = {"arrowstyle": "-", "lw": 0.5, "shrinkA": 0, "shrinkB": 0, "relpos": (0, 0.5)}
-    for height, place in zip(heights[near], places[near], strict=True):
-        options = {"xycoords": axes.get_yaxis_transform(), "textcoords": axes.get_yaxis_transform()}
-        axes.annotate(
-            f"{1e3 * height:.0f} Hz", (1, height), (1.02, place), fontsize=7, va="center", arrowprops=leader, **options
-        )
+    for height, share in zip(heights, shares, strict=True):
+        place = max(share, last + apart)
+        if share < 0 or place > 1 or place - share > 3 * apart:
+            continue
+        options = {"xycoords": axes.get_yaxis_transform(), "textcoords": "axes fraction", "va": "center"}
+        axes.annotate(f"{unit * height:.0f} Hz", (1, height), (1.02, place), fontsize=7, arrowprops=leader, **options)
+        last = place
 
 
 def draw_stems(path, stems, end: float, duration: float):

@@ -3,14 +3,10 @@
 import inspect
 from collections.abc import Callable, Iterable
 from functools import cache
-from importlib import import_module
-from pkgutil import iter_modules
-from types import ModuleType
 
 from dynamics import Motion
 from modal import Modes
-from sonify import claims
-from sonify.claims.checks import Check
+from sonify.claims.hangs import judges, modules
 from sonify.claims.motion import Finding
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
@@ -27,13 +23,7 @@ KEPT = {"arrays": "motion", "wav": "sound", "page": "sound"}
 """What a run may write -> the stage it needs."""
 
 
-@cache
-def modules() -> tuple[ModuleType, ...]:
-    """Return the modules of the claims."""
-    return tuple(import_module(f"{claims.__name__}.{module.name}") for module in iter_modules(claims.__path__))
-
-
-def judges(hook: str) -> list[Callable[..., list]]:
+def hooked(hook: str) -> list[Callable[..., list]]:
     """Return what the modules of the claims define under the name `hook`, as motion_findings."""
     found = [getattr(module, hook, None) for module in modules()]
     return [f for f, module in zip(found, modules(), strict=True) if f and f.__module__ == module.__name__]
@@ -43,7 +33,7 @@ def found_by(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
     """Return the findings of all that is called `hook`, a function of what was `solved`, or of the scene and that."""
     return [
         finding
-        for judge in judges(hook)
+        for judge in hooked(hook)
         for finding in judge(*[scene, solved][-len(inspect.signature(judge).parameters) :])
     ]
 
@@ -51,19 +41,14 @@ def found_by(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
 @cache
 def stage_of() -> dict[str, str]:
     """Return the stage that finds it by the name of every scalar, finding and check."""
-    stages = dict(SCALARS)
-    for module in modules():
-        for name, function in inspect.getmembers(module, inspect.isfunction):
-            told = inspect.signature(function)
-            if name[0] != "_" and told.return_annotation in (Finding, Check):
-                stages[name] = _stage(set(told.parameters), function.__module__)
-    return stages
+    told = {key: (set(inspect.signature(f).parameters), f.__module__) for key, f in judges().items()}
+    return SCALARS | {key: _stage(*what) for key, what in told.items()}
 
 
 def _stage(parameters, module):
     """A stage tells by itself what is a function of nothing else, and is asked for by a hook of its module."""
-    hooked = {stage for stage, hooks in HOOKS.items() for hook in hooks for f in judges(hook) if f.__module__ == module}
-    return next((stage for stage, read in READ.items() if parameters <= read and stage in hooked), "sound")
+    own = {stage for stage, hooks in HOOKS.items() for hook in hooks for f in hooked(hook) if f.__module__ == module}
+    return next((stage for stage, read in READ.items() if parameters <= read and stage in own), "sound")
 
 
 def needed(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:

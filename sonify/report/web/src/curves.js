@@ -33,6 +33,8 @@ export class Curves {
     this.element = this.plot.over
     this.label = parent.querySelector('.value')
     parent.querySelector('.title').textContent = title
+    this.plot.root.setAttribute('role', 'img')
+    this.plot.root.setAttribute('aria-label', `${title}, from ${this.#told(t[0])} to ${this.#told(t.at(-1))}`)
     new ResizeObserver(() => this.plot.setSize({ width: this.#width(parent), height })).observe(parent)
   }
 
@@ -46,7 +48,11 @@ export class Curves {
 
   /** Write beside the title what the curves are at a time. */
   tell(time) {
-    this.label.textContent = this.curves
+    this.label.textContent = this.#told(time)
+  }
+
+  #told(time) {
+    return this.curves
       .map(({ name, unit, values }) => [name, digits(at(this.t, values, time), unit)].filter(Boolean).join(' '))
       .join(', ')
   }

@@ -32,6 +32,7 @@ async function start() {
   const all = runs()
   document.documentElement.classList.add('alive')
   copies()
+  contents()
   const player = new Player(all)
   const timeline = new Timeline(player.duration, player)
   timeline.onError = (error) => say(`No sound: ${error.message}.`)
@@ -66,11 +67,26 @@ function loop(draw) {
 
 function copies() {
   for (const button of document.querySelectorAll('button[data-copy]')) {
+    const [name, source] = [button.textContent, $(button.dataset.copy)]
     button.addEventListener('click', async () => {
-      await navigator.clipboard.writeText($(button.dataset.copy).textContent.trim())
-      button.textContent = 'copied'
+      try {
+        await navigator.clipboard.writeText(source.textContent.trim())
+        button.textContent = 'copied'
+      } catch {
+        getSelection().selectAllChildren(source)
+        button.textContent = 'not allowed: it is selected, press Ctrl-C'
+      }
+      setTimeout(() => (button.textContent = name), 2000)
     })
   }
+}
+
+/** Links to the parts of the page. */
+function contents() {
+  const place = $('nav')
+  if (!place) return
+  place.append(...[...document.querySelectorAll('main > h2[id]')].map((part) => element('a', { href: `#${part.id}`, textContent: part.textContent })))
+  place.hidden = false
 }
 
 function transport(player, timeline, all) {
@@ -156,12 +172,14 @@ async function spectrograms(all, player, timeline) {
       ...[...modes].map((f) => ({ t: [0, run.motion.t.at(-1)], f: [f, f], colour: '#fff', dash: [1, 5] })),
     ]
     const panel = element('div', { className: 'panel spectrogram' }, element('canvas'), element('canvas', { className: 'lines' }))
-    $('#spectrograms').append(element('p', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name}` : 'Spectrogram of the true scale' }), panel)
+    const [title, levels] = [element('span', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name} ` : 'Spectrogram ' }), element('span', { className: 'value' })]
+    $('#spectrograms').append(element('p', { className: 'caption' }, title, levels), panel)
     panel.setAttribute('role', 'img')
     panel.setAttribute('aria-label', run.seen)
     const spectrogram = new Spectrogram($('canvas', panel), samples, {
-      sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay,
+      sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.true.full_scale,
     })
+    spectrogram.onPainted = (words) => (levels.textContent = words)
     window.sonify.spectrograms.push(spectrogram)
     timeline.add(spectrogram)
     $('#lines').addEventListener('change', (event) => {
@@ -223,7 +241,12 @@ function shapes(given, whose) {
   const modes = new Modes3D($(`#${whose}mode-canvas`), given)
   const [choice, swing] = [$(`#${whose}mode`), $(`#${whose}swing`)]
   given.captions.forEach((caption, i) => choice.append(element('option', { value: String(i), textContent: caption })))
-  choice.addEventListener('change', (event) => modes.pick(Number(event.target.value)))
+  const pick = (number) => {
+    modes.pick(number)
+    $(`#${whose}mode-canvas`).setAttribute('aria-label', `The shape of mode ${given.captions[number]}. Arrow keys turn the view.`)
+  }
+  choice.addEventListener('change', (event) => pick(Number(event.target.value)))
+  pick(0)
   $(`#${whose}exaggerated`).textContent = `Exaggerated to ${Math.round(100 * EXAGGERATED)} % of the radius where it moves most; bright is far.`
   swing.checked = !still.matches
   $(`#${whose}modes3d`).hidden = false

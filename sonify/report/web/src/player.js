@@ -1,9 +1,6 @@
 // Plays the stems of a run together: one source of as many channels as stems, so that they cannot drift apart.
-import SignalsmithStretch from 'signalsmith-stretch'
 import stretching from 'text:signalsmith-stretch/SignalsmithStretch.mjs'
 import { bytes } from './data.js'
-
-SignalsmithStretch.moduleUrl = `data:text/javascript;charset=utf-8,${encodeURIComponent(stretching)}` // a page from disk has no other
 
 const AHEAD = 0.05 // what a stretcher is told so long before it is heard starts cleanly [s]
 
@@ -89,7 +86,8 @@ export class Player {
   async #stretched(stems) {
     const channels = stems.flatMap((stem) => stem.channels)
     const options = { numberOfInputs: 1, numberOfOutputs: 1, outputChannelCount: [channels.length] }
-    const node = await SignalsmithStretch(this.context, options)
+    const stretch = await stretcher()
+    const node = await stretch(this.context, options)
     await node.addBuffers(channels.map((channel) => channel.slice()))
     this.#mixed(node, stems)
     this.from = this.position
@@ -186,4 +184,11 @@ export class Player {
   tick() {
     if (this.playing && this.time >= this.duration) this.pause()
   }
+}
+
+// The stretcher runs in the page and in a thread of its own; to a page from disk both are open by a data: URL alone.
+async function stretcher() {
+  const moduleUrl = `data:text/javascript;charset=utf-8,${encodeURIComponent(stretching)}`
+  const { default: stretch } = await import(moduleUrl)
+  return Object.assign(stretch, { moduleUrl })
 }

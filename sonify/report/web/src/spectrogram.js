@@ -10,9 +10,10 @@ const SEEN = 200 // [ms] between two looks at a picture that grows
 const BUSY = 12 // [ms] of work between two frames of the screen
 
 export class Spectrogram {
-  /** `samples` Float32Array; `colours` 256 x 3 bytes; `lines` over it: [{name, t, f, style}]. */
-  constructor(canvas, samples, { sampleRate, colours, lines, delay }) {
-    Object.assign(this, { canvas, samples, sampleRate, colours, lines, delay })
+  /** `samples` Float32Array, 1 is `fullScale` [Pa]; `colours` 256 x 3 bytes; `lines` over it: [{name, t, f, style}];
+   * `onPainted(words)` is told what the colours mean. */
+  constructor(canvas, samples, { sampleRate, colours, lines, delay, fullScale }) {
+    Object.assign(this, { canvas, samples, sampleRate, colours, lines, delay, fullScale })
     this.element = canvas.parentElement
     this.overlay = this.element.querySelector('canvas.lines')
     this.showLines = true
@@ -78,9 +79,11 @@ export class Spectrogram {
     const context = this.canvas.getContext('2d')
     const image = context.createImageData(width, height)
     const tops = bands.map(({ first, last }) => loudest(level.subarray(first * width, last * width)))
+    const brightest = tops.map((top) => Math.max(top, Math.max(...tops) - APART))
+    this.onPainted?.(this.#meaning(brightest))
     for (const [b, { first, last }] of bands.entries()) {
       const rows = level.subarray(first * width, last * width)
-      const top = Math.max(tops[b], Math.max(...tops) - APART)
+      const top = brightest[b]
       for (let i = 0; i < rows.length; i++) {
         const shade = Math.round(Math.min(Math.max((rows[i] - top) / RANGE + 1, 0), 1) * 255)
         const at = 4 * (first * width + i)
@@ -89,6 +92,11 @@ export class Spectrogram {
       }
     }
     context.putImageData(image, 0, 0)
+  }
+
+  #meaning([high, low]) {
+    const spl = (level) => `${(level + 20 * Math.log10(this.fullScale / 20e-6)).toFixed(0)} dB SPL`
+    return `brightest: a sine of ${spl(low)} below 1 kHz, ${spl(high)} above; black: ${RANGE} dB less`
   }
 
   #drawLines(from, to) {
