@@ -7,11 +7,10 @@ and the two senses, exactly the choices whose own accelerations and loads agree 
 import math
 from itertools import product
 
-import numpy as np
-
 from .equations import UNLOADED, Law, separation
 from .hybrid import StalledError, Step
-from .regime import ARRAY, FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from .slip_direction import slip_push
 
 ROUND_OFF = 1e-12
 START = 3e-6
@@ -108,10 +107,10 @@ def turning_rates(y, contact) -> tuple[float, float, float]:
     )
 
 
-def _along(y, angle, regime, branch, law, flow=FLOAT, sin=math.sin, cos=math.cos):
+def _along(y, angle, regime, branch, law):
     """Solve the balance laws for a contact that is about to slide along `angle` (2.7)."""
     slip = (y[R] * y[V1], y[R] * y[V2])
-    return flow.contact_along(y, slip, (cos(angle), sin(angle)), branch, regime.senses, law)
+    return FLOAT.contact_along(y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law)
 
 
 def _slip_directions(y, regime, branch, law):
@@ -120,58 +119,14 @@ def _slip_directions(y, regime, branch, law):
     The first is next to the friction that holds no longer; only where that one will not do are the others looked for,
     on the whole circle and fastest first.
     """
-
-    def cross(nu):
-        contact = _along(y, nu, regime, branch, law)
-        return contact.du2 * math.cos(nu) - contact.du1 * math.sin(nu)
-
-    def growth(nu):
-        contact = _along(y, nu, regime, branch, law)
-        return contact.du1 * math.cos(nu) + contact.du2 * math.sin(nu)
-
-    if all(_along(y, side, regime, branch, law).inertia > 0 for side in (math.pi / 2, -math.pi / 2)):
+    push = slip_push(y, branch, regime.senses, law)
+    if push.is_solvable:
         held = FLOAT.contact(y, branch._replace(sliding=False), regime.senses, law)
-        near = _root_near(cross, math.atan2(-held.F2, -held.F1), 0.02)
-        if near is not None and growth(near) > -ROUND_OFF:
+        near = push.own_near(math.atan2(-held.F2, -held.F1))
+        if near is not None and push.along(near, near) > -ROUND_OFF:
             yield near
-    grid = np.linspace(-np.pi, np.pi, 65)
-    coarse = _along(y, grid, regime, branch, law, ARRAY, np.sin, np.cos)
-    across = coarse.du2 * np.cos(grid) - coarse.du1 * np.sin(grid)
-    solvable = np.broadcast_to(coarse.inertia > 0, grid.shape)
-    turns = np.flatnonzero(((across[:-1] > 0) != (across[1:] > 0)) & solvable[:-1] & solvable[1:])
-    roots = [_root(cross, grid[i], grid[i + 1]) for i in turns]
-    yield from (nu for speed, nu in sorted(((growth(nu), nu) for nu in roots), reverse=True) if speed > -ROUND_OFF)
-
-
-def _root(function, low, high):
-    from scipy.optimize import brentq  # loads slowly
-
-    return brentq(function, low, high, xtol=1e-15, rtol=1e-15)
-
-
-def _root_near(function, x, width):
-    """Return a root of `function` about x, looked for within `width` and then farther; None within a radian."""
-    root = _secant(function, x, width)
-    while root is None and width < 1:
-        if (function(x - width) > 0) != (function(x + width) > 0):
-            return _root(function, x - width, x + width)
-        width *= 4
-    return root
-
-
-def _secant(function, x, width, most=8):
-    """Return the root of `function` to which the method of secants converges within `width` of x, or None."""
-    last, before = x + 1e-6, function(x + 1e-6)
-    here = x
-    for _ in range(most):
-        now = function(here)
-        move = now * (here - last) / (before - now) if now != before else math.inf
-        if abs(move) < 4e-15:
-            return here + move
-        if not abs(here + move - x) < width:
-            return None
-        last, before, here = here, now, here + move
-    return None
+    speeds = sorted(((push.along(nu, nu), nu) for nu in push.own()), reverse=True)
+    yield from (nu for speed, nu in speeds if speed > -ROUND_OFF)
 
 
 def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
@@ -200,11 +155,8 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
     dt = _short(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
 
-    def cross(angle):
-        last = _along(ahead, angle, regime, branch, law)
-        return (first.du2 + last.du2) * math.cos(angle) - (first.du1 + last.du1) * math.sin(angle)
-
-    direction = _root_near(cross, nu, START)
+    ahead_push = slip_push(ahead, branch, regime.senses, law)
+    direction = ahead_push.plus(complex(first.du1, first.du2)).own_near(nu)
     if direction is None:
         raise StalledError(f"{describe(y)}: the slide that starts here has no direction")
     last = _along(ahead, direction, regime, branch, law)
@@ -236,25 +188,12 @@ def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
     none of the accelerations points against the slip it passes by rest, by a small step that is returned with False.
     """
     branch, speed = Branch.of(regime, law, loads), math.hypot(y[V1], y[V2])
-    along, c, s = math.atan2(y[V2], y[V1]), y[V1] / speed, y[V2] / speed
-
-    def gain_and_cross(angle, flow=FLOAT, sin=math.sin, cos=math.cos):
-        contact = _along(y, angle, regime, branch, law, flow, sin, cos)
-        dv1, dv2 = ((rate + y[W1] * v / 2) / y[R] for rate, v in ((contact.du1, y[V1]), (contact.du2, y[V2])))
-        return dv1 * c + dv2 * s, dv2 * c - dv1 * s
-
-    def cross(angle):
-        return gain_and_cross(angle)[1]
-
-    angle = _root_near(cross, along, 0.02)
-    if angle is None or gain_and_cross(angle)[0] >= 0:  # it still turns
-        grid = along + np.linspace(-np.pi, np.pi, 65)
-        gain, across = gain_and_cross(grid, ARRAY, np.sin, np.cos)
-        turns = np.flatnonzero(((across[:-1] > 0) != (across[1:] > 0)) & (gain[:-1] < 0) & (gain[1:] < 0))
-        angles = [_root(cross, grid[k], grid[k + 1]) for k in turns]
-        angle = min(angles, key=lambda a: abs(a - along), default=None)
-    if angle is not None:
+    along = math.atan2(y[V2], y[V1])
+    push = slip_push(y, branch, regime.senses, law).plus(y[W1] / 2 * complex(y[V1], y[V2]))
+    stopping = [angle for angle in push.against(along) if push.along(angle, along) < 0]
+    if stopping:
+        angle = min(stopping, key=lambda a: abs(a - along))
         slope = FLOAT.rates(y, _along(y, angle, regime, branch, law), branch, law)
-        return Step(regime, -speed / gain_and_cross(angle)[0], [list(y), slope]), True
+        return Step(regime, -speed * y[R] / push.along(angle, along), [list(y), slope]), True
     here = FLOAT.contact(y, branch, regime.senses, law)
     return _step_off(y, here, regime, branch, law, PASSING * speed * y[R] / (law.mu_dynamic * here.Phi)), False

@@ -147,7 +147,7 @@ def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
 SPAN = 5 * scene().disk.time_unit
 STIFF = [
     ("collocation.SHORTEST", 1.0, {"mu_dynamic": 0.5}),
-    ("switching._root_near", lambda *_: None, {}),
+    ("slip_direction.SlipPush.own_near", lambda *_: None, {}),
 ]
 
 
@@ -163,7 +163,7 @@ def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(monkeypatch
 
 
 def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state(monkeypatch):
-    monkeypatch.setattr("dynamics.switching._root_near", lambda *_: None)
+    monkeypatch.setattr("dynamics.slip_direction.SlipPush.own_near", lambda *_: None)
     with pytest.raises(ImpossibleContactError, match=r"at t = 0 s: inclination 0\.57.*no direction"):
         simulate(scene(mu_static=0.02, mu_dynamic=0.01))
 
