@@ -124,11 +124,7 @@ class AddedByContact:
 
     def _pressure(self, added):
         radiated = [
-            held_back(
-                source.from_rest(np.zeros(len(source.ends)), lambda t, energy: None),
-                self.late - source.late,
-                len(source.names),
-            )
+            held_back(source.from_rest(np.zeros(len(source.ends)), lambda t, energy: None), self.late - source.late)
             for source in self._moved
         ]
         for t, force in _forces(added):

@@ -119,7 +119,7 @@ class FilmedElastic(ElasticDisk):
 
     def from_rest(self, first, note):
         """Return what radiates the blocks that follow on `first` (3 + m,), and notes the energy of the modes."""
-        rate, radiated = self._scene.audio.sample_rate, self._face.from_rest(first[:2])
+        rate, radiated = self._scene.audio.sample_rate, self._face.from_rest(first[:2], self.beside)
         carried = self._response(first[3:]) if isinstance(self._motion, Vibrating) else None
         tuned = Tuned(self._filmed, rate, first[3:], first[2])
 

@@ -1,6 +1,6 @@
 """SOUND: the pressure at the listener, by cause, which can be read again and again, from any place on."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
@@ -71,7 +71,7 @@ class Sound:
     `modes_heard` is the number of modes that sound; `source_end` [s] is when the end of the motion reaches the
     listener. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time of the motion; that of the
     modes of an elastic table is `table_energy` (e,) [J]. `others` are what further listeners hear;
-    where there is one only, `beside` renders what an ear a quarter turn round the disk hears, for audible.wav.
+    where it is `turned`, the last column is the pressure at an ear a quarter turn round the disk, for audible.wav.
     """
 
     name: str
@@ -84,7 +84,7 @@ class Sound:
     table_energy: np.ndarray | None = None
     names: tuple[str, ...] = STEMS
     others: "tuple[Sound, ...]" = ()
-    beside: "Callable[[], Sound] | None" = None
+    turned: bool = False
 
     @property
     def pressure(self) -> Track:
@@ -100,13 +100,10 @@ class Sound:
         """Return the pressure or one of its causes by its name. Raises ValueError for another one."""
         if name not in (tracks := ("pressure", *self.names)):
             raise ValueError(f"there is no track {name!r}: it is one of {', '.join(tracks)}")
-        return Track(
-            name=name,
-            sample_rate=self.sample_rate,
-            columns=self.columns,
-            column=tracks.index(name),
-            others=tuple(other.track(name) for other in self.others),
-        )
+        return self._track(name, tracks.index(name), tuple(other.track(name) for other in self.others))
+
+    def _track(self, name, column, others=()):
+        return Track(name=name, sample_rate=self.sample_rate, columns=self.columns, column=column, others=others)
 
     @property
     def samples(self) -> int:
@@ -132,7 +129,7 @@ class Sound:
     @property
     def stem_peak(self) -> dict[str, float]:
         """The greatest pressure of each cause [Pa]."""
-        return dict(zip(self.names, self._peaks[1:].tolist(), strict=True))
+        return dict(zip(self.names, self._peaks[1 : 1 + len(self.names)].tolist(), strict=True))
 
     @property
     def finite(self) -> bool:
@@ -157,8 +154,8 @@ class Sound:
     @cached_property
     def audible(self) -> Copy:
         """What audible.wav holds: the pressure A-weighted and made loud, for two ears at least."""
-        ears = (self.beside().pressure,) if self.beside and not self.others else self.pressure.others
-        return audible(replace(self.pressure, others=ears))
+        beside = (self._track("beside", 1 + len(self.names)),) if self.turned else ()
+        return audible(replace(self.pressure, others=beside or self.pressure.others))
 
     @cached_property
     def low_share(self) -> tuple[float, ...]:

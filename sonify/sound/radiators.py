@@ -1,10 +1,13 @@
 """ACCELERATION -> PRESSURE, block after block: what has not arrived yet is kept for the next block."""
 
+from functools import cached_property
+
 import numpy as np
+from numpy.lib.stride_tricks import as_strided
 
 from sonify.sound.radiation import AZIMUTHS, Listener, heave_kernel, piston_strength, taps, tilt_kernel
 
-TOGETHER = 8192
+TOGETHER = 2048
 """Samples radiated together: few enough for the cache."""
 
 
@@ -49,12 +52,18 @@ class ElasticFace:
     """What modes radiate towards a listener whose azimuth turns, `reach` samples late."""
 
     def __init__(self, modes, listener: Listener, sample_rate: float, reach: int):
-        self._table = taps(modes, listener, sample_rate)
-        self._mean, self._reach = self._table.mean(axis=0), reach
+        self._modes, self._listener, self._rate, self._reach = modes, listener, sample_rate, reach
 
-    def from_rest(self, direction):
+    @cached_property
+    def _table(self):
+        return taps(self._modes, self._listener, self._rate)
+
+    def from_rest(self, direction, beside: float | None = None):
         """Return advance(accelerations (s, k, m), directions (k, 2)) -> pressure (k, s) [Pa] of the blocks that follow
-        on stillness; `direction` is the cosine and sine of the azimuth before."""
+        on stillness; `direction` is the cosine and sine of the azimuth before.
+
+        One more column is the sum of them at an ear that is so much further round, `beside` [rad], where it is given.
+        """
         late, turned = None, np.tile(direction, (self._reach, 1))
 
         def advance(acceleration, direction):
@@ -66,25 +75,35 @@ class ElasticFace:
             direction = np.concatenate([turned, direction])
             late, turned = acceleration[:, count:], direction[count:]
             cosine, sine = direction[:count].T
-            where = np.arctan2(sine, cosine) / (2 * np.pi) % 1.0 * AZIMUTHS
-            return _three_taps(acceleration, where, np.minimum(np.hypot(cosine, sine), 1.0), self._table, self._mean)
+            turns, sharpness = np.arctan2(sine, cosine) / (2 * np.pi), np.minimum(np.hypot(cosine, sine), 1.0)
+            stems = _three_taps(acceleration, turns, sharpness, self._table)
+            if beside is None:
+                return stems
+            both = acceleration.sum(axis=0, keepdims=True)
+            return np.hstack([stems, _three_taps(both, turns + beside / (2 * np.pi), sharpness, self._table)])
 
         return advance
 
 
-def _three_taps(ringing, where, sharpness, table, mean):
-    """Sum over modes of three taps on samples n + 2, n + 1, n of ringing (s, k + reach + 1, m), at azimuths (k,).
+def _three_taps(ringing, turns, sharpness, table):
+    """Sum over modes of three taps on samples n + 2, n + 1, n of ringing (s, k + reach + 1, m), at azimuths (k,)
+    [turns], between those of the table on the line.
 
     `sharpness` (k,) is 1 where the azimuth is well defined and falls to 0 where it turns too fast for the samples.
     """
-    out, low = np.zeros((len(ringing), len(where))), where.astype(int)
-    rows = np.ascontiguousarray(np.concatenate([table, table[:1]]).transpose(1, 2, 0))
+    where, out = turns % 1.0 * AZIMUTHS, np.empty((len(turns), len(ringing)))
+    rows = table[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTHS, -1)  # (a, 3 m): as n, n + 1, n + 2 lie in memory
+    mean, slopes = rows.mean(axis=0), np.roll(rows, -1, axis=0) - rows
+    away, size = rows - mean, ringing.itemsize
     for first in range(0, len(where), TOGETHER):
         some = slice(first, first + TOGETHER)
-        here, part, sharp, sums = low[some] % len(table), (where - low)[some], sharpness[some], out[:, some]
-        for m, k in np.ndindex(rows.shape[:2]):
-            tap = (1 - part) * rows[m, k].take(here) + part * rows[m, k].take(here + 1)
-            tap = mean[m, k] + sharp * (tap - mean[m, k])
-            late = first + 2 - k
-            sums += tap * ringing[:, late : late + len(tap), m]
-    return out.T
+        low = where[some].astype(int) % AZIMUTHS
+        tap = slopes[low]
+        tap *= (where[some] % 1.0)[:, None]
+        tap += away[low]
+        tap *= sharpness[some, None]
+        tap += mean
+        for one, samples in zip(out.T, ringing, strict=True):
+            three = as_strided(samples[first:], tap.shape, (samples.shape[1] * size, size))
+            np.einsum("nc,nc->n", tap, three, out=one[some])
+    return out

@@ -2,6 +2,7 @@
 
 from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
+from copy import copy
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
@@ -17,7 +18,7 @@ from sonify.sound.infinite import table_sources
 from sonify.sound.pressure import Sound, kept, with_sum
 from sonify.sound.radiation import listener_of, listeners_of
 from sonify.sound.radiators import RigidFace
-from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, held_back
+from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, at_both_ears, held_back
 
 BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
@@ -28,19 +29,21 @@ class Renderer:
 
     The stems are those of its `sources`, in turn. Of the modes those of the indices `wanted` sound, all if None, but
     none at or above half the sample rate; of an elastic table the modes `table`. `calm` is that of the ForceSampler.
-    The `listener` is the scene's first, unless another is given.
+    The `listener` is the scene's first, unless another is given. With a `turn` [rad] one more column is the pressure at
+    an ear that is so much further round.
     The clock of the samples is the listener's: the source is heard distance / c later. However the motion ends, its
     modes ring out. Nothing but the sampler's count of readings changes by use. tests/test_sound.py.
     """
 
-    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0, table=None, listener=None):
+    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0, table=None, listener=None, turn=None):
         self.scene, self.motion, self.sample_rate = scene, motion, scene.audio.sample_rate
         self.listener = listener or listener_of(scene)
         self.chosen = sounding(modes, self.sample_rate, wanted)
         self.modes = modes.select(self.chosen)
         self.table = table
         self._rigid = RigidFace(scene.disk, self.listener, 1 / self.sample_rate)
-        self.sources = self._sources()
+        self._turned = turn is not None
+        self.sources = self._at_both_ears(turn) if self._turned else self._sources()
         self.late = max(source.late for source in self.sources)
         self.names = tuple(name for source in self.sources for name in source.names)
         bounds = np.cumsum([0, *(len(source.ends) for source in self.sources)])
@@ -59,6 +62,11 @@ class Renderer:
         rigid, elastic = with_film(self.scene, self.motion, rigid, elastic)
         return with_contact(self.scene, self.motion, rigid, elastic, *tables) + tables
 
+    def _at_both_ears(self, turn):
+        other = copy(self)
+        other.listener = replace(self.listener, azimuth=self.listener.azimuth + turn)
+        return [at_both_ears(*pair, turn) for pair in zip(self._sources(), other._sources(), strict=True)]
+
     def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):
         """Yield (k, s) [Pa]: the stems at the next k <= size samples, from the first to the last; every call anew.
 
@@ -67,14 +75,7 @@ class Renderer:
         """
         first = self.sampler.block(0, 1).samples[0]
         sounding = [
-            (
-                held_back(
-                    source.from_rest(first[part], partial(note, source.names[0])),
-                    self.late - source.late,
-                    len(source.names),
-                ),
-                part,
-            )
+            (held_back(source.from_rest(first[part], partial(note, source.names[0])), self.late - source.late), part)
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
         counts = {n: min(size, self.samples - n) for n in range(0, self.samples, size)}
@@ -84,16 +85,16 @@ class Renderer:
                 force = coming.result()
                 if n + size in counts:
                     coming = reader.submit(self.sampler.block, n + size, counts[n + size])
-                yield self._enveloped(np.hstack([advance(force.channels(part)) for advance, part in sounding]), n)
+                yield self._enveloped(self._joined([advance(force.channels(part)) for advance, part in sounding]), n)
 
     def sound(self, watch=lambda share: None) -> Sound:
         """Return the whole sound; `watch(share)` is called with the share done."""
-        noted = defaultdict(list)
+        noted, own = defaultdict(list), len(self.names)
 
         def rows():
             for i, stems in enumerate(self.blocks(note=lambda name, *energy: noted[name].append(energy))):
                 watch(min((i + 1) * BLOCK / self.samples, 1.0))
-                yield with_sum(stems)
+                yield np.hstack([with_sum(stems[:, :own]), stems[:, own:].astype(np.float32)])
 
         columns = kept(rows(), self.samples)
         energies = {name: np.concatenate(parts, axis=1) for name, parts in noted.items()}
@@ -104,6 +105,7 @@ class Renderer:
             sample_rate=self.sample_rate,
             columns=columns,
             names=self.names,
+            turned=self._turned,
             modes_heard=len(self.modes),
             source_end=self.source_end,
             energy_time=time,
@@ -113,6 +115,12 @@ class Renderer:
 
     def _channels(self, force, state):
         return np.column_stack([source.channels(force, state) for source in self.sources])
+
+    def _joined(self, parts):
+        """The stems (k, s) of all sources, and what the other ear hears of them as one more column."""
+        if not self._turned:
+            return np.hstack(parts)
+        return np.hstack([part[:, :-1] for part in parts] + [sum(part[:, -1:] for part in parts)])
 
     def _enveloped(self, stems, first):
         """The stems (k, s) of the samples from `first` on, under the raised cosines at both ends."""
@@ -132,9 +140,11 @@ def sound_of(scene, motion, modes, wanted, calm: float, table, watch=lambda shar
     """
     ears = listeners_of(scene)
 
-    def heard(ear, watch=lambda share: None):
-        return Renderer(scene, motion, modes, wanted, calm, table, ear).sound(watch)
+    turn = np.pi / 2 if len(ears) == 1 else None  # audible.wav is for two ears at least
 
-    sounds = [heard(ear, lambda share, done=i: watch((done + share) / len(ears))) for i, ear in enumerate(ears)]
-    turned = replace(ears[0], azimuth=ears[0].azimuth + np.pi / 2)
-    return replace(sounds[0], others=tuple(sounds[1:]), beside=partial(heard, turned))
+    def heard(i):
+        renderer = Renderer(scene, motion, modes, wanted, calm, table, ears[i], turn)
+        return renderer.sound(lambda share: watch((i + share) / len(ears)))
+
+    first, *others = map(heard, range(len(ears)))
+    return replace(first, others=tuple(others))

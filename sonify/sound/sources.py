@@ -1,5 +1,6 @@
 """SOURCES: what turns the contact force into stems of pressure, block after block."""
 
+from copy import copy
 from typing import Protocol
 
 import numpy as np
@@ -66,6 +67,7 @@ class ElasticDisk:
     """The modes follow the smooth force, and ring after its jumps; or the motion carries them, if it is Vibrating."""
 
     names = ("ringing_smooth", "ringing_jumps")
+    beside: float | None = None
 
     def __init__(self, scene, motion, modes, chosen, listener: Listener, reach: int):
         self._scene, self._motion, self._modes, self._chosen = scene, motion, modes, chosen
@@ -82,7 +84,7 @@ class ElasticDisk:
 
     def from_rest(self, first, note):
         """Return what radiates the blocks that follow on `first` (2 + m,), and notes the energy of the modes."""
-        radiated, response = self._face.from_rest(first[:2]), self._response(first[2:])
+        radiated, response = self._face.from_rest(first[:2], self.beside), self._response(first[2:])
 
         def advance(force):
             ringing = response.advance(force.channels(slice(2, None)))
@@ -97,13 +99,47 @@ class ElasticDisk:
         return Driven(self._modes, self._scene.audio.sample_rate, settled)
 
 
-def held_back(advance, samples: int, width: int):
-    """Return an advance whose stems (k, width) come so many samples later."""
-    held = np.zeros((samples, width))
+class Both:
+    """A source, and what the `other` ear hears of it: the sum of its stems there is one more column."""
+
+    def __init__(self, source: Source, other: Source):
+        self._each, self._count = (source, other), len(source.ends)
+        self.names, self.lasting, self.late = source.names, source.lasting, source.late
+        self.ends = np.vstack([source.ends, other.ends])
+
+    def channels(self, force, state):
+        """Return what drives the source for one ear and for the other."""
+        return np.hstack([source.channels(force, state) for source in self._each])
+
+    def from_rest(self, first, note):
+        """Return what radiates the blocks that follow on `first`; only one of the two notes its energy."""
+        parts, notes = (slice(self._count), slice(self._count, None)), (note, lambda t, energy: None)
+        own, other = (s.from_rest(first[part], n) for s, part, n in zip(self._each, parts, notes, strict=True))
+
+        def advance(force):
+            there = other(force.channels(parts[1])).sum(axis=1, keepdims=True)
+            return np.hstack([own(force.channels(parts[0])), there])
+
+        return advance
+
+
+def at_both_ears(source: Source, other: Source, turn: float) -> Source:
+    """Return a source with one more column: the sum of its stems for the `other` ear, `turn` [rad] further on."""
+    if not isinstance(source, ElasticDisk):
+        return Both(source, other)
+    both = copy(source)  # the response of the modes, which takes longest, is the same
+    both.beside = turn
+    return both
+
+
+def held_back(advance, samples: int):
+    """Return an advance whose stems come so many samples later."""
+    held = None
 
     def later(force):
         nonlocal held
-        out = np.vstack([held, advance(force)])
+        out = advance(force)
+        out = np.vstack([np.zeros((samples, out.shape[1])) if held is None else held, out])
         out, held = np.split(out, [len(out) - samples])
         return out
 
