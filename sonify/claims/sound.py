@@ -29,7 +29,7 @@ INDEPENDENT = 0.05
 def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
     """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
     try:
-        heard = listen(sound.pressure)
+        heard = listen(sound.pressure, beats=False)  # no claim is on the envelope
     except RecordingError as error:
         return None, [f"A verdict by ear: {error}.", *unheard()]
     silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []

@@ -57,14 +57,14 @@ class Heard:
     missing: float = 0.0
 
 
-def listen(sound: Source | str | Path) -> Heard:
-    """Return what a source, or a file of any rate, channels and format that libsndfile reads, tells. Raises
-    RecordingError.
+def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
+    """Return what a source, or a file of any rate, channels and format that libsndfile reads, tells; the repetition of
+    its envelope only if `beats`. Raises RecordingError.
 
     Times in the result are those of the sound. Memory does not grow with its length.
     """
     samples, rate, start, duration = read(sound)
-    beaten = rate > 2 * ENVELOPE_FROM
+    beaten = beats and rate > 2 * ENVELOPE_FROM
     with ThreadPoolExecutor() as pool:  # what takes long is arrays, which let go of Python's lock
         tone = pool.submit(rising_tone, samples, rate)
         repetition = pool.submit(lambda: rising_tone(*envelope(samples, rate)) if beaten else None)
