@@ -60,7 +60,7 @@ def still(modes=None, h: float = 1.0) -> Waves:
             np.zeros(PLACES + MOST),
         )
     decay = modes.decay_rate
-    root = -decay + 1j * np.sqrt((2 * np.pi * modes.frequency) ** 2 + 0j)
+    root = -decay + 1j * np.sqrt((2 * np.pi * modes.frequency) ** 2 - decay**2 + 0j)
     midpoint = 2 / h * np.tanh(root * h / 2)
     k, c = np.abs(midpoint) ** 2, -2 * midpoint.real
     constants = np.column_stack([k, c, 1 / (1 + h * c / 2 + h * h * k / 4)])
