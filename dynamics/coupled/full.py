@@ -13,9 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..disk import LARGEST, Friction
+from ..film.law import Film
 from .contact import LEAST_INCLINATION
 from .handover import inclination
-from .march import FLAT, GOES, UNSOLVED, UPRIGHT, march
+from .march import CARRIED, FLAT, GOES, UNSOLVED, UPRIGHT, march
 from .profile import SMOOTH, Profile
 from .resonance import inertias, rate_needed
 from .sections import Imperfection
@@ -31,6 +32,7 @@ ENDS = {
     FLAT: "the inclination reached its final value: below, one ellipse is not the contact",
     UPRIGHT: "the disk stood upright on a generator of its lateral surface: contact passes to the other rim",
     UNSOLVED: "the roughness turned the disk too far in one step: several contacts at once, or too low a rate",
+    CARRIED: "the film of air carried the disk: without a contact it is no wedge",
 }
 """Why a motion stopped, in words."""
 
@@ -64,7 +66,8 @@ class Compliant:
     [N m s] and a force [N s/m] per velocity.
 
     `profiles` of table and edge; `impedance` Z [N s/m] of the table; `modes` (`modal.SurfaceModes`)
-    with which it moves, or its `imperfection`, none unless given; `rate` of the steps [1/s].
+    with which it moves, or its `imperfection`, none unless given; the `film` of air; whether friction was `fitted` to
+    a rough disk and holds what contact and creep take; `rate` of the steps [1/s].
     """
 
     table: LawTable
@@ -75,6 +78,8 @@ class Compliant:
     impedance: float = np.inf
     modes: Any = None
     imperfection: Imperfection | None = None
+    film: Film | None = None
+    fitted: bool = False
     rate: float = RATE
 
     @cached_property
@@ -83,7 +88,10 @@ class Compliant:
         disk, f = self.table.law.disk, self.friction
         body = disk.mass, *inertias(disk), disk.radius, disk.thickness / 2, disk.weight
         friction = min(f.mu_static, LARGEST), min(f.mu_dynamic, LARGEST), f.arm_nutation, f.arm_rolling, f.arm_pivoting
-        return np.array([*body, *friction, self.impedance, *self.viscous])
+        chi, moment = disk.time_unit, disk.mass * disk.radius**2 / disk.time_unit
+        film = self.film or Film(0.0, 0.0, 0.0)
+        air = film.turning * moment, film.falling * moment, film.inertia * chi**2  # type: ignore[operator]
+        return np.array([*body, *friction, self.impedance, *self.viscous, *air, float(self.fitted)])
 
     @cached_property
     def cubics(self) -> np.ndarray:

@@ -7,6 +7,7 @@ from .profile import height
 from .resonance import inertias
 from .state import (
     AXIS,
+    CAUSES,
     EDGE,
     FORCE,
     GAP,
@@ -89,5 +90,5 @@ def columns(model, y) -> np.ndarray:
     w3 = (L[:, 2] * s - np.sum(L[:, :2] * d, axis=1) * c) / J1
     u1 = y[:, 3] * d[:, 1] - y[:, 4] * d[:, 0] - R * w2 + H * w3
     u2 = np.sum(y[:, 3:5] * d, axis=1) + (R * s + H * c) * w1
-    lost = y[:, LOSSES : LOSSES + 5].sum(axis=1)
+    lost = y[:, LOSSES : LOSSES + len(CAUSES)].sum(axis=1)
     return np.column_stack([np.arctan2(-d[:, 0], d[:, 1]), beta, -y[:, EDGE] / R, y[:, :2], w1, w2, w3, u1, u2, lost])

@@ -6,7 +6,7 @@ from . import gap, normal, profile, state, table, tangential, waves, waving
 from .compiled import fingerprint, kernel, outermost
 from .gap import locate
 from .normal import step_normal
-from .state import FORCE, GAP, SINE, SLIDES, SURFACE, TANGENTIAL
+from .state import ALOFT, BORNE, FORCE, GAP, LIFT, SINE, SLIDES, SURFACE, TANGENTIAL, TURNING, WEIGHT
 from .tangential import step_tangential
 from .waves import FLAT_FOR, energy_of
 from .waving import hold_waving, soften, step_waving
@@ -15,8 +15,10 @@ FALLS = 0.6
 """A disk is flat where a step takes as much of its inclination: it would soon pass through the table."""
 LIES, RESTS = 1e-5, 0.02
 """On a table that waves a disk is flat that has been below so many rad for so long [s]."""
-GOES, FLAT, UPRIGHT, UNSOLVED = range(4)
-"""Why a march stopped: not at all, at its last inclination, upright, the equation for N had no solution."""
+LONG, HALF = 2e-3, 0.5
+"""The air carries a disk that has been without contact for so long [s], while it bore that part of the weight."""
+GOES, FLAT, UPRIGHT, UNSOLVED, CARRIED = range(5)
+"""Why a march stopped: not at all, at its last inclination, upright, the equation for N had no solution, by the air."""
 
 
 @kernel
@@ -59,6 +61,8 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
             count += 1
             if flat:
                 return FLAT, row, flight, slip
+            if law[TURNING] > 0 and is_carried(y, law, h):
+                return CARRIED, row, flight, slip
         if waving:
             soften(y, waves, spline)
             y[SURFACE] = energy_of(waves)
@@ -66,6 +70,14 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
         if (y[SINE] < last and not waving) or y[8] <= 0:
             return (UPRIGHT if y[8] <= 0 else FLAT), row + 1, flight, slip
     return GOES, len(rows), flight, slip
+
+
+@kernel
+def is_carried(y, law, h):
+    """Note the lift of the film in a flight; return whether the air carries the disk."""
+    flies = 1.0 if y[GAP] > 0 else 0.0
+    y[ALOFT], y[BORNE] = flies * (y[ALOFT] + h), flies * (y[BORNE] + h * y[LIFT])
+    return y[ALOFT] > LONG and y[BORNE] > HALF * law[WEIGHT] * y[ALOFT]
 
 
 @kernel

@@ -8,6 +8,8 @@ import numpy as np
 
 from ..disk import Disk
 from ..dissipation import power_laws
+from ..film.acting import film_of
+from ..film.law import Film
 from ..motion import COLUMNS, Jumps, Outcome, Transition
 from ..rates import precession_rate
 from ..rigid_motion import HARMONICS, read_only
@@ -16,7 +18,7 @@ from .contact import LEAST_INCLINATION
 from .from_scene import last_inclination, law_table, step_rate
 from .full import Compliant, ContactLoss
 from .handover import columns, energy, inclination, release
-from .march import FLAT, GOES, LIES, UNSOLVED, UPRIGHT
+from .march import CARRIED, FLAT, GOES, LIES, UNSOLVED, UPRIGHT
 from .record import Record, between
 from .resonance import mobility
 from .roughness import profiles
@@ -36,8 +38,10 @@ OUTCOMES = {
     UPRIGHT: Outcome.UPRIGHT,
     UNSOLVED: Outcome.STALLED,
     GOES: Outcome.TIME_LIMIT,
+    CARRIED: Outcome.AIRBORNE,
 }
-ENERGY, LOST, TABLE = len(COLUMNS), slice(len(COLUMNS) + 1, len(COLUMNS) + 6), len(COLUMNS) + 6
+ENERGY, TABLE = len(COLUMNS), len(COLUMNS) + 1 + len(CAUSES)
+LOST = slice(ENERGY + 1, TABLE)
 """Kept of a state besides COLUMNS: its energy, what was lost to each of CAUSES, the energy of the table's modes [J]."""
 
 
@@ -84,6 +88,11 @@ class CompliantMotion:
     def disk(self) -> Disk:
         """The disk."""
         return self.model.table.law.disk
+
+    @property
+    def loads(self) -> Film | None:
+        """The film of air that acts on it."""
+        return self.model.film
 
     @property
     def integrator(self) -> str:
@@ -160,7 +169,7 @@ class CompliantMotion:
         return self._line(self._place(t))[:, ENERGY]
 
     def lost(self, t) -> np.ndarray:
-        """Return what was lost to each of CAUSES until t (k,) [s], (k, 5) [J]."""
+        """Return what was lost to each of CAUSES until t (k,) [s], (k, 6) [J]."""
         return self._line(self._place(t))[:, LOST]
 
     def table_energy(self, t) -> np.ndarray:
@@ -235,7 +244,7 @@ class CompliantMotion:
         return np.minimum(t / (STATES * self.dt), len(self.rows) - 1)
 
     def _line(self, x) -> np.ndarray:
-        """Return rows (k, 17) at places x (k,) by straight lines, on which a balance between rows holds as at them."""
+        """Return rows (k, 19) at places x (k,) by straight lines, on which a balance between rows holds as at them."""
         first = np.minimum(x.astype(int), len(self.rows) - 2)
         return self.rows[first] + (x - first)[:, None] * (self.rows[first + 1] - self.rows[first])
 
@@ -271,15 +280,18 @@ def solve(
         slides.append(np.reshape(piece.slips, (-1, 2)))
         losses.append(np.reshape(piece.losses, (-1, 3)))
         watch(float(piece.t[-1]), float(inclination(y[None])[0]), "")
-    written = rows.rows()
-    written = written[: max(np.flatnonzero(written[:, 1] >= last)[-1], 1) + 1]
+    written, flights = rows.rows(), losses.rows()
+    end = np.flatnonzero(written[:, 1] >= last)[-1]
+    if piece.why == CARRIED:  # it ends where the contact was lost
+        end, flights = int(flights[-1, 0] / (STATES * dt)), flights[:-1]
+    written = written[: max(end, 1) + 1]
     motion = CompliantMotion(
         model=model,
         dt=dt,
         impulses=impulses.rows()[: STATES * (len(written) - 1) + 1],
         rows=written,
         slides=slides.rows(),
-        contact_losses=Losses(losses.rows()),
+        contact_losses=Losses(flights),
         excess=float(y[EXCESS]),
         outcome=OUTCOMES[piece.why],
     )
@@ -295,6 +307,8 @@ def compliant(scene, modes=None) -> Compliant:
         powers=tuple(power_laws(dissipation, disk)) if dissipation else (),
         viscous=(dissipation.viscous_moment, dissipation.viscous_force) if dissipation else (0.0, 0.0),
         profiles=profiles(scene.roughness, disk.radius),
+        film=film_of(scene).film,
+        fitted=scene.roughness is not None and scene.roughness.loss == "fitted",
         modes=modes,
         imperfection=getattr(scene, "imperfection", None),
         rate=step_rate(scene),
@@ -302,13 +316,13 @@ def compliant(scene, modes=None) -> Compliant:
 
 
 def _kept(model, y) -> np.ndarray:
-    """Return what is kept of states y (k, SIZE), (k, 17); the precession is in (-pi, pi]."""
+    """Return what is kept of states y (k, SIZE), (k, 19); the precession is in (-pi, pi]."""
     lost = y[:, LOSSES : LOSSES + len(CAUSES)]
     return np.column_stack([columns(model, y), energy(model, y), lost, y[:, SURFACE]])
 
 
 def _unwound(rows, dt) -> np.ndarray:
-    """Return rows (k, 17), dt [s] apart, with the precession going on from the first of them at its rate."""
+    """Return rows (k, 19), dt [s] apart, with the precession going on from the first of them at its rate."""
     rate = precession_rate(rows)
     step = np.diff(rows[:, 0])
     step -= 2 * np.pi * np.rint((step - (rate[1:] + rate[:-1]) / 2 * dt) / (2 * np.pi))

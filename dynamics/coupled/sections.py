@@ -74,6 +74,9 @@ class Roughness:
     """Longest wavelength [m]."""
     exponent: Annotated[float, Ge(0), Le(MOST_EXPONENT)] = 0.0
     """Exponent of the fall of the power spectrum over the wave number."""
+    loss: Literal["own", "fitted"] = "own"
+    """What roughness takes of the motion: "own", besides the friction of the scene, or "fitted", a part of it, where
+    that was measured on such a surface."""
     seed: Annotated[int, Ge(0), Le(10**9)] = 0
     """Seed of the heights: the same one gives the same heights."""
     profile: str | None = None

@@ -8,14 +8,21 @@ FORCE, LAST, SPEED, GAP, SLIDES = 17, 18, 20, 21, 22
 """Normal force of the last step and of the two before [N], path speed [m/s], gap [m], 1 where it slides."""
 HEIGHTS, STIFFNESS, TANGENTIAL = 23, 25, 27
 """Heights read on table and edge [m]; stiffness of the springs [N/m] and force on the disk [N] along t, d."""
-LOSSES, CAUSES = 29, ("contact", "creep", "slip", "moments", "table")
+LOSSES, CAUSES = 29, ("contact", "creep", "slip", "moments", "table", "film")
 """Energy [J] lost to each cause since the start."""
-SINE, CELL, PART = 34, 35, 36
+SINE, CELL, PART = 35, 36, 37
 """sin(beta), and where it stands in the table of the law: the interval, and the part of it."""
-EXCESS = 37
+EXCESS = 38
 """By how much [N] the friction ever exceeded what its cone holds."""
-SURFACE = 38
+SURFACE = 39
 """Energy [J] of the modes of the table."""
-SIZE = 39
+SPARED = 40
+"""Energy [J] that fitted friction was spared, since contact and creep had taken it."""
+LIFT, ALOFT, BORNE = 41, 42, 43
+"""Lift of the film [N]; of a flight that goes on, its duration [s] and the impulse of that lift [N s]."""
+SIZE = 44
 MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE, VISCOUS_MOMENT, VISCOUS_FORCE = *range(9), 11, 12, 13
 """Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table, viscous loads."""
+TURNING, FALLING, INERTIA, FITTED = range(14, 18)
+"""The film's moments per velocity and power of sin(beta) [N m s], and (S/SLOW)^4 over Omega^2 sin(beta)^4 [s^2]; 1
+where friction holds what roughness takes."""

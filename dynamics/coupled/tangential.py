@@ -5,21 +5,30 @@ k q~^2 V h/l >= 0. Where p exceeds what friction holds, p on the circle with C p
 force without slip, C positive, y >= 0: the slip 2 y p lies along p and takes 2 y p^2. A spring that begins to slip lets
 go what is above dynamic friction, and keeps no more than that; it sticks when it is stretched no further. As k grows a
 spring keeps its force, as k falls its stretch; both lower its energy. The moments are impulses against omega.a_i that
-are clipped where they stop it, so each takes kinetic energy.
+are clipped where they stop it, so each takes kinetic energy. Friction that was fitted to a rough disk holds what
+contact and creep take: its moments of rolling are spared that.
+
+The film of air (film/law.py) turns against omega_3, and presses on the face where its resultant lies, against the
+velocity there: of a contact that stands that is its law, and it takes energy whatever the contact does.
 """
 
 import numpy as np
 
+from ..film.law import LEVER
 from .compiled import kernel
 from .gap import column
 from .state import (
     ARMS,
     CELL,
     EXCESS,
+    FALLING,
+    FITTED,
     FORCE,
     HALF,
+    INERTIA,
     J1,
     J2,
+    LIFT,
     LOSSES,
     MASS,
     MU_D,
@@ -28,10 +37,12 @@ from .state import (
     RADIUS,
     SINE,
     SLIDES,
+    SPARED,
     SPEED,
     SPRING,
     STIFFNESS,
     TANGENTIAL,
+    TURNING,
     VISCOUS_FORCE,
     VISCOUS_MOMENT,
 )
@@ -56,6 +67,8 @@ def hold_at(y, law, powers, spline, d0, d1, h):
         y[SPRING + side], y[STIFFNESS + side] = q * min(1.0, before / k), k
         y[LOSSES + 1] += (before * q * q - k * y[SPRING + side] ** 2) / 2
     resist(y, law, powers, s, c, d0, d1, h)
+    if law[TURNING] > 0:
+        press(y, law, s, c, d0, d1, reach, h)
     e = 1 / law[J2] - 1 / J
     spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
     wd, wt = (y[9] * d0 + y[10] * d1) / J + spin * down, (y[10] * d0 - y[9] * d1) / J
@@ -130,7 +143,8 @@ def resist(y, law, powers, s, c, d0, d1, h):
     J, e = law[J1], 1 / law[J2] - 1 / law[J1]
     for i in range(3):
         a0, a1, a2 = (-d1, d0, 0.0) if i == 0 else (d0, d1, 0.0) if i == 1 else (0.0, 0.0, 1.0)
-        impulse(y, a0, a1, a2, h * law[ARMS + i] * y[FORCE], h * law[VISCOUS_MOMENT], J, e, LOSSES + 3)
+        held = 0.0 if i != 1 else law[FITTED]
+        impulse(y, a0, a1, a2, h * law[ARMS + i] * y[FORCE], h * law[VISCOUS_MOMENT], J, e, LOSSES + 3, held)
     if law[VISCOUS_FORCE] > 0:
         left = max(0.0, 1 - h * law[VISCOUS_FORCE] / law[MASS])
         y[LOSSES + 3] += law[MASS] / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
@@ -138,18 +152,39 @@ def resist(y, law, powers, s, c, d0, d1, h):
     for i in range(len(powers)):
         a0, a1, a2 = -c * d0, -c * d1, s  # e_3, upwards along the diameter through the contact
         rate = abs(y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
-        impulse(y, a0, a1, a2, h * powers[i, 0] * rate ** (powers[i, 1] - 1) / s, 0.0, J, e, LOSSES + 3)
+        growth = 1.0 if powers[i, 1] == 1 else rate ** (powers[i, 1] - 1)
+        impulse(y, a0, a1, a2, h * powers[i, 0] * growth / s, 0.0, J, e, LOSSES + 3, law[FITTED])
 
 
 @kernel
-def impulse(y, a0, a1, a2, size, per_rate, J, e, cause):
+def press(y, law, s, c, d0, d1, reach, h):
+    """Apply the film of air as impulses: its drag about e_3, and its pressure on the face as the disk falls."""
+    a0, a1, a2, J = -c * d0, -c * d1, s, law[J1]
+    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
+    heavier = (1.0 + (law[INERTIA] * (s * s * rate) ** 2) ** 0.625) ** 0.4
+    impulse(y, a0, a1, a2, 0.0, h * law[TURNING] * heavier / s**3, J, 0.0, LOSSES + 5, 0.0)
+    lever = LEVER / law[RADIUS]
+    arm = reach - 1 / lever
+    v, yields = y[5] - arm * (y[10] * d0 - y[9] * d1) / J, 1 / law[MASS] + arm * arm / J
+    push = v / yields * np.expm1(-h * lever * lever * law[FALLING] / s**3 * yields)
+    y[5], y[9], y[10] = y[5] + push / law[MASS], y[9] + arm * push * d1, y[10] - arm * push * d0
+    y[LOSSES + 5] -= push * (v + push * yields / 2)
+    y[LIFT] = push / h
+
+
+@kernel
+def impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
     """Turn against omega along the unit vector a by an angular impulse of `size` and more `per_rate`, at most the one
-    that stops it."""
+    that stops it; where it is `fitted` it is spared what contact and creep took."""
     if size == 0 and per_rate == 0:
         return
     n = a0 * y[6] + a1 * y[7] + a2 * y[8]
     rate = (a0 * y[9] + a1 * y[10] + a2 * y[11]) / J + e * n * (y[6] * y[9] + y[7] * y[10] + y[8] * y[11])
     yields = 1 / J + e * n * n
+    taken = fitted * (y[LOSSES] + y[LOSSES + 1]) - y[SPARED]
+    if fitted > 0 and taken > 0 and rate != 0:
+        spared = min(size, taken / abs(rate))
+        y[SPARED], size = y[SPARED] + spared * abs(rate), size - spared
     turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / yields)
     y[9], y[10], y[11] = y[9] + turn * a0, y[10] + turn * a1, y[11] + turn * a2
     y[cause] -= turn * (rate + turn * yields / 2)

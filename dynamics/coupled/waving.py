@@ -129,7 +129,7 @@ def hold_waving(y, law, powers, spline, waves, h):
 def stored(y):
     """Return the energy of the springs and what was lost so far."""
     springs = y[STIFFNESS] * y[SPRING] ** 2 + y[STIFFNESS + 1] * y[SPRING + 1] ** 2
-    return springs / 2 + y[LOSSES + 1] + y[LOSSES + 2] + y[LOSSES + 3]
+    return springs / 2 + y[LOSSES + 1] + y[LOSSES + 2] + y[LOSSES + 3] + y[LOSSES + 5]
 
 
 @kernel

