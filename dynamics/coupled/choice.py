@@ -4,6 +4,7 @@ from math import radians
 from typing import NamedTuple
 
 import numpy as np
+from scipy.integrate import trapezoid
 
 from ..dissipation import resistance, together
 from ..equations import law_of
@@ -12,13 +13,16 @@ from ..regime import FLOAT, Branch
 from ..rolling import RollingDisk, released
 from ..steady import steady_precession
 from ..switching import ImpossibleContactError
-from .filter import predicted_rms
+from ..time_left import steady_power
+from .filter import predicted_power, predicted_rms
 from .from_scene import ContactScene, last_inclination, law_table
 
 SHAKEN = 0.3
 """From this rms of N' over the weight on contact is lost: the force of a Gaussian vibration is then at times 0."""
 NEAR_SLIP = 0.8
 """From this share of the static friction at the release on, the nutation is taken to make the disk slide."""
+MATTERS = 0.05
+"""From this part of the energy on what roughness takes besides friction acts on the motion."""
 PLACES = 16
 """Inclinations at which the force is predicted."""
 
@@ -51,6 +55,11 @@ def choice(scene: ContactScene) -> Choice:
     if below:
         reason = f"{expected}, more than {SHAKEN:g} from {below:.2g} rad on, so that contact is lost"
         return Choice("full", reason, predicted, below)
+    takes = roughness_takes(scene)
+    if takes > MATTERS:
+        return Choice(
+            "full", f"{expected}; roughness takes {takes:.0%} of the energy, besides friction", predicted, below
+        )
     used = friction_used(scene)
     if used > NEAR_SLIP:
         reason = f"{expected}, but {used:.0%} of the static friction is used at the release: slides ring the contact"
@@ -72,13 +81,36 @@ def imperfect(scene: ContactScene) -> bool:
 def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] from the release to the end, or to where the air carries the disk, and the rms of
     N' over the weight (k,) in the steady motion there."""
+    beta, speed = steadily(scene)
+    if scene.roughness is None:
+        return beta, np.zeros(PLACES)
+    weight = scene.disk.weight
+    return beta, predicted_rms(law_table(scene), scene.roughness, beta, weight, speed) / weight
+
+
+def roughness_takes(scene: ContactScene) -> float:
+    """Return the part of the energy of a steady decline that roughness takes besides friction and air.
+
+    0 where the friction was fitted to such a surface, and holds it.
+    """
+    if scene.roughness is None or scene.roughness.loss == "fitted":
+        return 0.0
+    disk, law, (beta, speed) = scene.disk, law_of(scene.disk, scene.friction), steadily(scene)
+    loads = together(resistance(getattr(scene, "dissipation", None), disk), film_of(scene).film)
+    exists = np.array([abs(steady_rate(disk, b) - flat_rate(disk, b)) > 0 for b in beta])
+    beta, speed = beta[exists], speed[exists]
+    rough = predicted_power(law_table(scene), scene.roughness, beta, disk.weight, speed)
+    friction = np.array([steady_power(b, law, loads) for b in beta]) * disk.mass * disk.radius**2 / disk.time_unit**3
+    return float(trapezoid(rough / (rough + friction), -beta) / np.ptp(beta))  # the energy goes with beta
+
+
+def steadily(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
+    """Return falling inclinations (PLACES,) [rad] of a scene and the speed [m/s] of the contact in steady motion."""
     disk, first = scene.disk, radians(scene.release.inclination_deg)
     last = max(last_inclination(scene), min(carried_below(scene), first / 2))
     beta = np.geomspace(first, last, PLACES)
-    if scene.roughness is None:
-        return beta, np.zeros(PLACES)
-    speed = np.array([disk.radius * steady_rate(disk, b) * (np.cos(b) - disk.aspect * np.sin(b)) for b in beta])
-    return beta, predicted_rms(law_table(scene), scene.roughness, beta, disk.weight, speed) / disk.weight
+    rate = np.array([steady_rate(disk, b) for b in beta])
+    return beta, disk.radius * rate * (np.cos(beta) - disk.aspect * np.sin(beta))
 
 
 def steady_rate(disk, beta: float) -> float:
@@ -86,7 +118,12 @@ def steady_rate(disk, beta: float) -> float:
     try:
         return steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit
     except (ValueError, ZeroDivisionError):
-        return (4.0 / np.sin(beta)) ** 0.5 / disk.time_unit
+        return flat_rate(disk, beta)
+
+
+def flat_rate(disk, beta: float) -> float:
+    """Return the precession rate [rad/s] of a flat steady motion, as a measure of it at a steep inclination."""
+    return (4.0 / np.sin(beta)) ** 0.5 / disk.time_unit
 
 
 def friction_used(scene: ContactScene) -> float:

@@ -118,6 +118,17 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
     return np.sqrt(square)
 
 
+def predicted_power(table: LawTable, roughness: Roughness, inclination, load, speed) -> np.ndarray:
+    """Return the mean power (k,) [W] that heights take from a disk in steady motion: N' times the rate at which they
+    rise, the sum over the waves z of their spectrum of omega Im(N'/z)."""
+    (k, heights), powers = density(roughness), []
+    for steady in np.broadcast(inclination, load, np.abs(speed)):
+        one = np.reshape(steady, (3, 1))
+        a, response = table.springs(*one[:2])[1], gain(table.system(*one), k * one[2])
+        powers.append(trapezoid(heights * window(k * a) ** 2 * k * one[2] * response.imag, k))
+    return np.array(powers)
+
+
 def predicted_spectrum(
     table: LawTable, roughness: Roughness, inclination, load, speed, frequency, impedance=np.inf, rolls=True
 ):

@@ -3,16 +3,16 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import trapezoid
 from scipy.special import ndtr
 
 from dynamics import Motion
 from dynamics.coupled.choice import SHAKEN
 from dynamics.coupled.contact import LEAST_INCLINATION
-from dynamics.coupled.filter import gain, predicted_rms, predicted_spectrum
+from dynamics.coupled.filter import predicted_power, predicted_rms, predicted_spectrum
 from dynamics.coupled.from_scene import law_table
-from dynamics.coupled.roughness import density, shift_of_contact, window
-from dynamics.coupled.table import LawTable
+from dynamics.coupled.roughness import shift_of_contact
+from dynamics.coupled.softening import softened
+from dynamics.coupled.table import InSeries, LawTable
 from sonify.claims.motion import Finding, median
 from sonify.hearing.noise_band import NoiseBand, middle, noise_band
 from sonify.hearing.recording import Heard
@@ -21,6 +21,8 @@ from sonify.sound.pressure import Sound
 
 PLACES = 96
 """Instants of the motion at which its vibration is predicted."""
+SOFTENED = 12
+"""Of them those at which it is asked how much softer the contact is than a linear one."""
 FINE = 800
 """Instants of the line in a picture: early in a motion it swings with the nutation."""
 STRETCH, READINGS = 0.5, 12
@@ -30,6 +32,12 @@ STEADY = 5.0
 """Spread of a steady carrier [cents]."""
 RECORDED, CONSTANT = (1840.0, 2280.0), (5040.0, 8230.0)
 """Peaks recorded of the toy on granite [Hz]: those between which the carrier passes, and two that stay."""
+TOO_LOW = 1.1, 1.9
+"""By what factor the rms of the filter may be too low where the disk rolls, and where it slides."""
+CERTAIN = 0.4
+"""Above this rms of N' over the weight contact is lost in any case, between SHAKEN and it in some motions."""
+SCATTER = 0.2
+"""Of the power that roughness takes, relative: of its prediction, and from one surface to another."""
 LEAST_LOSS = 1e-4
 """Contact that is lost for a smaller part of the time is not broken by vibrations: a slip may do that."""
 
@@ -39,7 +47,8 @@ class Vibration:
     """What the linear contact lets expect along a motion, at even times t (k,) [s].
 
     Inclination [rad], normal force without the vibration [N], speed of the contact [m/s], whether it rolls; the `rms`
-    of N' [N], the power [W] that roughness takes, and rms(z'') R/beta of the several contacts.
+    of N' [N], the power [W] that roughness takes, and rms(z'') R/beta of the several contacts; and the factor on the
+    load that makes the linear contact as soft as one that vibrates so, 1 along a rigid motion.
     """
 
     table: LawTable
@@ -51,19 +60,25 @@ class Vibration:
     rms: np.ndarray
     power: np.ndarray
     shift: np.ndarray
+    softer: np.ndarray
 
 
 def vibration(scene: Scene, motion: Motion) -> Vibration:
     """Return what the heights and the law of a scene let expect along its motion, while one ellipse is the contact."""
-    table = law_table(scene)
+    solved = hasattr(motion, "lost")
+    table = law_table(scene, InSeries if solved else LawTable)
     t = last_ellipse(motion) * (np.arange(PLACES) + 0.5) / PLACES
     inclination, load, speed, rolls = course(motion, t)
-    rms, power, shift = np.zeros((3, PLACES))
+    rms, power, shift, softer = *np.zeros((3, PLACES)), np.ones(PLACES)
     if scene.roughness is not None:
         rms = predicted_rms(table, scene.roughness, inclination, load, speed)
-        power = np.array([taken(table, scene.roughness, *one) for one in zip(inclination, load, speed, strict=True)])
+        power = predicted_power(table, scene.roughness, inclination, load, speed)
         half = table.law.semi_axes(inclination, load)[0]
         shift = shift_of_contact(scene.roughness, inclination, half, scene.disk.radius)
+        if solved:
+            some = slice(None, None, PLACES // SOFTENED)
+            factors = softened(table, scene.roughness, inclination[some], load[some], speed[some])
+            softer = np.interp(t, t[some], factors)
     return Vibration(
         table=table,
         t=t,
@@ -74,6 +89,7 @@ def vibration(scene: Scene, motion: Motion) -> Vibration:
         rms=rms,
         power=power,
         shift=shift,
+        softer=softer,
     )
 
 
@@ -84,16 +100,6 @@ def course(motion: Motion, t):
     turning = state[:, 6] - state[:, 7] / np.tan(state[:, 1])
     speed = np.abs(motion.disk.radius * turning + state[:, 8])
     return state[:, 1], np.maximum(load, 0.01 * motion.disk.weight), speed, np.char.startswith(motion.regime(t), "roll")
-
-
-def taken(table: LawTable, roughness, inclination, load, speed) -> float:
-    """Return the mean power [W] that heights take from a disk in steady motion: N' times the rate at which they rise.
-
-    The mean over the waves z of their spectrum of omega Im(N'/z).
-    """
-    steady, (k, heights) = np.array([[inclination], [load], [speed]]), density(roughness)
-    a, response = table.springs(*steady[:2])[1], gain(table.system(*steady), k * speed)
-    return float(trapezoid(heights * window(k * a) ** 2 * k * speed * response.imag, k))
 
 
 def contact_findings(
@@ -113,7 +119,7 @@ def contact_findings(
     found = carrier_findings(scene, motion, expected, heard) if np.isfinite(heard.frequency).sum() >= 3 else []
     rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms) / 2**0.5
     rough = [loss_begins_at(float(rms), expected)] if rms and not scene.roughness.profile else []
-    return [*found, *broken, *rough, roughness_ends_it(motion, expected)], marked
+    return [*found, *broken, *rough, roughness_ends_it(scene.roughness.loss, motion, expected)], marked
 
 
 def carrier_findings(scene, motion, expected: Vibration, heard: NoiseBand) -> list[Finding]:
@@ -152,7 +158,8 @@ def carrier_is_contact(scene, motion, expected: Vibration, heard: NoiseBand) -> 
     ratios = []
     for i in shown:
         t = heard.time[i] + STRETCH * ((np.arange(READINGS) + 0.5) / READINGS - 0.5)
-        places = zip(*course(motion, np.minimum(t, expected.t[-1])), strict=True)
+        inclination, load, *rest = course(motion, np.minimum(t, expected.t[-1]))
+        places = zip(inclination, load * np.interp(t, expected.t, expected.softer), *rest, strict=True)
         power = np.mean(
             [predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r) for b, N, V, r in places], 0
         )
@@ -180,6 +187,7 @@ def carrier_passes_recorded_peaks(expected: Vibration) -> Finding:
         value=float(len(when) * expected.t[-1] / PLACES),
         unit=f"s between them{span}",
         at_least=1.0,
+        margin=float(2 * expected.t[-1] / PLACES),
         source="recordings of the toy on granite, 2026",
     )
 
@@ -194,6 +202,7 @@ def constant_peaks_are_the_contact(expected: Vibration) -> Finding:
         value=max(stays) / expected.t[-1],
         unit="of the motion, within 2 % of either",
         at_least=0.5,
+        margin=2 / PLACES,
         source="recordings of the toy on granite, 2026; what stays while the disk falls is of the table",
     )
 
@@ -202,10 +211,13 @@ def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
     """The share of the time without contact: as solved, or, where the motion keeps it, of a Gaussian vibration."""
     flights = motion.contact_losses
     if flights:
-        share, first = sum(f.duration for f in flights) / motion.t[-1], flights[0].t
+        lasts = np.array([f.duration for f in flights])
+        share, first = lasts.sum() / motion.t[-1], flights[0].t
+        margin = 2 * np.sqrt(np.sum(lasts**2)) / motion.t[-1]  # flights as independent events
     else:
-        lost = np.where(expected.rms > 0, ndtr(-expected.load / np.maximum(expected.rms, 1e-300)), 0.0)
+        lost = without_contact(expected, 1.0)
         share, first = lost.mean(), expected.t[lost > LEAST_LOSS].min(initial=np.inf)
+        margin = without_contact(expected, np.where(expected.rolls, *TOO_LOW)).mean() - share
     when = f"first {first:.3g} s after the release" if np.isfinite(first) else "never"
     return Finding(
         key="contact_is_lost",
@@ -213,19 +225,27 @@ def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
         value=float(share),
         unit=f"of the time without contact, {'solved' if flights else 'expected of the filter'}; {when}",
         at_least=LEAST_LOSS,
+        margin=float(margin),
         source="abstract: the vibrations will result in a loss of contact",
     )
+
+
+def without_contact(expected: Vibration, factor) -> np.ndarray:
+    """Return the part of the time (k,) in which a Gaussian vibration of `factor` times the rms has no contact."""
+    return np.where(expected.rms > 0, ndtr(-expected.load / np.maximum(factor * expected.rms, 1e-300)), 0.0)
 
 
 def micro_flights(motion: Motion) -> Finding:
     """The longest loss of contact of a motion that has any."""
     flights = motion.contact_losses
+    longest = np.sort([f.duration for f in flights])[::-1]
     return Finding(
         key="micro_flights",
         claim="Contact is lost in micro-flights, too short to be seen",
-        value=float(max(f.duration for f in flights)),
+        value=float(longest[0]),
         unit=f"s, the longest of {len(flights)}; the highest {1e6 * max(f.height for f in flights):.2g} um",
         at_most=1e-3,
+        margin=float(longest[0] - longest[: len(longest) // 10 + 1][-1]),
         source="Borisov et al. (2015)",
     )
 
@@ -239,24 +259,30 @@ def loss_begins_at(rms: float, expected: Vibration) -> Finding:
         value=float(rms * SHAKEN / most),
         unit="m, the rms of table and edge each from which on contact is lost",
         at_most=1e-7,
+        margin=float(rms * (CERTAIN - SHAKEN) / most),
         source="abstract; N' is proportional to the heights",
     )
 
 
-def roughness_ends_it(motion: Motion, expected: Vibration) -> Finding:
-    """The share of the energy lost that goes to roughness: what the contact and its creep took, or would take."""
+def roughness_ends_it(loss: str, motion: Motion, expected: Vibration) -> Finding:
+    """The share of the energy lost that goes to roughness: what the contact and its creep took, or would take; `loss`
+    is that of the roughness, "own" or "fitted"."""
+    fitted = loss == "fitted"
     if hasattr(motion, "lost"):
-        lost = motion.lost(motion.t[-1:])[0]
+        lost, where = motion.lost(motion.t[-1:])[0], "a part of the friction" if fitted else "in addition to friction"
         share = lost[:2].sum() / lost.sum()
     else:
-        share = expected.power.mean() * expected.t[-1] / motion.state[-1, 10]
+        took, lost = expected.power.mean() * expected.t[-1], motion.state[-1, 10]
+        share = took / (lost if fitted else lost + took)
+        where = "held by friction" if fitted else "in addition to friction, and not in this motion"
     return Finding(
         key="roughness_ends_it",
         claim="Roughness is what ends the motion",
         value=float(share),
-        unit="of the energy lost" + (", in addition to friction" if hasattr(motion, "lost") else ", held by friction"),
+        unit=f"of the energy lost, {where}",
         at_least=0.5,
-        source="the power of N' at the rate at which the heights rise",
+        margin=float(SCATTER * share),
+        source=f"the power of N' at the rate at which the heights rise; roughness.loss = '{loss}'",
     )
 
 
@@ -279,7 +305,7 @@ def carrier_line(scene: Scene, motion: Motion, delay: float) -> tuple[np.ndarray
 
 def frequency(expected: Vibration) -> np.ndarray:
     """Return the resonance of the contact (k,) [Hz] along a motion."""
-    return expected.table.carrier(expected.inclination, expected.load, expected.speed).frequency
+    return expected.table.carrier(expected.inclination, expected.softer * expected.load, expected.speed).frequency
 
 
 def last_ellipse(motion: Motion) -> float:

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from dynamics.coupled.choice import choice, steady_rate
+from dynamics.coupled.choice import choice, roughness_takes, steady_rate
 from dynamics.coupled.from_scene import law_table
 from dynamics.film.acting import film_of
 from sonify.plan.plan import Decision, Plan
@@ -23,19 +23,22 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
     chosen = choice(scene)
     reason = f"{chosen.reason}; {ERROR}" if chosen.kind == "filter" else chosen.reason
     bends = [] if chosen.kind == "rigid" else [bending(scene)]
+    takes = roughness_takes(scene) if scene.roughness else 0.0
     counted = scene.contact.body == "elastic" and scene.edge is not None
     missing = (
         *LEFT_OUT[chosen.kind],
+        *([BESIDES.format(takes)] if chosen.kind == "filter" and takes else []),
         *bends[counted:],
         *([BARELY_A_WEDGE] if chosen.kind == "full" and film_of(scene).film else []),
     )
+    counted_once = [TAKES[scene.roughness.loss]] if chosen.kind != "rigid" and scene.roughness else []
     return replace(
         plan,
         predictions=tuple(rough_sound(p, chosen.kind) if p.name == SOUND else p for p in plan.predictions)
         if scene.roughness
         else plan.predictions,
         decisions=(*plan.decisions, Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)),
-        modelled=(*plan.modelled, *MODELLED[chosen.kind], *bends[:counted]),
+        modelled=(*plan.modelled, *MODELLED[chosen.kind], *bends[:counted], *counted_once),
         left_out=(*plan.left_out, *missing),
     )
 
@@ -90,11 +93,13 @@ MODELLED = {
 LEFT_OUT = {
     "rigid": ("Sound of roughness, and the resonance of the contact that it rings.",),
     "filter": (
-        "The action of that vibration on the motion: the friction of the scene is meant to hold what roughness takes; "
-        "losses of contact; friction that vibrates while the disk slides.",
+        "The action of that vibration on the motion; losses of contact; friction that vibrates while the disk slides.",
     ),
-    "full": (
-        "Friction that holds the loss by roughness already, as measured friction does, would count it twice: here "
-        "roughness takes its energy besides.",
-    ),
+    "full": (),
+}
+BESIDES = "What roughness takes besides friction, {:.1%} of the energy: the motion is that of a smooth contact."
+TAKES = {
+    "own": "Roughness takes its energy besides the friction of the scene (roughness.loss = 'own').",
+    "fitted": "The friction of the scene, measured on such a surface, holds what roughness takes: it is counted once "
+    "(roughness.loss = 'fitted').",
 }
