@@ -15,6 +15,7 @@ CHARTS = {
     "modes": Chart("Modes: accuracy against speed", "largest relative error of a frequency"),
     "sound": Chart("Sound: accuracy against speed", "rms error of the pressure over its rms"),
     "contact": Chart("Elastic contact: accuracy against speed"),
+    "table": Chart("A table under the disk: accuracy against speed", "distance from the closed form, relative"),
     "end_to_end": Chart("From scene to sound: accuracy against speed"),
     "film": Chart("Film of air: accuracy against speed", "relative error of the power"),
     "stability": Chart("Stability: where methods fail"),
