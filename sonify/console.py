@@ -19,6 +19,7 @@ class Console(Stages):
 
     def __init__(self):
         super().__init__()
+        self._shown = True
         self._console = RichConsole(stderr=True, highlight=False)
         self._bars = Progress(
             TextColumn("{task.description}"),
@@ -33,6 +34,7 @@ class Console(Stages):
         return self
 
     def __exit__(self, *_):
+        self._shown = False  # what still goes on in a thread says no more
         if self._bars.live.is_started:
             self._bars.stop()
 
@@ -40,22 +42,19 @@ class Console(Stages):
     def stage(self, name: str):
         """Time the block as stage `name` and say how long it took."""
         self._bars.start()
-        self._task = self._bars.add_task(name, total=1.0, note="")
+        task = self._bars.add_task(name, total=1.0, note="")
         try:
             with super().stage(name):
-                yield self.watch
+                yield lambda share, note="": self._bars.update(task, completed=share, note=note)
         finally:
-            self._bars.remove_task(self._task)
-        self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
+            self._bars.remove_task(task)
+        if self._shown:
+            self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
     def answer(self, result: "Result"):
         """Print what was found; the files follow."""
         self._bars.stop()
         say(result)
-
-    def watch(self, share: float, note: str = ""):
-        """Move the bar of the running stage."""
-        self._bars.update(self._task, completed=share, note=note)
 
 
 def say(result: "Result"):

@@ -1,4 +1,4 @@
-"""SCENE -> PLAN -> MODES -> MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one screen."""
+"""SCENE -> PLAN -> MODES and MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one screen."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -20,12 +20,13 @@ from sonify.plan.air import beyond_the_film, with_air
 from sonify.plan.plan import with_end
 from sonify.plan.predictions import SOUND
 from sonify.plan.solvable import planned, solvable, solve_motion
-from sonify.plan.table import strayed, with_table
-from sonify.progress import Stages
+from sonify.plan.table import acts_back, strayed, with_table
+from sonify.progress import Stages, beside
 from sonify.report.pictures import Pictures
 from sonify.report.write import write_record
 from sonify.result import Result
 from sonify.scene import Scene
+from sonify.sound.oscillators import compile_oscillators
 from sonify.sound.radiation import listener_of
 from sonify.sound.render import sound_of
 from sonify.sound.wav import write_sound
@@ -50,23 +51,25 @@ def solve(
     """
     scene, stages = solvable(scene, accuracy), stages or Stages()
     prepare(scene)
-    with stages.stage("modes"):
-        plan, modes = planned(scene, eigenmodes)
-        plan, table = with_table(with_air(plan, scene), scene)
+    elastic = beside(_elastic, scene, eigenmodes, stages)
     with stages.stage("motion") as watch:
-        motion = solve_motion(
-            scene,
-            lambda t, inclination, doing: watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}"),
-            table,
-        )
+
+        def watched(t, inclination, doing):
+            watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")
+            if elastic.done():
+                elastic.result()  # says what is wrong with the modes
+
+        motion = solve_motion(scene, watched, elastic.result()[2] if acts_back(scene) else None)
+        plan, modes, table = elastic.result()
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion))
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.voices, plan.calm, table, watch)
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion, sound=sound))
     with stages.stage("findings"):
-        heard, silence = hear(sound)
-        checks = all_checks(scene, motion, modes, sound)
-        findings = all_findings(motion, modes) + all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
+        hearing = beside(hear, sound)
+        checks, findings = all_checks(scene, motion, modes, sound), all_findings(motion, modes)
+        heard, silence = hearing.result()
+        findings += all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
         findings += table_findings(scene, motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND))
         on_contact, several = contact_findings(scene, motion, sound, heard)
         findings += air_findings(scene, motion, sound) + on_contact + literature_findings(scene, motion, modes, sound)
@@ -82,6 +85,15 @@ def solve(
         checks=checks,
         seconds=stages.seconds,
     )
+
+
+def _elastic(scene, eigenmodes, stages):
+    """What is to be computed, the modes of the disk and those of the table."""
+    with stages.stage("modes"):
+        plan, modes = planned(scene, eigenmodes)
+        found = with_table(with_air(plan, scene), scene)
+    compile_oscillators()
+    return found[0], modes, found[1]
 
 
 @one_blas_thread

@@ -15,10 +15,15 @@ BENT = 0.5
 """Deflection over thickness beyond which a plate also stretches: linear theory is left."""
 
 
+def acts_back(scene: Scene) -> bool:
+    """Return whether the motion is solved with the modes of the table."""
+    return getattr(scene.surface, "action", "auto") == "motion"
+
+
 def check_table(scene: Scene):
     """Raise SceneError, before any work, where the table cannot be solved."""
     surface = scene.surface
-    acts = "surface.action = 'motion'" if getattr(surface, "action", "auto") == "motion" else ""
+    acts = "surface.action = 'motion'" if acts_back(scene) else ""
     for wrong, instead in (
         (acts and surface.kind == "infinite", "surface.kind = 'infinite': a table that acts back must have modes"),
         (acts and scene.imperfection, "imperfection: a table is wavy or acts back"),

@@ -3,7 +3,7 @@
 from base64 import b64encode
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader
 from markupsafe import Markup
@@ -29,8 +29,9 @@ MOST_EMBEDDED = 100_000_000
 """A longer sound [bytes] is not put into a notebook."""
 
 
-def write(result: "Result", path: Path):
-    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours."""
+def write(result: "Result", path: Path, heard: dict[str, Any] | None = None):
+    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours; `heard` are its
+    `sounds`, if these are known."""
     text = (
         templates()
         .get_template("report.html")
@@ -40,7 +41,7 @@ def write(result: "Result", path: Path):
             hangs_on=hangs_on,
             paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
             not_from=words.not_from(result),
-            data=page_data(result),
+            data=page_data(result, heard),
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[

@@ -37,8 +37,8 @@ PER_SAMPLE = 1.0
 """Bytes that FLAC of 16 bits takes for a sample of a disk, or a little less."""
 
 
-def page_data(result: "Result") -> dict[str, Any]:
-    """Return the numbers of a page; `sounds` is empty where they are too long for one."""
+def page_data(result: "Result", heard: dict[str, Any] | None = None) -> dict[str, Any]:
+    """Return the numbers of a page; of which the `sounds` are `heard`, if these are known already."""
     sound, motion = result.sound, result.motion
     return {
         "name": result.scene.name,
@@ -46,7 +46,7 @@ def page_data(result: "Result") -> dict[str, Any]:
         "sample_rate": sound.sample_rate,
         "source_end": sound.source_end,
         "delay": sound.source_end - float(motion.t[-1]),
-        "sounds": sounds(sound),
+        "sounds": sounds(sound) if heard is None else heard,
         "lines": {"rates": rates(motion), "modes": packed(np.unique(result.modes.frequency.round(1)))},
         "colours": packed(np.frombuffer(painter().draw("sound", "draw_colours", dict).result(), np.uint8)),
         "disk": {
@@ -63,7 +63,8 @@ def page_data(result: "Result") -> dict[str, Any]:
 
 
 def sounds(sound: Sound) -> dict[str, Any]:
-    """Return every stem in two scales: A-weighted and loud, as audible.wav, and true, as sound.wav."""
+    """Return every stem in two scales: A-weighted and loud, as audible.wav, and true, as sound.wav; empty where they
+    are too long for a page."""
     if 2 * len(sound.stems) * sound.samples * PER_SAMPLE > MOST_SOUND:
         return {}
     audible, whole = sound.audible.full_scale, sound.full_scale

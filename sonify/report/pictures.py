@@ -19,6 +19,7 @@ from sonify.files import whole
 from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.plan.supports import over_the_run
+from sonify.progress import beside
 from sonify.report.captions import table_caption
 from sonify.report.painter import drawn, painter
 
@@ -35,16 +36,24 @@ MOST_TABLE = 10
 
 
 class Pictures:
-    """The pictures of a run, drawn by the `painter` as soon as what they show is known."""
+    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and the sounds of its page."""
 
     def __init__(self):
         self._futures: dict[str, Future] = {}
+        self._sounds: Future | None = None
 
     def begin(self, found: Any):
         """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as a Result has."""
         for name, (needs, module, function, shown) in PICTURES.items():
             if hasattr(found, needs) and name not in self._futures and not _left_out(name, found):
                 self._futures[name] = painter().draw(module, function, partial(shown, found))
+        if hasattr(found, "sound") and not self._sounds:
+            self._sounds = beside(_sounds, found.sound)
+
+    def sounds(self, result: "Result") -> dict[str, Any]:
+        """Return the sounds of the page of a result."""
+        self.begin(result)
+        return self._sounds.result()
 
     def write(self, result: "Result"):
         """Write every picture of a result into its folder; in a draft not that of the stems."""
@@ -56,6 +65,12 @@ class Pictures:
                 continue
             with whole(path) as temporary:
                 temporary.write_bytes(self._futures[name].result())
+
+
+def _sounds(sound):
+    from sonify.report.page_data import sounds  # loads slowly
+
+    return sounds(sound)
 
 
 def _left_out(name, found):

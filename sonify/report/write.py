@@ -42,7 +42,7 @@ def write_record(result: "Result", stages: Stages, pictures: Pictures):
     with stages.stage("pictures"):
         pictures.write(result)
     write_json(run_record(result), result.out / "run.json")
-    page.write(result, result.out / "report.html")
+    page.write(result, result.out / "report.html", pictures.sounds(result))
 
 
 def moved(result: "Result") -> dict:

@@ -54,6 +54,11 @@ def responses(omega, decay, t):
     return step, ramp
 
 
+def compile_oscillators():
+    """Compile what an OscillatorBank needs, beside other work."""
+    OscillatorBank(np.ones(1), np.ones(1), 8.0).advance(np.zeros((1, 1)))
+
+
 class OscillatorBank:
     """m oscillators q'' + 2 d q' + w^2 q = g(t) with states that carry over from block to block.
 
