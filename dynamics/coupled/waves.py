@@ -11,7 +11,7 @@ import numpy as np
 from scipy.interpolate import make_interp_spline
 
 from .compiled import kernel
-from .state import AXIS, FORCE, HALF, J1, MOMENTUM, RADIUS, SPRING, SURFACE, VELOCITY
+from .state import AXIS, FORCE, HALF, J1, MOMENTUM, RADIUS, SPRING, SURFACE
 
 SCANNED, OFTEN, SELDOM = 48, 16, 256
 """Places at which the whole rim is looked at, and after so many steps, where the table is bent or hardly is."""
@@ -260,18 +260,23 @@ def energy_of(waves):
 
 
 def settle(waves: Waves, modes, model, y) -> None:
-    """Give the modes the deflection and velocity with which they carry the force of a contact that goes its way."""
+    """Give the modes the deflection and velocity with which they carry the force of a contact that turns steadily.
+
+    The force then drives a mode with the Fourier series of its shape round the rim, and nothing else rings.
+    """
     if modes is None or not len(waves.state):
         return
     law, n = model.constants, y[AXIS:MOMENTUM]
-    s = np.hypot(n[0], n[1])
-    d, t, reach = n[:2] / s, np.array([-n[1], n[0]]) / s, law[RADIUS] * n[2] - law[HALF] * s
-    turning = np.cross(y[MOMENTUM:SPRING], n)[:2] / law[J1] @ t / s
-    place = waves.stays * y[:2] + reach * d + modes.place
-    along = (reach * turning + waves.stays * y[VELOCITY : VELOCITY + 2] @ t) * t
-    shape, gradient = modes.at(*place[:, None])[0], [modes.at(*place[:, None], slope)[0] for slope in ((1, 0), (0, 1))]
-    force = -y[FORCE] / waves.constants[:, STIFFNESS]
-    waves.contact[ANGLE] = np.arctan2(d[1], d[0])
-    waves.state[:, Q], waves.state[:, V], waves.state[:, NOW] = force * shape, force * (along @ gradient), shape
+    s, start = np.hypot(n[0], n[1]), np.arctan2(n[1], n[0])
+    reach = law[RADIUS] * n[2] - law[HALF] * s
+    turning = (np.cross(y[MOMENTUM:SPRING], n)[:2] / law[J1]) @ np.array([-n[1], n[0]]) / s**2
+    angle = start + 2 * np.pi * np.arange(SCANNED) / SCANNED
+    east, north = (waves.stays * y[:2] + modes.place)[:, None] + reach * np.array([np.cos(angle), np.sin(angle)])
+    shapes, rate = modes.at(east, north), 1j * turning * np.fft.fftfreq(SCANNED, 1 / SCANNED)[:, None]
+    k, c = waves.constants[:, STIFFNESS], waves.constants[:, DAMPING]
+    parts = -y[FORCE] * np.fft.fft(shapes, axis=0) / SCANNED / (k + c * rate + rate**2)
+    waves.contact[ANGLE] = start
+    waves.state[:, Q], waves.state[:, V] = parts.sum(axis=0).real, (rate * parts).sum(axis=0).real
+    waves.state[:, NOW] = shapes[0]
     y[SURFACE] = energy_of(waves)
-    y[2] += waves.state[:, Q] @ shape
+    y[2] += waves.state[:, Q] @ shapes[0]

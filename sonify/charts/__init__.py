@@ -16,6 +16,7 @@ CHARTS = {
     "sound": Chart("Sound: accuracy against speed", "rms error of the pressure over its rms"),
     "contact": Chart("Elastic contact: accuracy against speed"),
     "table": Chart("A table under the disk: accuracy against speed", "distance from the closed form, relative"),
+    "campbell": Chart("Campbell diagram: a disk that turns over one mode of a table", "relative error of the growth"),
     "end_to_end": Chart("From scene to sound: accuracy against speed"),
     "film": Chart("Film of air: accuracy against speed", "relative error of the power"),
     "stability": Chart("Stability: where methods fail"),
