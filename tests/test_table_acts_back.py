@@ -4,6 +4,8 @@ Source: the docstrings of waving.py and waves.py; the wave drag of a steady prec
 of the states, the closed form of a driven oscillator, an independent program for one case.
 """
 
+import json
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -13,7 +15,7 @@ from scipy.interpolate import CubicSpline
 from dynamics.coupled.from_scene import contact_law
 from dynamics.coupled.full import Compliant
 from dynamics.coupled.handover import columns, energy, release
-from dynamics.coupled.march import FLAT
+from dynamics.coupled.march import FLAT, LIES
 from dynamics.coupled.state import LOSSES
 from dynamics.coupled.table import LENGTH1, LENGTH2, LOSS, LawTable
 from dynamics.disk import Friction
@@ -73,42 +75,56 @@ def test_energy_is_kept_and_never_gained(elastic, damping):
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
 
 
-@pytest.mark.parametrize("x", [0.5, 0.8, 1.4])
+@pytest.mark.parametrize("x", [0.3, 0.5, 0.8, 0.9, 1.1, 1.4, 2.2])
 def test_wave_drag(elastic, x):
-    """A steady precession at x = n Omega/w gives a mode 2 zeta w M (n Omega a)^2, a its amplitude under the weight.
+    """A steady precession at x = n Omega/w loses m g R beta Omega k_eff/R to a mode, of the mass M and damping zeta.
 
-    With a = m g/(M w^2)/((1 - x^2)^2 + (2 zeta x)^2)^0.5; cosine and sine together have it at every instant.
+    With k_eff/R = (m/M) x^2/(n Omega^2 beta R/g) 2 zeta x/((1 - x^2)^2 + (2 zeta x)^2), from its first turn on, since
+    the table is handed over as it moves under that force; what is left is of the order of the inclination, 2e-3.
     """
-    n, zeta, mass, beta = 2, 0.02, 20.0, 2e-3
-    start, rate = steady(elastic.disk, beta)
+    n, zeta, mass, beta, disk = 2, 0.02, 300.0, 2e-3, elastic.disk
+    start, rate = steady(disk, beta)
     w = n * rate / x
-    model = standing(elastic, 2e5, GRIPS, (n, w / (2 * np.pi), zeta, mass), damps=True)
-    y = release(model, start)
-    span = 6 / (zeta * w)
-    _, t, state, _, _ = run(model, y, 20, span + 0.1)
-    late = t > span
-    power = np.polyfit(t[late], state[late, LOSSES + 4], 1)[0]
-    omega = np.abs(precession_rate(columns(model, state[late]))).mean()
-    here = n * omega / w
-    amplitude = elastic.disk.weight / (mass * w**2) / np.hypot(1 - here**2, 2 * zeta * here)
-    assert power == pytest.approx(2 * zeta * w * mass * (n * omega * amplitude) ** 2, rel=0.05)
+    model = standing(elastic, 2e5, GRIPS, (n, w / (2 * np.pi), zeta, mass))
+    _, t, state, _, _ = run(model, release(model, start), 20, 20 * np.pi / rate)
+    power = (state[-1, LOSSES + 4] - state[0, LOSSES + 4]) / (t[-1] - t[0])
+    gravity, now = disk.weight / disk.mass, n * np.abs(precession_rate(columns(model, state))).mean() / w
+    arm = now**2 / (n * rate**2 * beta * disk.radius / gravity) * 2 * zeta * now
+    arm *= disk.mass / mass / ((1 - now**2) ** 2 + (2 * zeta * now) ** 2)
+    assert power == pytest.approx(disk.weight * disk.radius * beta * rate * arm, rel=0.01)
 
 
 @pytest.mark.slow
 def test_the_halt_on_one_mode(elastic):
-    """From the published motion at tau = 250, another program loses contact at 0.933(10) s and is flat at 0.958(10) s.
+    """From the published motion at tau = 250: 300 Hz, first loss, flat for good, s later; by three programs.
 
-    Both programs are sensitive to steps and stiffness by as much as that, so that 0.02 s may lie between them.
+    That of references/one_mode.py has another method throughout, of first order in the step: what its crossing still
+    moves with the last halving is its error. From the first loss on the motion is chaotic: two programs agree where the
+    means of their runs from turned starts do, within three times their standard errors. A third program, of which one
+    run is known, says 0.928, 0.933(10), 0.958(10) s; two standard deviations of the runs are added to its own.
     """
     motion, t0 = solve_motion(elastic.replace("contact.law=rigid")), 250 * elastic.disk.time_unit
-    model = standing(elastic, 4e5, elastic.friction, (2, 600.0, 0.02, 1.0))
-    y = release(model, motion.at([t0])[0], motion.force([t0])[0])
-    first, t, state, losses, why = run(model, y, 4, 2.0)
-    assert why == FLAT
-    assert losses[0].t == pytest.approx(0.933, abs=0.02)
-    beta = columns(model, state)[:, 1]
-    assert t[np.flatnonzero(beta > 1e-5)[-1]] == pytest.approx(0.958, abs=0.02)
-    assert np.abs(energy(model, state) + state[:, LOSSES : LOSSES + 5].sum(axis=1) - first).max() < 1e-9 * first
+    model = standing(elastic, 1e6, elastic.friction, (2, 600.0, 0.02, 1.0))
+    found = []
+    for phase in (0.1, 0.9, 1.7, 2.5):
+        start = motion.at([t0])[0] + phase * np.eye(11)[0]
+        first, t, state, losses, why = run(model, release(model, start, motion.force([t0])[0]), 10, 2.0)
+        assert why == FLAT
+        assert np.abs(energy(model, state) + state[:, LOSSES : LOSSES + 5].sum(axis=1) - first).max() < 1e-9 * first
+        seen = columns(model, state)
+        fast = np.abs(precession_rate(seen)) > 2 * np.pi * 300
+        found.append((t[fast.argmax()], losses[0].t, t[np.flatnonzero(seen[:, 1] > LIES)[-1]]))
+    other = json.loads((Path(__file__).parent / "references" / "one_mode.json").read_text("utf-8"))
+    (crossing, _, _), (before, last) = np.mean(found, axis=0), list(other["crossing"].values())[-2:]
+    assert crossing == pytest.approx(2 * last - before, abs=abs(last - before))
+    assert np.ptp(found, axis=0)[0] < 1e-4  # a table that is turned with the disk
+    assert crossing == pytest.approx(0.928, abs=0.01)
+    theirs = other["lost"], other["flat"]
+    for ours, others, third in zip(np.transpose(found)[1:], theirs, (0.933, 0.958), strict=True):
+        spread = np.std(ours, ddof=1), np.std(others, ddof=1)
+        error = np.hypot(spread[0] / len(ours) ** 0.5, spread[1] / len(others) ** 0.5)
+        assert np.mean(ours) == pytest.approx(np.mean(others), abs=3 * error)
+        assert np.mean(ours) == pytest.approx(third, abs=np.hypot(0.01, 2 * max(spread)))
 
 
 TABLE = (

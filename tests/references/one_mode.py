@@ -1,0 +1,163 @@
+"""Writes one_mode.json: the halt of the published disk on one mode of a table, by another method than the program's.
+
+Free rotation of the symmetric top, mode and flight are exact in each step; the normal force is a kick, half before and
+half after; friction is rigid: an impulse that stops the slip, or the Coulomb one that opposes what slip it leaves
+(Moreau's method, of first order); so are the rolling moments. The contact is sought among 96 places of the rim, then by
+Newton's method. Of the program only the rigid motion up to tau = 250 is read. Run it as a script, for ten minutes.
+"""
+
+import json
+from pathlib import Path
+
+import numpy as np
+from numba import njit
+
+from dynamics import simulate
+from dynamics.rates import precession_rate
+from sonify import load_scene
+
+STIFFNESS, LOSS = 1.1e11, 10.0
+"""N = K (-G)^1.5 (1 - loss G'): the published disk on granite at 1 mrad."""
+ORDER, FREQUENCY, DAMPING, MASS = 2, 600.0, 0.02, 1.0
+FLAT = 1e-5
+
+
+@njit
+def cross(a, b):
+    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+
+
+@njit
+def rotated(n, turn):
+    angle = np.sqrt(turn @ turn)
+    k = turn / angle
+    return n * np.cos(angle) + cross(k, n) * np.sin(angle) + k * (k @ n) * (1 - np.cos(angle))
+
+
+@njit
+def gap(phi, z, n, p, R, H, A):
+    wave = A * (p[0] * np.cos(ORDER * phi) + p[1] * np.sin(ORDER * phi))
+    return z - R * (n[0] * np.cos(phi) + n[1] * np.sin(phi)) - H * n[2] - wave
+
+
+@njit
+def nearest(phi, scan, z, n, p, R, H, A):
+    if scan:
+        places = 2 * np.pi * np.arange(96) / 96
+        phi = places[np.argmin(np.array([gap(place, z, n, p, R, H, A) for place in places]))]
+    for _ in range(4):
+        c, s, C, S = np.cos(phi), np.sin(phi), np.cos(ORDER * phi), np.sin(ORDER * phi)
+        slope = R * (n[0] * s - n[1] * c) + A * ORDER * (p[0] * S - p[1] * C)
+        bend = R * (n[0] * c + n[1] * s) + A * ORDER**2 * (p[0] * C + p[1] * S)
+        bend = bend if bend > 0 else R * np.sqrt(n[0] ** 2 + n[1] ** 2) + 1e-12
+        phi -= min(max(slope / bend, -0.2), 0.2)
+    return phi
+
+
+@njit
+def moments(L, n, c, s, arms, impulse, J1, E):
+    for k in range(3):
+        a = np.array([-s, c, 0.0]) if k == 0 else np.array([c, s, 0.0]) if k == 1 else np.array([0.0, 0.0, 1.0])
+        rate, yields = (L @ a) / J1 + E * (n @ a) * (n @ L), 1 / J1 + E * (n @ a) ** 2
+        L -= np.sign(rate) * min(arms[k] * impulse, abs(rate) / yields) * a
+
+
+@njit
+def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
+    """Stop the slip, or oppose what is left of it with an impulse of size `slips`; return whether it slides."""
+    u = v + cross(L / J1 + E * (n @ L) * n, r)
+    W = np.zeros((2, 2))
+    for j in range(2):
+        unit = np.zeros(3)
+        unit[j] = 1.0
+        turn = cross(r, unit)
+        W[:, j] = (unit / m + cross(turn / J1 + E * (n @ turn) * n, r))[:2]
+    p, y = np.linalg.solve(W, -u[:2]), 0.0
+    size = np.sqrt(p @ p)
+    sliding = size > (slips if sliding else holds)
+    if sliding:
+        y = (W[0, 0] + W[1, 1]) / 2 * (size / slips - 1)
+        for _ in range(30):  # W p + y p = -u with |p| = slips
+            p = np.linalg.solve(W + y * np.eye(2), -u[:2])
+            size = np.sqrt(p @ p)
+            step = (size / slips - 1) * size * size / (p @ np.linalg.solve(W + y * np.eye(2), p))
+            y = max(0.0, y + step)
+            if abs(step) < 1e-12 * y:
+                break
+    impulse = np.array([p[0], p[1], 0.0])
+    v += impulse / m
+    L += cross(r, impulse)
+    return sliding
+
+
+@njit
+def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
+    """Fill rows (time, inclination, direction of the tilt); return when contact is first lost."""
+    m, J1, J2, R, H, g = body
+    w, E, A = 2 * np.pi * FREQUENCY, 1 / J2 - 1 / J1, MASS**-0.5
+    wd, decay = w * np.sqrt(1 - DAMPING**2), np.exp(-DAMPING * w * h)
+    C, S = decay * np.cos(wd * h), decay * np.sin(wd * h)
+    phi = nearest(0.0, True, x[2], n, p, R, H, A)
+    G = gap(phi, x[2], n, p, R, H, A)
+    N, lost, sliding = STIFFNESS * max(0.0, -G) ** 1.5, -1.0, False
+    for i in range(steps):
+        for half in range(2):
+            c, s = np.cos(phi), np.sin(phi)
+            down = np.array([c, s, 0.0]) - (n[0] * c + n[1] * s) * n
+            r = R * down / np.sqrt(down @ down) - H * n
+            v[2] += h / 2 * (N / m - g)
+            L += h / 2 * N * np.array([r[1], -r[0], 0.0])
+            pv -= h / 2 * N * A * np.array([np.cos(ORDER * phi), np.sin(ORDER * phi)])
+            if half == 0:
+                x += h * v
+                n[:] = rotated(n, L * (h / J1))
+                p[:], pv[:] = (
+                    (C + DAMPING * w / wd * S) * p + S / wd * pv,
+                    (C - DAMPING * w / wd * S) * pv - w * w / wd * S * p,
+                )
+                phi = nearest(phi, i % 8 == 0, x[2], n, p, R, H, A)
+                before, G = G, gap(phi, x[2], n, p, R, H, A)
+                N = max(0.0, STIFFNESS * max(0.0, -G) ** 1.5 * (1 - LOSS * (G - before) / h))
+        if N > 0:
+            moments(L, n, np.cos(phi), np.sin(phi), arms, h * N, J1, E)
+            sliding = friction(v, L, n, r, m, J1, E, mus[0] * h * N, mus[1] * h * N, sliding)
+        elif lost < 0:
+            lost = i * h
+        if (i + 1) % every == 0:
+            out[i // every] = (i + 1) * h, np.sqrt(n[0] ** 2 + n[1] ** 2), np.arctan2(n[1], n[0])
+    return lost
+
+
+def halt(rate, phase, stop):
+    """Return when the precession first passes 300 Hz, contact is lost, the disk is flat: [s] after tau = 250."""
+    scene = load_scene("published")
+    disk, laws, motion = scene.disk, scene.friction, simulate(scene)
+    t = 250 * disk.time_unit
+    theta, beta, _, _, _, w1, w2, w3 = motion.at([t])[0, :8]
+    N, turning = motion.force([t])[0, 2], precession_rate(motion.at([t]))[0]
+    R, H, m, K, a = disk.radius, disk.thickness / 2, disk.mass, disk.gyration, theta + phase
+    J1, J2 = m * R * R * (K / 4 + disk.aspect**2 / 3), m * R * R * K / 2
+    a1, a2 = np.array([np.cos(a), np.sin(a), 0.0]), np.array([-np.sin(a), np.cos(a), 0.0])
+    n, e3 = np.sin(beta) * a2 + [0, 0, np.cos(beta)], [0, 0, np.sin(beta)] - np.cos(beta) * a2
+    v = np.cross(w1 * a1 + w2 * n + w3 * e3, H * n + R * e3) + motion.at([t])[0, 8:10] @ [a1, a2]
+    w = 2 * np.pi * FREQUENCY
+    along = ORDER * np.arctan2(n[1], n[0])
+    q = -N * MASS**-0.5 / (w**2 - (ORDER * turning) ** 2 + 2j * DAMPING * w * ORDER * turning) * np.exp(1j * along)
+    p, pv = (np.array([c.real, c.imag]) for c in (q, 1j * ORDER * turning * q))
+    rise = MASS**-0.5 * (np.exp(-1j * along) * q).real
+    x = np.array([0, 0, R * np.sin(beta) + H * np.cos(beta) - (N / STIFFNESS) ** (2 / 3) + rise])
+    every = round(rate / 1e5)
+    out, body = np.zeros((round(stop * rate) // every, 3)), (m, J1, J2, R, H, disk.weight / m)
+    arms = np.array([laws.arm_nutation, laws.arm_rolling, laws.arm_pivoting])
+    mus = np.array([laws.mu_static, laws.mu_dynamic])
+    L = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    lost = run(x, n, v, L, p, pv, body, mus, arms, 1 / rate, len(out) * every, every, out)
+    turns = np.abs(np.gradient(np.unwrap(out[:, 2]), out[:, 0])) / (2 * np.pi)
+    return out[np.argmax(turns > 300), 0], lost, out[np.flatnonzero(out[:, 1] > FLAT)[-1], 0]
+
+
+if __name__ == "__main__":
+    crossing = {f"{rate:g}": halt(rate, 0.1, 0.93)[0] for rate in (1e6, 2e6, 4e6, 8e6)}
+    ends = [halt(4e6, phase, 0.98)[1:] for phase in np.arange(0.1, 6.2, 0.8)]
+    found = {"crossing": crossing, "lost": [e[0] for e in ends], "flat": [e[1] for e in ends]}
+    Path(__file__).with_suffix(".json").write_text(json.dumps(found, indent=1) + "\n", "utf-8")
