@@ -63,13 +63,22 @@ def simulate(
     """Solve the motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
 
     It is that of the rigid disk, event by event, unless the contact of the scene is elastic and `coupled.choice` has it
-    solved in full. A table with surface.action = "motion" moves with the disk by its modes (`modal.SurfaceModes`).
+    solved in full. A table with surface.action = "motion" moves with the disk by its modes (`modal.SurfaceModes`), and
+    one with "auto" from where `coupled.acting` says.
 
     `watch(t, inclination, doing)` [s, rad] is called on the way, and before a wait for the compiler, which `doing` then
     names. Threads may call this at the same time and share scenes and motions, which nobody changes; every call has
     integrators of its own. Raises ImpossibleContactError, with time and state, where no contact force satisfies the
     balance laws, and ValueError where a profile cannot be read or `loads` are given to an elastic contact.
     """
+    if loads is None and getattr(getattr(scene, "surface", None), "action", "") == "auto" and surface_modes is not None:
+        from .coupled.acting import acting
+
+        table = acting(scene, surface_modes)
+        if table.acts:
+            from .coupled.handed import hand_over
+
+            return hand_over(scene, table.inclination, lambda part: simulate(part, watch), watch, surface_modes)
     if is_compliant(scene):
         from .coupled.motion import solve
 

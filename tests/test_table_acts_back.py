@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
+from dynamics import Motion
+from dynamics.coupled.acting import acting, shares
 from dynamics.coupled.from_scene import contact_law
 from dynamics.coupled.full import Compliant
 from dynamics.coupled.handover import columns, energy, release
@@ -26,6 +28,7 @@ from modal import surface_modes
 from sonify import SceneError, load_scene
 from sonify.claims.halt import halt
 from sonify.plan.solvable import solvable, solve_motion
+from sonify.plan.table import action
 
 GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
 
@@ -99,9 +102,10 @@ def test_the_halt_on_one_mode(elastic):
     """From the published motion at tau = 250: 300 Hz, first loss, flat for good, s later; by three programs.
 
     That of references/one_mode.py has another method throughout, of first order in the step: what its crossing still
-    moves with the last halving is its error. From the first loss on the motion is chaotic: two programs agree where the
-    means of their runs from turned starts do, within three times their standard errors. A third program, of which one
-    run is known, says 0.928, 0.933(10), 0.958(10) s; two standard deviations of the runs are added to its own.
+    moves with the last halving is its error, and 1.2 ms what a contact twice as stiff moves ours. From the first loss
+    on the motion is chaotic: two programs agree where the means of their runs from turned starts do, within three times
+    their standard errors. A third program, of which one run is known, says 0.928, 0.933(10), 0.958(10) s; two standard
+    deviations of the runs are added to its own.
     """
     motion, t0 = solve_motion(elastic.replace("contact.law=rigid")), 250 * elastic.disk.time_unit
     model = standing(elastic, 1e6, elastic.friction, (2, 600.0, 0.02, 1.0))
@@ -116,7 +120,7 @@ def test_the_halt_on_one_mode(elastic):
         found.append((t[fast.argmax()], losses[0].t, t[np.flatnonzero(seen[:, 1] > LIES)[-1]]))
     other = json.loads((Path(__file__).parent / "references" / "one_mode.json").read_text("utf-8"))
     (crossing, _, _), (before, last) = np.mean(found, axis=0), list(other["crossing"].values())[-2:]
-    assert crossing == pytest.approx(2 * last - before, abs=abs(last - before))
+    assert crossing == pytest.approx(2 * last - before, abs=abs(last - before) + 1.2e-3)
     assert np.ptp(found, axis=0)[0] < 1e-4  # a table that is turned with the disk
     assert crossing == pytest.approx(0.928, abs=0.01)
     theirs = other["lost"], other["flat"]
@@ -150,6 +154,62 @@ def test_a_heavy_table_is_a_rigid_one(elastic):
     t = np.linspace(0, 0.05, 50)
     assert motion.at(t)[:, 1] == pytest.approx(alone.at(t)[:, 1], rel=2e-3)
     assert motion.table_energy(t).max() < 1e-3 * motion.energy(t).max()
+
+
+LATE = "release.inclination_deg=0.3", "release.omega=[0.0, 0.461, 2.70]", "numerics.contact_rate=2e5"
+"""A release shortly before the end, in the steady motion."""
+
+
+def test_a_massive_table_is_never_handed_over(elastic):
+    massive = elastic.replace(*LATE, TABLE.replace("modal_mass=1.0", "modal_mass=1e8").replace("motion", "auto"))
+    modes = surface_modes(massive)
+    assert not acting(massive, modes).inclination
+    assert "stay below 1%" in action(massive, modes).reason
+    alone = massive.replace("surface={kind='rigid'}")
+    motion, rigid = solve_motion(massive, table=modes), solve_motion(alone)
+    t = np.linspace(0, rigid.t[-1], 100)
+    assert (motion.at(t) == rigid.at(t)).all()
+    assert (motion.force(t) == rigid.force(t)).all()
+
+
+def test_a_table_is_handed_over_where_the_plan_says(elastic):
+    """What its energy and its wave drag are there: in closed form, of one mode under the turning weight."""
+    scene = elastic.replace(*LATE, TABLE.replace("modal_mass=1.0", "modal_mass=10.0").replace("motion", "auto"))
+    modes, disk, n, w, zeta = surface_modes(scene), scene.disk, 2, 2 * np.pi * 600, 0.02
+    beta, energy_share, _ = shares(scene, modes)
+    x = n * np.array([steady(disk, b)[1] for b in beta]) / w
+    amplitude = disk.weight / (10.0 * w**2) / np.hypot(1 - x**2, 2 * zeta * x)
+    closed = 10.0 * w**2 * (1 + x**2) * amplitude**2 / 2 / (1.5 * disk.weight * disk.radius * beta)
+    assert energy_share == pytest.approx(closed, rel=1e-4)  # splines of the shape
+    found, motion = acting(scene, modes), solve_motion(scene, table=modes)
+    assert f"{found.inclination:.2g} rad on" in action(scene, modes).choice
+    t = motion.handed_over
+    assert isinstance(motion, Motion)
+    assert motion.at(t)[0, 1] == pytest.approx(found.inclination, rel=0.05)
+    assert motion.at([t])[0] == pytest.approx(motion.first.at([t])[0], abs=1e-3, rel=1e-3)  # the springs creep
+    assert motion.table_energy([0.9 * t])[0] == 0 < motion.table_energy([t])[0]
+    times = np.linspace(0, motion.t[-1], 2000)
+    balance = motion.energy(times) + motion.at(times)[:, -1]
+    assert np.ptp(balance) < 1e-6 * balance[0]
+    assert motion.largest_regain() < 1e-9 * balance[0]
+    assert (np.diff(motion.at(times)[:, 0]) > 0).all()
+    assert all(event.t >= t for event in motion.contact_losses)
+    assert motion.bandwidth(motion.at([0.5 * t, 1.01 * t])) == pytest.approx(
+        [motion.first.bandwidth(motion.first.at([0.5 * t]))[0], motion.then.bandwidth(motion.then.at([0.01 * t]))[0]]
+    )
+
+
+@pytest.mark.slow
+def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(monkeypatch):
+    scene = load_scene("glass-plate").replace("contact.law=elastic", "friction.mu_static=0.6", "surface.action=auto")
+    modes = surface_modes(scene, 20e3)
+    motion = solve_motion(scene, table=modes)
+    rigid = solve_motion(scene.replace("surface={kind='rigid'}"))
+    monkeypatch.setattr("dynamics.coupled.acting.ACTS", 0.003)
+    earlier = solve_motion(scene, table=modes)
+    assert earlier.handed_over < motion.handed_over - 0.5
+    assert 0.1 < rigid.t_end - motion.t_end < 1.0
+    assert motion.t_end == pytest.approx(earlier.t_end, abs=0.1 * (rigid.t_end - motion.t_end))
 
 
 @pytest.mark.slow

@@ -255,11 +255,15 @@ def _within(spans, t):
 
 
 def solve(
-    scene, watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None, surface_modes=None
+    scene,
+    watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
+    surface_modes=None,
+    begin=None,
 ) -> CompliantMotion:
     """Solve the full compliant motion of a scene from its release; `watch` is that of `dynamics.simulate`.
 
-    `surface_modes` are those of a table that acts back. Raises ValueError where a profile cannot be read, or where such
+    `surface_modes` are those of a table that acts back; `begin` the COLUMNS (11,) and the force (3,) [N] from which it
+    goes on, those of the release unless given. Raises ValueError where a profile cannot be read, or where such
     a table has no modes.
     """
     if acts_back(scene) and surface_modes is None:
@@ -267,8 +271,10 @@ def solve(
     model = compliant(scene, surface_modes if acts_back(scene) else None)
     last = LIES if model.modes is not None or model.imperfection is not None else last_inclination(scene)
     every = max(1, round(model.rate / FORCES_A_SECOND)) * STATES
-    start = np.concatenate([[0.0, np.radians(scene.release.inclination_deg), 0, 0, 0], scene.release.omega, [0, 0, 0]])
-    y, dt = release(model, start, first_force(scene)), every / STATES / model.rate
+    if begin is None:
+        tilt = np.radians(scene.release.inclination_deg)
+        begin = np.concatenate([[0.0, tilt, 0, 0, 0], scene.release.omega, [0, 0, 0]]), first_force(scene)
+    y, dt = release(model, *begin), every / STATES / model.rate
     waves = model.waves(y)
     kept, given = _kept(model, y[None]), np.zeros((1, 3))
     rows, impulses, slides, losses = Record(kept), Record(given), Record(np.empty((0, 2))), Record(np.empty((0, 3)))

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from dynamics import Motion
+from dynamics.coupled.acting import acting
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan.plan import ENERGY_SHARE, Decision, Plan
 from sonify.scene import Scene, SceneError
@@ -47,7 +48,8 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     if scene.surface.kind == "rigid":
         return replace(plan, left_out=(*plan.left_out, RIGID)), None
     if scene.surface.kind == "infinite":
-        endless = Decision(subject="table", choice="it only sounds", reason=ONE_WAY[scene.surface.action])
+        why = f"surface.action = '{scene.surface.action}': a table that acts back must have modes"
+        endless = Decision(subject="table", choice=SOUNDS, reason=why)
         plan = replace(plan, decisions=(*plan.decisions, endless), modelled=(*plan.modelled, ENDLESS))
         return replace(plan, left_out=(*plan.left_out, *LEFT_OUT, FROM_AFAR)), None
     try:
@@ -58,7 +60,7 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         raise SceneError(f"surface: {error}".replace("surface: surface", "surface")) from None
     modes = every.select(heard(every, scene))
     told = (
-        Decision(subject="table", choice=DOES[scene.surface.action], reason=ONE_WAY[scene.surface.action]),
+        action(scene, modes),
         Decision(
             subject="modes of the table",
             choice=f"{len(modes)} of {len(every)} below {plan.highest_mode:g} Hz; {every.method}, "
@@ -68,8 +70,23 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
         ),
     )
     plan = replace(plan, decisions=(*plan.decisions, *told), modelled=(*plan.modelled, *MODELLED[scene.surface.kind]))
-    left_out = LEFT_OUT[scene.surface.action == "motion" :]
+    left_out = LEFT_OUT[told[0].choice != SOUNDS :]
     return replace(plan, left_out=(*plan.left_out, *left_out, *bending(every, scene))), modes
+
+
+def action(scene: Scene, modes: SurfaceModes) -> Decision:
+    """Return whether the table acts back, and from when on."""
+    chosen, reason, asked = SOUNDS, "surface.action = 'sound'", getattr(scene.surface, "action", "sound")
+    if asked == "motion":
+        chosen = "it moves with the disk, and sounds"
+        reason = "surface.action = 'motion': the contact is at the least gap between rim and deflected table, and the "
+        reason += "modes take the force that it has there"
+    elif asked == "auto":
+        found = acting(scene, modes)
+        reason = f"surface.action = 'auto': {found.reason}" + f", but {found.unsolved}" * bool(found.unsolved)
+        if found.acts:
+            chosen = f"it sounds, and moves with the disk from an inclination of {found.inclination:.2g} rad on"
+    return Decision(subject="table", choice=chosen, reason=reason)
 
 
 def heard(modes: SurfaceModes, scene: Scene) -> np.ndarray:
@@ -118,13 +135,7 @@ WAVY = (
     "rim and waves is least."
 )
 RIGID = "The sound of the table, which is rigid."
-DOES = {"auto": "it only sounds", "sound": "it only sounds", "motion": "it moves with the disk, and sounds"}
-ONE_WAY = {
-    "auto": "surface.action = 'auto': the findings say from when on an elastic table holds more energy than the disk",
-    "sound": "surface.action = 'sound'",
-    "motion": "surface.action = 'motion': the contact is at the least gap between rim and deflected table, and the "
-    "modes take the force that it has there",
-}
+SOUNDS = "it only sounds"
 UNDER = (
     "The contact force pushes the table where the contact is at the moment, and drives its modes.",
     "The top face of the table radiates into the half space above it, as in a baffle (Rayleigh's integral, above "
