@@ -178,7 +178,7 @@ def serve(folder, port, host):
 
 @main.command()
 @click.argument("sweep")
-@click.option("--scheduler", metavar="ADDRESS", help="Of Dask, as tcp://10.0.0.1:8786 (needs the extra `cluster`).")
+@click.option("--scheduler", metavar="ADDRESS", help="Of Dask, as tcp://10.0.0.1:8786, or local (extra `cluster`).")
 @click.option("--processes", type=click.IntRange(1), help="Processes of this machine; default: its cores.")
 @click.option("--out", type=click.Path(), help="Folder for the table; default outputs/sweeps/<name>.")
 @click.option("--plan", "planned", is_flag=True, help="Only tell how many runs there are and how long they would take.")

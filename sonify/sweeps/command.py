@@ -33,7 +33,8 @@ def sweep(
     """Run what is missing of a sweep, a shipped name, a TOML file or its document; return the path of the table, in
     `out` (default outputs/sweeps/<name>).
 
-    The runs are solved by `processes` of this machine (default: its cores), or by the workers of the Dask `scheduler`.
+    The runs are solved by `processes` of this machine (default: its cores), or by the workers of the Dask `scheduler`,
+    an address or "local".
     More than a million are begun only with `yes`; with `retry` those with an error are solved again. Raises InputError,
     before any work, where sweep, scheduler or workers are wrong, OutputError where the table cannot be written, OSError
     when the disk is full, BrokenOffError where the scheduler dies. No row that was added is ever lost.

@@ -14,6 +14,8 @@ from sonify.scene_errors import InputError
 from sonify.sweeps.hand import EndedError, end_all, solve_apart
 from sonify.sweeps.version import version
 
+LOCAL = "local"
+"""Instead of an address: a scheduler of Dask that lives as long as the sweep."""
 AHEAD = 3
 """Tasks per process that wait or run: no process is ever without."""
 PATIENCE = 4.0
@@ -29,10 +31,15 @@ def cores() -> int:
 
 @contextmanager
 def engine(scheduler: str | None, processes: int | None) -> Iterator[tuple[Submit, Callable[[], int]]]:
-    """Yield what submits a call, and what tells how many processes there are. Raises InputError where the scheduler
-    does not answer, or where its workers have another version of this program."""
-    with cluster(scheduler) if scheduler else machine(processes or cores()) as made:
-        yield made
+    """Yield what submits a call, and what tells how many processes there are; LOCAL is a scheduler of this machine's
+    own. Raises InputError where the scheduler does not answer, or where its workers have another version of this
+    program."""
+    if scheduler == LOCAL:
+        with own_cluster(processes or cores()) as address, cluster(address) as made:
+            yield made
+    else:
+        with cluster(scheduler) if scheduler else machine(processes or cores()) as made:
+            yield made
 
 
 @contextmanager
@@ -49,15 +56,29 @@ def machine(processes: int):
 
 
 @contextmanager
-def cluster(address: str):
-    """The workers of the Dask scheduler at `address`."""
+def own_cluster(processes: int):
+    """The address of a Dask scheduler of this machine, with one worker of so many threads, each with its process."""
+    made = dask().LocalCluster(n_workers=1, threads_per_worker=processes, dashboard_address=None)
+    with made:
+        yield made.scheduler_address
+
+
+def dask():
+    """Return Dask's package. Raises InputError where it is not installed."""
     try:
-        from distributed import Client
+        import distributed
     except ModuleNotFoundError:
         raise InputError('--scheduler needs Dask: python -m pip install -e ".[cluster]"') from None
+    return distributed
+
+
+@contextmanager
+def cluster(address: str):
+    """The workers of the Dask scheduler at `address`."""
+    distributed = dask()
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
-        client = Client(address, timeout=PATIENCE)
+        client = distributed.Client(address, timeout=PATIENCE)
     except Exception as error:  # whatever is there need not speak Dask's language
         raise InputError(f"--scheduler {address}: no scheduler answers: {error}") from None
     try:

@@ -6,11 +6,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from dynamics.coupled.choice import acts_back
 from modal import Modes, as_json, eigenmodes
 from sonify.claims.air import air_scalars
 from sonify.claims.checks import mode_checks, motion_checks
 from sonify.pipeline import solve, write
+from sonify.plan.plan import plan_of
 from sonify.plan.solvable import planned, solvable, solve_motion
+from sonify.plan.table import with_table
 from sonify.progress import Stages
 from sonify.report.write import judged, summary, timed, write_json, write_motion
 from sonify.scene import Scene, from_document
@@ -72,7 +75,8 @@ def _row(scene, stages, keep, folder, watch):
 
 
 def _motion(scene, folder):
-    motion = solve_motion(scene)
+    table = with_table(plan_of(scene), scene)[1] if acts_back(scene) else None
+    motion = solve_motion(scene, table=table)
     if folder:
         write_motion(motion, folder / "motion.npz")
     row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])} | air_scalars(scene, motion)
