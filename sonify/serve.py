@@ -45,7 +45,7 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
     root = Path(folder).resolve()
 
     def index(request: Request) -> Response:
-        return _page("index.html", runs=found(root), root=root.name)
+        return _page("index.html", runs=found(root), root=root.name, style=bundle()["style"])
 
     def file(request: Request) -> Response:
         path = inside(root, request.path_params["path"])

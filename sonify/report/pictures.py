@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 
-NEAR, NOISE = 5, 0.1
-"""So many readings of a rate to either side, and the step between them [in the logarithm], that say it is none."""
 MOST_TABLE = 10
 """Modes of the table that are drawn, the lowest."""
 
@@ -98,13 +96,13 @@ def _spectrogram(found):
     carrier = carrier_line(found.scene, motion, delay)
     table = found.table.frequency if found.table else []
     seen |= {"frequencies": found.modes.frequency, "table": table, "carrier": carrier}
-    return seen | {"time": peaks + delay, "rates": [readable(rate) for rate in rates]}
+    return seen | {"time": peaks + delay, "rates": [rates[0], nutating(rates[1], rates[0])]}
 
 
-def readable(rate: np.ndarray) -> np.ndarray:
-    """Return a rate (q,) without what is noise: where readings near one another differ by more than NOISE, median."""
-    off = np.abs(np.diff(np.log(rate), prepend=np.log(rate[:1])))
-    return np.where(median_filter(off, 2 * NEAR + 1) < NOISE, rate, np.nan)
+def nutating(nutation: np.ndarray, precession: np.ndarray) -> np.ndarray:
+    """Return the nutation (q,), not a number where it is no nutation but the noise of a rough contact: off the
+    precession by more than a factor of two."""
+    return np.where(np.abs(np.log(nutation / precession)) < np.log(2), nutation, np.nan)
 
 
 def _stems(found):

@@ -143,7 +143,7 @@ def _labels(axes, frequencies, unit):
     leader = {"arrowstyle": "-", "lw": 0.5, "shrinkA": 0, "shrinkB": 0, "relpos": (0, 0.5)}
     for height, share in zip(heights, shares, strict=True):
         place = max(share, last + apart)
-        if share < 0 or place > 1 or place - share > 3 * apart:
+        if share < 0 or place > 1 or place - share > 2 * apart:
             continue
         options = {"xycoords": axes.get_yaxis_transform(), "textcoords": "axes fraction", "va": "center"}
         axes.annotate(f"{unit * height:.0f} Hz", (1, height), (1.02, place), fontsize=7, arrowprops=leader, **options)

@@ -10,7 +10,7 @@ export class Disk3D {
   constructor(canvas, run) {
     const { disk, motion } = run
     Object.assign(this, { disk, motion, delay: run.delay })
-    this.stage = new Stage(canvas, 5 * disk.radius)
+    this.stage = new Stage(canvas, 6 * disk.radius)
     this.body = body(disk)
     this.stage.scene.add(table(disk), this.body)
     this.contact = new THREE.Mesh(

@@ -197,23 +197,24 @@ function motion(all, timeline) {
     $('#curves').append(place)
     return place
   }
-  return all.flatMap((run, i) => {
+  const makers = all.map((run, i) => {
     const t = run.motion.t.map((time) => time + run.delay)
     const who = all.length > 1 ? `${'AB'[i]}: ` : ''
     const { rates } = run.lines
     const heard = rates.t.map((time) => time + run.delay)
-    const made = [
-      new Curves(panel(), `${who}Rates [Hz]`, heard, [
+    return [
+      () => new Curves(panel(), `${who}Rates [Hz]`, heard, [
         { name: 'precession', unit: 'Hz', values: rates.precession, colour: theme('--first') },
         { name: 'nutation', unit: 'Hz', values: rates.nutation, colour: theme('--second'), dash: [7, 4] },
       ], { log: true }),
-      new Curves(panel(), `${who}Inclination [degrees]`, t, [{ unit: 'degrees', values: run.motion.inclination.map((b) => (b * 180) / Math.PI), colour: theme('--first') }]),
-      new Curves(panel(), `${who}Normal force [N]`, t, [{ unit: 'N', values: run.motion.normal, colour: theme('--third') }]),
-      new Curves(panel(), `${who}Energy [mJ]`, t, [{ unit: 'mJ', values: run.motion.energy.map((e) => 1e3 * e), colour: theme('--second') }]),
+      () => new Curves(panel(), `${who}Inclination [degrees]`, t, [{ unit: 'degrees', values: run.motion.inclination.map((b) => (b * 180) / Math.PI), colour: theme('--first') }]),
+      () => new Curves(panel(), `${who}Normal force [N]`, t, [{ unit: 'N', values: run.motion.normal, colour: theme('--third') }]),
+      () => new Curves(panel(), `${who}Energy [mJ]`, t, [{ unit: 'mJ', values: run.motion.energy.map((e) => 1e3 * e), colour: theme('--second') }]),
     ]
-    made.forEach((one) => timeline.add(one))
-    return made
   })
+  const made = makers[0].flatMap((_, k) => makers.map((of) => of[k]())) // what is to be compared is side by side
+  made.forEach((one) => timeline.add(one))
+  return made
 }
 
 const theme = (name) => getComputedStyle(document.documentElement).getPropertyValue(name).trim()
@@ -224,11 +225,12 @@ function three(all) {
       const canvas = element('canvas', { className: 'orbit', tabIndex: 0 })
       canvas.setAttribute('role', 'img')
       canvas.setAttribute('aria-label', `The disk ${all.length > 1 ? `of ${run.name} ` : ''}on its table at the time that is heard. Arrow keys turn the view, plus and minus bring it nearer and farther.`)
+      if (all.length > 1) $('#disks').append(element('p', { className: 'caption' }, `${'AB'[i]}: ${run.name}`))
       $('#disks').append(canvas)
-      if (all.length > 1) canvas.title = 'AB'[i]
       return new Disk3D(canvas, run)
     })
-    return { disks, bodies: [shapes(all[0].shapes, ''), shapes(all[0].table, 'table-')].filter(Boolean) }
+    const name = all.length > 1 ? ` (A: ${all[0].name})` : ''
+    return { disks, bodies: [shapes(all[0].shapes, '', name), shapes(all[0].table, 'table-', name)].filter(Boolean) }
   } catch (error) {
     $('#three').classList.add('without')
     $('#three-notice').textContent = `This browser draws no 3-D (${error.message}); the pictures below show the motion and the modes.`
@@ -236,7 +238,7 @@ function three(all) {
   }
 }
 
-function shapes(given, whose) {
+function shapes(given, whose, name) {
   if (!given || !given.shapes.length) return undefined
   const modes = new Modes3D($(`#${whose}mode-canvas`), given)
   const [choice, swing] = [$(`#${whose}mode`), $(`#${whose}swing`)]
@@ -250,6 +252,7 @@ function shapes(given, whose) {
   $(`#${whose}exaggerated`).textContent = `Exaggerated to ${Math.round(100 * EXAGGERATED)} % of the radius where it moves most; bright is far.`
   swing.checked = !still.matches
   $(`#${whose}modes3d`).hidden = false
+  $(`#${whose}modes3d h2`).append(name)
   return { modes, swing }
 }
 
