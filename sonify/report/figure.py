@@ -5,10 +5,12 @@ from contextlib import contextmanager
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import MaxNLocator, ScalarFormatter
 from PIL import Image
 
 DPI, MOST_TICKS = 110, 6
+SHORT = -2, 5
+"""Powers of ten that are written out: longer numbers would run into the name of their axis."""
 
 
 @contextmanager
@@ -31,6 +33,8 @@ def _fix(panel):
     for axis in (panel.xaxis, panel.yaxis):
         if axis.get_scale() == "linear":
             axis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 5, 10)))
+            if isinstance(axis.get_major_formatter(), ScalarFormatter):
+                axis.get_major_formatter().set_powerlimits(SHORT)
     width, height = panel.get_window_extent().size / DPI
     panel.set_title(panel.get_title(), y=1.0)
     panel.xaxis.set_label_coords(0.5, -0.3 / height)
