@@ -24,15 +24,13 @@ def locate(y, start, per_unit, spline):
 @kernel
 def column(spline, i, u, which):
     """Return a column of the law from the cubics `spline` (n, columns, 4)."""
-    c = spline[i, which]
-    return c[3] + u * (c[2] + u * (c[1] + u * c[0]))
+    return spline[i, which, 3] + u * (spline[i, which, 2] + u * (spline[i, which, 1] + u * spline[i, which, 0]))
 
 
 @kernel
 def slope(spline, i, u, which):
     """Return its derivative by ln sin(beta), over the intervals per unit."""
-    c = spline[i, which]
-    return c[2] + u * (2 * c[1] + u * 3 * c[0])
+    return spline[i, which, 2] + u * (2 * spline[i, which, 1] + u * 3 * spline[i, which, 0])
 
 
 @kernel

@@ -28,6 +28,7 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
     locate(y, start, per_unit, spline)
     forces[:], scratch, waving = 0.0, np.zeros((7, 6)), waves.state.shape[0] > 0
     part = every * len(rows) // len(forces)  # steps over which a force is meant
+    behind, now, left, share = 0, 0, part, 1 / (2 * part)
     for row in range(len(rows)):
         for i in range(every + 1):
             span = h / 2 if i in (0, every) else h
@@ -35,12 +36,11 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
                 hold_waving(y, law, powers, spline, waves, span)
             else:
                 step_tangential(y, law, powers, spline, span)
-            now = (row * every + i) // part
             for k in range(2):  # a whole step lies half before and half after
                 if i > 0:
-                    forces[(row * every + i - 1) // part, k] += y[TANGENTIAL + k] / (2 * part)
+                    forces[behind, k] += share * y[TANGENTIAL + k]
                 if i < every:
-                    forces[now, k] += y[TANGENTIAL + k] / (2 * part)
+                    forces[now, k] += share * y[TANGENTIAL + k]
             if (y[SLIDES] > 0) != sliding:
                 slips[slip, 1 if sliding else 0] = count * h
                 sliding, slip = not sliding, slip + (1 if sliding else 0)
@@ -56,7 +56,10 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
                 flat = y[SINE] < FALLS * sine
             if not solved:
                 return UNSOLVED, row, flight, slip
-            forces[now, 2] += y[FORCE] / part
+            forces[now, 2] += 2 * share * y[FORCE]
+            behind, left = now, left - 1
+            if left == 0:
+                now, left = now + 1, part
             flying, flight = note_flight(flights, flight, flying, before, y[GAP], count * h, h)
             count += 1
             if flat:
