@@ -6,11 +6,14 @@ Oracle: half-space integrals, spheres, the energy, numbers of an independent pro
 
 from itertools import pairwise
 
+import mpmath as mp
 import numpy as np
 import pytest
+from arithmetic import gamma
 from contact_scenes import GRANITE, REFERENCE, STEEL, granite, prototype
 from scipy.integrate import quad
 
+from dynamics.coupled.contact import Elastic
 from dynamics.coupled.creep import C11, C22, RATIOS, UNCERTAINTY, creep_coefficients, slender
 from dynamics.coupled.resonance import linear, mobility, on_springs, resonances, rigid_shapes, stiffness_matrix
 from dynamics.coupled.table import LawTable
@@ -78,6 +81,35 @@ def test_sphere():
     shear = 1 / sum((2 - m.poisson) / m.shear for m in (STEEL, GRANITE))
     assert springs.k1 == pytest.approx(8 * a * shear, rel=1e-12)
     assert springs.k2 == pytest.approx(springs.k1, rel=1e-12)
+
+
+@pytest.mark.parametrize("fillet", [5e-5, 1.6e-3, 6.4e-3])
+@pytest.mark.parametrize("table", [GRANITE, Elastic(3e9, 0.38), Elastic(400e9, 0.1)])
+def test_any_fillet_material_and_inclination_in_thirty_digits(fillet, table):
+    """Hertz's equation in the notation of complete integrals, solved to 30 digits; a hundred roundings of doubles."""
+    contact, load = granite(fillet=fillet, table=table), 4.3
+    with mp.workdps(30):
+        for beta in (1.4, 0.57, 0.01, 1e-6):
+            A, B = mp.sin(mp.mpf(beta)) / (2 * mp.mpf(contact.disk.radius)), 1 / (2 * mp.mpf(fillet))
+
+            def excess(log_q, ratio=B / A):
+                q = mp.e**log_q
+                E, K = mp.ellipe(1 - q * q), mp.ellipk(1 - q * q)
+                return (E / q**2 - K) / (K - E) - ratio
+
+            q = mp.e ** mp.findroot(excess, mp.log(A / B) * 0.636)
+            K, E = mp.ellipk(1 - q * q), mp.ellipe(1 - q * q)
+            J = (K - E) / (1 - q * q)
+            modulus = 1 / sum((1 - mp.mpf(m.poisson) ** 2) / mp.mpf(m.young) for m in (STEEL, table))
+            a = mp.cbrt(3 * load * J / (2 * mp.pi * modulus * A))
+            yields = [
+                sum(((1 - m.poisson) * K + m.poisson * part) / mp.mpf(m.shear) for m in (STEEL, table))
+                for part in (J, K - J)
+            ]
+            exact = [a, q * a, mp.pi * a * modulus / K, *(2 * mp.pi * a / y for y in yields)]
+            springs = contact.springs(np.array([beta]), load)
+            found = [*contact.semi_axes(np.array([beta]), load), springs.kn, springs.k1, springs.k2]
+            assert np.ravel(found) == pytest.approx(np.array(exact, dtype=float), rel=gamma(100))
 
 
 @pytest.mark.parametrize("beta", [0.57, 0.01, 1e-6])

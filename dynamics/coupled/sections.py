@@ -96,12 +96,16 @@ class Roughness:
         if not 0 < self.shortest < inf:
             raise ValueError(f"roughness.shortest = {self.shortest:g}: must be positive and finite")
         if not self.shortest < self.longest < inf:
-            raise ValueError(f"longest = {self.longest:g}: must exceed shortest = {self.shortest:g} and be finite")
+            raise ValueError(
+                f"roughness.longest = {self.longest:g}: must exceed shortest = {self.shortest:g} and be finite"
+            )
         if not 0 <= self.exponent <= MOST_EXPONENT:
             raise ValueError(f"roughness.exponent = {self.exponent:g}: must lie in 0 to {MOST_EXPONENT:g}")
         if CELLS * WAVES * self.longest > MOST_CELLS * self.shortest:
             most = MOST_CELLS / (CELLS * WAVES)
-            raise ValueError(f"longest = {self.longest:g}: must be at most {most:g} times shortest = {self.shortest:g}")
+            raise ValueError(
+                f"roughness.longest = {self.longest:g}: must be at most {most:g} times shortest = {self.shortest:g}"
+            )
 
     @property
     def edge_rms(self) -> float:

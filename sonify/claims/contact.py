@@ -22,7 +22,7 @@ from sonify.sound.pressure import Sound
 PLACES = 96
 """Instants of the motion at which its vibration is predicted."""
 SOFTENED = 12
-"""Of them those at which it is asked how much softer the contact is than a linear one."""
+"""Instants at which it is asked how much softer the contact is than a linear one."""
 FINE = 800
 """Instants of the line in a picture: early in a motion it swings with the nutation."""
 STRETCH, READINGS = 0.5, 12
@@ -65,20 +65,15 @@ class Vibration:
 
 def vibration(scene: Scene, motion: Motion) -> Vibration:
     """Return what the heights and the law of a scene let expect along its motion, while one ellipse is the contact."""
-    solved = hasattr(motion, "lost")
-    table = law_table(scene, InSeries if solved else LawTable)
+    table = table_of(scene, motion)
     t = last_ellipse(motion) * (np.arange(PLACES) + 0.5) / PLACES
     inclination, load, speed, rolls = course(motion, t)
-    rms, power, shift, softer = *np.zeros((3, PLACES)), np.ones(PLACES)
+    rms, power, shift = np.zeros((3, PLACES))
     if scene.roughness is not None:
         rms = predicted_rms(table, scene.roughness, inclination, load, speed)
         power = predicted_power(table, scene.roughness, inclination, load, speed)
         half = table.law.semi_axes(inclination, load)[0]
         shift = shift_of_contact(scene.roughness, inclination, half, scene.disk.radius)
-        if solved:
-            some = slice(None, None, PLACES // SOFTENED)
-            factors = softened(table, scene.roughness, inclination[some], load[some], speed[some])
-            softer = np.interp(t, t[some], factors)
     return Vibration(
         table=table,
         t=t,
@@ -89,8 +84,23 @@ def vibration(scene: Scene, motion: Motion) -> Vibration:
         rms=rms,
         power=power,
         shift=shift,
-        softer=softer,
+        softer=softness(scene, motion, t),
     )
+
+
+def table_of(scene: Scene, motion: Motion) -> LawTable:
+    """Return the law of the contact as the motion has it, or the filter along it."""
+    return law_table(scene, InSeries if hasattr(motion, "lost") else LawTable)
+
+
+def softness(scene: Scene, motion: Motion, t) -> np.ndarray:
+    """Return the factors (k,) on the load at times t (k,) [s], even and ascending, with which the linear contact is as
+    soft as that of a motion that vibrates: 1 along a rigid one."""
+    if scene.roughness is None or not hasattr(motion, "lost"):
+        return np.ones(len(t))
+    some = np.linspace(t[0], t[-1], SOFTENED)
+    inclination, load, speed, _ = course(motion, some)
+    return np.interp(t, some, softened(table_of(scene, motion), scene.roughness, inclination, load, speed))
 
 
 def course(motion: Motion, t):
@@ -300,7 +310,8 @@ def carrier_line(scene: Scene, motion: Motion, delay: float) -> tuple[np.ndarray
         return None
     t = last_ellipse(motion) * (np.arange(FINE) + 0.5) / FINE
     inclination, load, speed, _ = course(motion, t)
-    return t + delay, law_table(scene).carrier(inclination, load, speed).frequency
+    soft = softness(scene, motion, t) * load
+    return t + delay, table_of(scene, motion).carrier(inclination, soft, speed).frequency
 
 
 def frequency(expected: Vibration) -> np.ndarray:

@@ -90,12 +90,17 @@ MODELLED = {
         "losses of contact. Of the sound, what is above half its first resonance is the stem of the contact.",
     ),
 }
+LOW_ALONE = (
+    "In the stem of the contact: how the height of the disk and an open film change what heave and tilt radiate above "
+    "k R = 1.5, 2.2 kHz for a disk of 75 mm; below, they act as at low frequencies."
+)
 LEFT_OUT = {
     "rigid": ("Sound of roughness, and the resonance of the contact that it rings.",),
     "filter": (
         "The action of that vibration on the motion; losses of contact; friction that vibrates while the disk slides.",
+        LOW_ALONE,
     ),
-    "full": (),
+    "full": (LOW_ALONE,),
 }
 BESIDES = "What roughness takes besides friction, {:.1%} of the energy: the motion is that of a smooth contact."
 TAKES = {
