@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from enum import Enum
+from functools import lru_cache
 from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
@@ -122,3 +123,11 @@ class Motion(Protocol):
 
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""
+
+
+@lru_cache(maxsize=1)
+def halves(motion: Motion) -> np.ndarray:
+    """Return the ends and the middles (2n - 1,) [s] of the pieces of a motion, read-only."""
+    t = np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2]))
+    t.flags.writeable = False
+    return t

@@ -7,19 +7,11 @@ from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
 from . import kinematics
-from .motion import Motion
+from .motion import Motion, halves
 
 PROMINENCE, SHARE, NEIGHBOURS = 0.005, 0.5, 11
 """A peak of the normal force counts if its prominence is this part of the weight, and this share of the median of so
 many neighbours: more than the corners that the resisting moment makes (1e-4), more than most of the steps at slips."""
-
-
-@lru_cache(maxsize=1)
-def halves(motion: Motion) -> np.ndarray:
-    """Return the ends and the middles (2n - 1,) [s] of the pieces of a motion, read-only."""
-    t = np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2]))
-    t.flags.writeable = False
-    return t
 
 
 @lru_cache(maxsize=1)

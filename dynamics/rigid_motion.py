@@ -12,8 +12,7 @@ from .disk import Disk
 from .equations import Law
 from .kinematics import energy, precession_rate
 from .monotone import largest_fall
-from .motion import COLUMNS, Jumps, Outcome, Transition
-from .rates import halves
+from .motion import COLUMNS, Jumps, Outcome, Transition, halves
 from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
 
 if TYPE_CHECKING:

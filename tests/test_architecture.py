@@ -74,6 +74,17 @@ def test_help_loads_nothing_heavy(command):
     assert done.stdout
 
 
+def test_flows_are_compiled_before_anything_heavy_is_loaded():
+    """The compiler lets go of Python's lock, imports do not: it is at work while they go on."""
+    code = (
+        "import sys; from sonify.doors import begun; begun('published', None)\n"
+        "print(sorted({'scipy', 'matplotlib', 'numba', 'skfem', 'soundfile', 'meshio'} & set(sys.modules)))\n"
+        "import os; sys.stdout.flush(); os._exit(0)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True)
+    assert done.stdout.strip() == "[]"
+
+
 @pytest.mark.parametrize("package", [dynamics, modal, sonify], ids=lambda package: package.__name__)
 def test_what_a_package_offers_is_listed_typed_and_explained(package):
     """Completion, `help` and type checkers see what is imported only when it is asked for."""

@@ -1,9 +1,13 @@
 """What a mode is, in words."""
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from modal.modes import Modes
-from modal.table import SurfaceModes
+
+if TYPE_CHECKING:
+    from modal.table import SurfaceModes  # loads slowly
 
 SWING = 0.97
 """A mode of a held disk of which so much is motion of the stiff disk is called a swing."""
@@ -19,7 +23,7 @@ def caption(modes: Modes, i, held=False):
     return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{kind}"
 
 
-def table_caption(table: SurfaceModes, i) -> str:
+def table_caption(table: "SurfaceModes", i) -> str:
     """Number, frequency and order of mode i of a table; a table without an axis has no orders."""
     return f"{i + 1}: {table.frequency[i]:.0f} Hz" + (f", order {table.order[i]}" if table.order[i] >= 0 else "")
 

@@ -79,7 +79,9 @@ def draw_solid(axis, modes: Modes, polygons, i, at):
     places, far, light = view(modes.body, polygons, i, stretch)
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
-    axis.add_collection(PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4))
+    axis.add_collection(
+        PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4), autolim=False
+    )
 
 
 def draw_table(axis, points, face, captions, count, top):

@@ -1,6 +1,7 @@
 """A process beside this one, in which matplotlib loads and pictures are drawn while a sound is rendered."""
 
 import atexit
+import gc
 import os
 import pickle
 import signal
@@ -79,12 +80,14 @@ def serve():
     if hasattr(os, "nice"):
         os.nice(5)  # what is solved goes first
     ask, answer, sys.stdout = sys.stdin.buffer, sys.stdout.buffer, sys.stderr
+    gc.disable()  # it would look through all of matplotlib some ten times a picture
     for module in MODULES:
         import_module(f"sonify.report.{module}")
     with suppress(EOFError, BrokenPipeError):
         while True:
             pickle.dump(_reply(pickle.load(ask)), answer)
             answer.flush()
+            gc.collect()
     os._exit(0)  # without a word on the broken pipe
 
 

@@ -97,7 +97,8 @@ class OscillatorBank:
         g = np.ascontiguousarray(g, dtype=float)
         knots = knots or no_knots(g.shape[1])
         out = np.empty((len(g) - 1, len(self.omega))) if out is None else out
-        _advance(g, self.state, self.step, knots.interval, self._kicks(knots), out)
+        stops = np.append(knots.interval + 1, len(out))
+        _advance(g, int(len(g[0]) > 1), self.state, self.step, stops, self._kicks(knots), out)
         return out
 
     def _hold(self):
@@ -146,19 +147,18 @@ class OscillatorBank:
 
 
 @njit(cache=True)
-def _advance(g, state, step, interval, kicks, out):
-    """Every sample comes from the same operations wherever a block begins: its bits do not depend on that."""
+def _advance(g, own, state, step, stops, kicks, out):
+    """Every sample comes from the same operations wherever a block begins: its bits do not depend on that. Every mode
+    has a force of its `own` (1) or the same one (0); the kicks come before the samples `stops`."""
     start = 0
-    for j in range(len(interval) + 1):
-        stop = interval[j] + 1 if j < len(interval) else len(out)
-        for n in range(start, stop):
-            force = g[n]
+    for j in range(len(stops)):
+        for n in range(start, stops[j]):
             for m in range(out.shape[1]):
-                u, first, second = force[m] if len(force) > 1 else force[0], state[0, m], state[1, m]
+                u, first, second = g[n, own * m], state[0, m], state[1, m]
                 out[n, m] = step[0, m] * u + first
                 state[0, m] = step[1, m] * u + (step[2, m] * first + second)
                 state[1, m] = step[3, m] * u + step[4, m] * first
-        for m in range(out.shape[1] if j < len(interval) else 0):
+        for m in range(out.shape[1] if j < kicks.shape[1] else 0):
             state[0, m] += kicks[0, j, m]
             state[1, m] += kicks[1, j, m]
-        start = stop
+        start = stops[j]

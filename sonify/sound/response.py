@@ -30,13 +30,10 @@ class Driven:
 
     def advance(self, force) -> np.ndarray:
         """Return the accelerations (2, k, m) in the block of a ContactForce whose channels drive the modes."""
-        none = 0 * force.bend
-        return np.array(
-            [
-                self._smooth.advance(force.smooth, Knots(*force.knots, none, force.bend)),
-                self._jumps.advance(force.steps, Knots(*force.knots, force.jump, none)),
-            ]
-        )
+        none, out = 0 * force.bend, np.empty((2, len(force.t) - 1, force.smooth.shape[1]))
+        self._smooth.advance(force.smooth, Knots(*force.knots, none, force.bend), out[0])
+        self._jumps.advance(force.steps, Knots(*force.knots, force.jump, none), out[1])
+        return out
 
 
 class Carried:

@@ -89,7 +89,7 @@ class ElasticDisk:
         def advance(force):
             ringing = response.advance(force.channels(slice(2, None)))
             note(*noted_energy(force.t, ringing.sum(axis=0), self._modes, self._scene.audio.sample_rate))
-            return radiated(ringing, force.samples[:-1, :2])
+            return radiated(ringing, force.channels(slice(2)).samples[:-1])
 
         return advance
 
