@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from dynamics import simulate
-from dynamics.coupled.choice import choice, first_force, shaken
+from dynamics.coupled.choice import choice, first_force, roughness_takes, shaken
 from dynamics.film.acting import carried_below
 from sonify import load_scene
 
@@ -63,3 +63,20 @@ def test_slides_and_what_is_asked_for(elastic):
     assert choice(elastic.replace(*GENTLE)).kind == "filter"
     for asked in ("filter", "full"):
         assert choice(elastic.replace(f"numerics.contact={asked}")).kind == asked
+
+
+def test_what_roughness_takes_besides_friction_acts_on_the_motion(elastic):
+    """Of a disk that hardly anything else slows; a friction that was fitted to such a surface holds it.
+
+    The power goes with the square of the heights: the odds of roughness against friction do at every inclination.
+    """
+    free = "friction.arm_rolling=0", "friction.arm_pivoting=0", "friction.arm_nutation=0", "air.film=none"
+    slow = elastic.replace(*GENTLE, *free, "dissipation.contour_moment=5e-8", "roughness.rms=1e-8")
+    chosen = choice(slow)
+    assert roughness_takes(slow) > 0.05
+    assert chosen.kind == "full"
+    assert "besides friction" in chosen.reason
+    assert choice(slow.replace("roughness.loss=fitted")).kind == "filter"
+    little = slow.replace("dissipation.contour_moment=1e-3")
+    assert choice(little).kind == "filter"
+    assert roughness_takes(little.replace("roughness.rms=5e-9")) == pytest.approx(0.25 * roughness_takes(little), rel=0.01)
