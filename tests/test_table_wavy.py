@@ -23,12 +23,12 @@ def wavy():
     return load_scene("wavy")
 
 
-def fall(scene, order, amplitude, start, stop=3.0, friction=None):
+def fall(scene, order, amplitude, start, stop=3.0, friction=None, rate=4e5):
     """Return energy at first, times, states, losses of contact of a disk let go in steady motion at `start` [rad]."""
     model = Compliant(
         table=LawTable(law=contact_law(scene)),
         friction=friction or scene.friction,
-        rate=4e5,
+        rate=rate,
         imperfection=Imperfection(order=order, amplitude=amplitude),
     )
     return model, *run(model, release(model, steady(scene.disk, start)[0]), 4, stop)[:4]
@@ -43,6 +43,16 @@ def test_where_contact_is_first_lost(wavy, order):
     assert 0.7 < np.interp(losses[0].t, t, columns(model, state)[:, 1]) / scale < 1.8
     kept = energy(model, state) + state[:, LOSSES : LOSSES + 5].sum(axis=1)
     assert np.abs(kept - first).max() < 1e-9 * first
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("order", "amplitude"), [(2, 1e-5), (3, 1e-6), (2, 1e-7), (3, 1e-7), (7, 1e-8)])
+def test_where_contact_is_first_lost_on_a_surface_that_hardly_yields(wavy, order, amplitude):
+    """A hundred times as stiff as granite and steel: down to waves of the hundredth of a micrometre."""
+    stiff = wavy.replace("contact.young=6e12", "material.young=1.95e13")
+    scale = (order**2 - 1) * amplitude / wavy.disk.radius
+    model, _, t, state, losses = fall(stiff, order, amplitude, 2.2 * scale, 0.7, rate=2e6)
+    assert 0.7 < np.interp(losses[0].t, t, columns(model, state)[:, 1]) / scale < 1.8
 
 
 def test_a_hundredth_of_the_wave_is_not_felt(wavy):

@@ -42,15 +42,21 @@ def acting(scene, modes) -> Acting:
     what = "energy" if energy[since] > ACTS else "wave drag"
     whose = "disk's" if what == "energy" else "friction's"
     reason = f"its {what} passes {ACTS:.0%} of the {whose} at {beta[since]:.2g} rad"
-    law = getattr(getattr(scene, "contact", None), "law", "rigid")
-    for wrong in (
-        "contact.law = 'rigid': a table that acts back needs an elastic contact" * (law == "rigid"),
-        "roughness is not solved on such a table" * (getattr(scene, "roughness", None) is not None),
-        "the film of air is not solved on such a table" * bool(film_of(scene).film),
+    wrong = unsolved(scene)
+    return Acting(not wrong, float(beta[since]), reason, wrong)
+
+
+def unsolved(scene) -> str:
+    """Return why the table of a scene cannot act back, whatever its modes; nothing if it can."""
+    for wrong, why in (
+        (scene.surface.kind in ("rigid", "infinite"), "a table that acts back must have modes"),
+        (scene.contact.law == "rigid", "contact.law = 'rigid': a table that acts back needs an elastic contact"),
+        (scene.roughness, "roughness is not solved on such a table"),
+        (scene.imperfection, "imperfection is not solved on such a table"),
     ):
         if wrong:
-            return Acting(False, float(beta[since]), reason, wrong)
-    return Acting(True, float(beta[since]), reason)
+            return why
+    return "the film of air is not solved on such a table" if film_of(scene).film else ""
 
 
 def shares(scene, modes):

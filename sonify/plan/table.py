@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from dynamics import Motion
-from dynamics.coupled.acting import acting
+from dynamics.coupled.acting import acting, unsolved
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan.plan import ENERGY_SHARE, Decision, Plan
 from sonify.scene import Scene, SceneError
@@ -17,14 +17,15 @@ BENT = 0.5
 
 
 def acts_back(scene: Scene) -> bool:
-    """Return whether the motion is solved with the modes of the table."""
-    return getattr(scene.surface, "action", "auto") == "motion"
+    """Return whether the motion is solved with the modes of the table, which may act back somewhere."""
+    asked = getattr(scene.surface, "action", "sound")
+    return asked == "motion" or (asked == "auto" and not unsolved(scene))
 
 
 def check_table(scene: Scene):
     """Raise SceneError, before any work, where the table cannot be solved."""
     surface = scene.surface
-    acts = "surface.action = 'motion'" if acts_back(scene) else ""
+    acts = "surface.action = 'motion'" if getattr(surface, "action", "") == "motion" else ""
     for wrong, instead in (
         (acts and surface.kind == "infinite", "surface.kind = 'infinite': a table that acts back must have modes"),
         (acts and scene.imperfection, "imperfection: a table is wavy or acts back"),
