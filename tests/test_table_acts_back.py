@@ -26,9 +26,10 @@ from dynamics.steady import steady_precession
 from dynamics.surface import ModesSurface, SurfaceMode
 from modal import surface_modes
 from sonify import SceneError, load_scene
+from sonify.claims import two_ways
 from sonify.claims.halt import halt
 from sonify.plan.solvable import solvable, solve_motion
-from sonify.plan.table import action
+from sonify.plan.table import action, acts_back
 
 GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
 
@@ -172,16 +173,26 @@ def test_a_massive_table_is_never_handed_over(elastic):
     assert (motion.force(t) == rigid.force(t)).all()
 
 
-def test_a_table_is_handed_over_where_the_plan_says(elastic):
-    """What its energy and its wave drag are there: in closed form, of one mode under the turning weight."""
+@pytest.fixture(scope="module")
+def handed(elastic):
+    """A scene whose table acts back late, its modes, and its motion."""
     scene = elastic.replace(*LATE, TABLE.replace("modal_mass=1.0", "modal_mass=10.0").replace("motion", "auto"))
-    modes, disk, n, w, zeta = surface_modes(scene), scene.disk, 2, 2 * np.pi * 600, 0.02
+    modes = surface_modes(scene)
+    return scene, modes, solve_motion(scene, table=modes)
+
+
+def test_a_table_is_handed_over_where_the_plan_says(handed):
+    """What its energy and its wave drag are there: in closed form, of one mode under the turning weight."""
+    scene, modes, motion = handed
+    disk, n, w, zeta = scene.disk, 2, 2 * np.pi * 600, 0.02
     beta, energy_share, _ = shares(scene, modes)
     x = n * np.array([steady(disk, b)[1] for b in beta]) / w
     amplitude = disk.weight / (10.0 * w**2) / np.hypot(1 - x**2, 2 * zeta * x)
     closed = 10.0 * w**2 * (1 + x**2) * amplitude**2 / 2 / (1.5 * disk.weight * disk.radius * beta)
     assert energy_share == pytest.approx(closed, rel=1e-4)  # splines of the shape
-    found, motion = acting(scene, modes), solve_motion(scene, table=modes)
+    found = acting(scene, modes)
+    assert acts_back(scene)
+    assert not acts_back(scene.replace("contact.law=rigid"))
     assert f"{found.inclination:.2g} rad on" in action(scene, modes).choice
     t = motion.handed_over
     assert isinstance(motion, Motion)
@@ -197,6 +208,27 @@ def test_a_table_is_handed_over_where_the_plan_says(elastic):
     assert motion.bandwidth(motion.at([0.5 * t, 1.01 * t])) == pytest.approx(
         [motion.first.bandwidth(motion.first.at([0.5 * t]))[0], motion.then.bandwidth(motion.then.at([0.01 * t]))[0]]
     )
+
+
+def test_what_a_table_that_acts_back_takes(handed):
+    """The budget closes, and the halt is as much earlier as beside the solved rigid motion."""
+    scene, _, motion = handed
+    found = {finding.key: finding for finding in two_ways.motion_findings(scene, motion)}
+    t = np.linspace(motion.handed_over, motion.t[-1], 500)
+    budget = two_ways.energy_budget(motion, t)
+    whole = budget.disk + budget.table + sum(budget.lost.values())
+    assert np.ptp(whole) < 1e-9 * whole[0]
+    rigid = solve_motion(scene.replace("surface={kind='rigid'}", "contact.law=rigid"))
+    last = motion.at(motion.t[-1:])[0, 1]
+    below = np.flatnonzero(rigid.state[:, 1] > last)[-1]
+    earlier = found["halt_comes_earlier"]
+    assert earlier.value == pytest.approx(rigid.t[below] - motion.t[-1], abs=earlier.margin)
+    assert earlier.holds
+    assert 0 < found["waves_make_the_halt"].value < 1
+    assert ("loss_at_resonance" in found) == bool(motion.contact_losses)
+    assert two_ways.motion_findings(scene, rigid) == []
+    with pytest.raises(ValueError, match="does not act back"):
+        two_ways.energy_budget(rigid, t)
 
 
 @pytest.mark.slow

@@ -77,7 +77,9 @@ def plan_of(scene: Scene) -> Plan:
                 f"{HIGHEST_HEARD:g} Hz is the highest rate that is heard",
             ),
             Decision(
-                subject="disk and table", choice="rigid in the motion", reason=f"surface.kind = {scene.surface.kind!r}"
+                subject="disk and table" if scene.surface.kind == "rigid" else "disk",
+                choice="rigid in the motion",
+                reason=f"surface.kind = {scene.surface.kind!r}; the elastic modes of a disk only sound",
             ),
             Decision(
                 subject="instants at which the force is read",
