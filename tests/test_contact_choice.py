@@ -79,4 +79,6 @@ def test_what_roughness_takes_besides_friction_acts_on_the_motion(elastic):
     assert choice(slow.replace("roughness.loss=fitted")).kind == "filter"
     little = slow.replace("dissipation.contour_moment=1e-3")
     assert choice(little).kind == "filter"
-    assert roughness_takes(little.replace("roughness.rms=5e-9")) == pytest.approx(0.25 * roughness_takes(little), rel=0.01)
+    assert roughness_takes(little.replace("roughness.rms=5e-9")) == pytest.approx(
+        0.25 * roughness_takes(little), rel=0.01
+    )

@@ -24,6 +24,15 @@ MEASURED, SPREAD = 0.31, 0.03
 """Exponent of the precession rate in the time left, of recordings of disks on granite (2026), and its error."""
 LAST = 0.1
 """The end of a motion is what takes this last part of its energy."""
+LOST_TO = (
+    "impacts and compression of the contact",
+    "creep of the contact",
+    "sliding",
+    "friction of rolling and pivoting",
+    "the table",
+    "the film of air",
+)
+"""What a full motion knows the losses of, in the order of its causes."""
 INCLINATIONS = (1e-3, 1e-2)
 """Between these the exponent of a friction is read [rad]."""
 
@@ -76,9 +85,13 @@ def air_negligible(motion: Motion, film: Film) -> Finding:
 
 @lru_cache(maxsize=1)
 def shares_of_the_end(motion: Motion, film: Film | None) -> dict[str, float]:
-    """Return the shares in which film, sliding and the moments at the contact take the LAST of the energy."""
+    """Return the shares in which film, sliding and the moments at the contact take the LAST of the energy; where the
+    contact is solved in full also its compression, its creep and the table."""
     energy = motion.energy(motion.t)
     last = energy - energy[-1] <= LAST * (energy[0] - energy[-1])
+    if hasattr(motion, "lost"):
+        taken = np.ptp(motion.lost(motion.t)[last], axis=0)
+        return dict(zip(LOST_TO, (taken / (taken.sum() or 1.0)).tolist(), strict=True))
     total = np.ptp(motion.state[last, 10])
     force, state = motion.force(motion.t), motion.state
     slides = _integral(-(force[:, 0] * state[:, 8] + force[:, 1] * state[:, 9]), motion)

@@ -1,11 +1,15 @@
 """TABLE -> SENTENCES: what the shipped sweeps say, computed from their tables."""
 
+from collections import Counter
 from collections.abc import Callable
 
 import numpy as np
 import pyarrow as pa
 
 from dynamics.air import PRESSURE
+
+HELD = 100.0
+"""Lam up to which the law of the film has been held against solutions."""
 
 
 def friction(table: pa.Table) -> list[str]:
@@ -33,18 +37,43 @@ def friction(table: pa.Table) -> list[str]:
 def halt(table: pa.Table) -> list[str]:
     """What takes the last energy of a steel disk on glass, and whether contact is lost, where the film's law holds."""
     pressure, moment, squeezed = columns(table, "air.pressure", "dissipation.contour_moment", "film_squeezed")
-    known = squeezed < 1
+    known = squeezed < HELD
     airborne, by_air = is_in(table, "outcome", "AIRBORNE")[known], is_in(table, "ended_by", "the film of air")[known]
     most = moment[known][by_air].max(initial=0.0)
     return [
-        f"From {pressure[known].min() / PRESSURE:.2g} atmospheres on, where the film hardly squeezes its air, contact "
-        f"is lost to the air in {airborne.sum()} of {known.sum()} runs.",
+        f"From {pressure[known].min() / PRESSURE:.2g} atmospheres on, where the law of the film has been held against "
+        f"solutions, contact is lost to the air in {airborne.sum()} of {known.sum()} runs.",
         f"There the film takes more of the last tenth of the energy than anything else in {by_air.sum()} runs, up to "
         f"a contour moment of {most:.2g} N m.",
-        f"At lower pressures {(~known).sum()} runs tell nothing: Lam, which the law of the film has below 1, is up to "
-        f"{squeezed.max():.1g} there, and such air lifts less."
+        f"At lower pressures {(~known).sum()} runs tell nothing: Lam is up to {squeezed.max():.1g} there, and the law "
+        f"of the film has been held against solutions up to {HELD:g}."
         if not known.all()
-        else "The law of the film holds in all runs.",
+        else f"At the end Lam, how far the film squeezes its air, is up to {squeezed.max():.2g}, below the {HELD:g} "
+        "up to which solutions have been held against it: the law of the film holds in all runs.",
+    ]
+
+
+def halt_table(table: pa.Table) -> list[str]:
+    """What ends a disk that runs into the waves of a table of one mode, by its mass and by the pressure of the air."""
+    mass, pressure, kept, end = columns(table, "surface.modes.0.modal_mass", "air.pressure", "contact_kept", "t_end")
+    solved, airborne = ~np.isnan(kept), is_in(table, "outcome", "AIRBORNE")
+    causes = Counter(cause for cause in table["ended_by"].to_pylist() if cause)
+    broken = solved & (kept == 0)
+    heaviest = mass == mass.max()
+    by_mass = [np.nanmedian(end[mass == m]) for m in (mass.min(), mass.max())]
+    over_air = max(np.ptp(end[solved & (mass == m)]) for m in np.unique(mass[solved]))
+    return [
+        f"A lighter table ends the motion earlier: with a mode of {mass.min():.2g} kg after {by_mass[0]:.2g} s, with "
+        f"one of {mass.max():.2g} kg after {by_mass[1]:.2g} s; from {pressure.min() / PRESSURE:.1g} to "
+        f"{pressure.max() / PRESSURE:.1g} atmospheres the air changes that by {over_air:.2g} s at most.",
+        f"Vibration breaks the contact in {broken.sum()} of {solved.sum()} runs, none of them with "
+        f"the heaviest mode, before the air carries the disk in {airborne.sum()}."
+        if not (broken & heaviest).any()
+        else f"Vibration breaks the contact in {broken.sum()} of {solved.sum()} runs; in {airborne.sum()} the air then "
+        "carries the disk.",
+        "What takes most of the last tenth of the energy: "
+        + ", ".join(f"{cause} in {n} runs" for cause, n in causes.most_common())
+        + ".",
     ]
 
 
@@ -85,5 +114,10 @@ def powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
     return found[:-1].round(2) + 0.0, float(np.sqrt(np.mean((matrix @ found - np.log(value)) ** 2)))
 
 
-CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {"friction": friction, "halt": halt, "pitch": pitch}
+CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {
+    "friction": friction,
+    "halt": halt,
+    "halt-table": halt_table,
+    "pitch": pitch,
+}
 """Shipped sweep -> what its table says."""
