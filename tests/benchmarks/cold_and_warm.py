@@ -1,15 +1,18 @@
 """Time of `run published`: cold, in a process with empty caches, and warm, again in a process that has run it before.
 
 Run as `python -m tests.benchmarks.cold_and_warm [PAIRS]`. A cold and a warm run take turns, so that what else the
-machine does falls on both; printed are the medians by stage, and the processor time of all threads: of a cold run with
-the process that draws, of a warm one without it. A cold process starts as a fresh environment does: without byte code,
-compiled functions, fonts, or what only the tests install, which heyoka loads where it finds it.
+machine does falls on both; printed are the medians by stage, some of which go on beside each other, and the processor
+time of all threads: of a cold run with the process that draws, of a warm one without it. A cold process starts as it does
+after `pip install -e .`: with the byte code of the libraries, which pip makes, without that of this program, and
+without compiled functions, fonts, or what only the tests install, which heyoka loads where it finds it.
 """
 
 import json
 import os
 import subprocess
 import sys
+from pathlib import Path
+from shutil import copytree, ignore_patterns
 from statistics import median
 from tempfile import TemporaryDirectory
 from time import perf_counter, process_time
@@ -26,13 +29,22 @@ print(json.dumps(seconds))
 """
 
 
+ROOT = Path(__file__).parents[2]
+PACKAGES = ("dynamics", "modal", "sonify")
+CACHES = ("NUMBA_CACHE_DIR", "MPLCONFIGDIR", "XDG_CACHE_HOME")
+
+
 def cold(folder: str) -> tuple[dict, float, float]:
     """Return seconds by stage, in all, and of the processor, of a run in a process whose caches are in `folder`."""
-    caches = ("NUMBA_CACHE_DIR", "PYTHONPYCACHEPREFIX", "MPLCONFIGDIR", "XDG_CACHE_HOME")
-    environment = os.environ | {name: f"{folder}/{name}" for name in caches}
+    for package in PACKAGES:
+        copytree(ROOT / package, f"{folder}/{package}", ignore=ignore_patterns("__pycache__", "node_modules"))
+    environment = os.environ | {name: f"{folder}/{name}" for name in CACHES} | {"PYTHONPATH": folder}
+    for name in ("PYTHONDONTWRITEBYTECODE", "PYTHONPYCACHEPREFIX"):
+        environment.pop(name, None)
     code = ONCE.replace("OUT", repr(f"{folder}/out"))
     began, busy = perf_counter(), os.times()
-    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True)
+    options = {"env": environment, "cwd": folder, "capture_output": True, "text": True, "check": True}
+    done = subprocess.run([sys.executable, "-c", code], **options)
     total, spent = perf_counter() - began, os.times()
     processor = sum(spent[2:4]) - sum(busy[2:4])
     return json.loads(done.stdout.splitlines()[-1]), total, processor
