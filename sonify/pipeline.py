@@ -23,7 +23,7 @@ from sonify.plan.solvable import planned, solvable, solve_motion
 from sonify.plan.table import acts_back, strayed, with_table
 from sonify.progress import Stages, beside
 from sonify.report.pictures import Pictures
-from sonify.report.write import write_record
+from sonify.report.write import run_record, told_by_the_page, write_record
 from sonify.result import Result
 from sonify.scene import Scene
 from sonify.sound.oscillators import compile_oscillators
@@ -110,10 +110,12 @@ def write(
     with claimed(out or Path("outputs") / result.scene.name) as folder:
         for stale in RECORDS:
             (folder / stale).unlink(missing_ok=True)
+        result, pictures = replace(result, out=folder, seconds=stages.seconds), pictures or Pictures()
+        pictures.begin(result)
+        told = beside(run_record, result), beside(told_by_the_page, result, pictures)
         with stages.stage("sound files") as watch:
             write_sound(result.sound, folder, watch)
-        result = replace(result, out=folder, seconds=stages.seconds)
-        write_record(result, stages, pictures or Pictures())
+        write_record(result, stages, pictures, *told)
     return result
 
 

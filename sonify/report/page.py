@@ -29,9 +29,9 @@ MOST_EMBEDDED = 100_000_000
 """A longer sound [bytes] is not put into a notebook."""
 
 
-def write(result: "Result", path: Path, heard: dict[str, Any] | None = None):
-    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours; `heard` are its
-    `sounds`, if these are known."""
+def write(result: "Result", path: Path, told: dict[str, Any] | None = None):
+    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours; `told` is its
+    `page_data`, if that is known."""
     text = (
         templates()
         .get_template("report.html")
@@ -41,7 +41,7 @@ def write(result: "Result", path: Path, heard: dict[str, Any] | None = None):
             hangs_on=hangs_on,
             paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
             not_from=words.not_from(result),
-            data=page_data(result, heard),
+            data=told or page_data(result),
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[

@@ -48,9 +48,8 @@ class Pictures:
         if hasattr(found, "sound") and not self._sounds:
             self._sounds = beside(_sounds, found.sound)
 
-    def sounds(self, result: "Result") -> dict[str, Any]:
-        """Return the sounds of the page of a result."""
-        self.begin(result)
+    def sounds(self) -> dict[str, Any]:
+        """Return the sounds of the page of a result for which this has begun."""
         return self._sounds.result()
 
     def write(self, result: "Result"):

@@ -2,6 +2,7 @@
 
 import json
 import subprocess
+from concurrent.futures import Future
 from dataclasses import asdict
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -30,8 +31,16 @@ NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
 
 
-def write_record(result: "Result", stages: Stages, pictures: Pictures):
-    """Write everything but the sound into the folder of the result; the stages are timed."""
+def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
+    """Return the numbers of the page of a result."""
+    from sonify.report.page_data import page_data  # loads slowly
+
+    return page_data(result, pictures.sounds())
+
+
+def write_record(result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future):
+    """Write everything but the sound into the folder of the result; the stages are timed. `record` and `told` have
+    become what run.json and the page hold."""
     from sonify.report import page  # loads slowly
 
     with stages.stage("motion.npz, modes"):
@@ -41,8 +50,8 @@ def write_record(result: "Result", stages: Stages, pictures: Pictures):
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
         pictures.write(result)
-    write_json(run_record(result), result.out / "run.json")
-    page.write(result, result.out / "report.html", pictures.sounds(result))
+    write_json(record.result() | {"seconds": rounded(result.seconds)}, result.out / "run.json")
+    page.write(result, result.out / "report.html", told.result())
 
 
 def moved(result: "Result") -> dict:
@@ -97,9 +106,14 @@ def run_record(result: "Result") -> dict:
         },
         "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
         "findings": [finite(asdict(f)) | {"holds": f.holds, "near": f.near} for f in result.findings],
-        "seconds": {name: round(seconds, 3) for name, seconds in result.seconds.items()},
+        "seconds": rounded(result.seconds),
         "versions": versions(),
     }
+
+
+def rounded(seconds: dict[str, float]) -> dict[str, float]:
+    """Return the seconds of the stages to the millisecond."""
+    return {name: round(spent, 3) for name, spent in dict(seconds).items()}
 
 
 def summary(result: "Result") -> dict[str, Any]:
