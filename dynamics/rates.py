@@ -12,6 +12,8 @@ from .motion import Motion, halves
 PROMINENCE, SHARE, NEIGHBOURS = 0.005, 0.5, 11
 """A peak of the normal force counts if its prominence is this part of the weight, and this share of the median of so
 many neighbours: more than the corners that the resisting moment makes (1e-4), more than most of the steps at slips."""
+SMOOTH = 5
+"""Readings of a rate of which the median is drawn."""
 
 
 @lru_cache(maxsize=1)
@@ -34,6 +36,12 @@ def precession_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     peaks = load_peaks(motion)
     turned = np.abs(np.diff(motion.at(peaks)[:, 0])) / (2 * np.pi)
     return peaks[1:-1], (turned[1:] + turned[:-1]) / (peaks[2:] - peaks[:-2])
+
+
+def smooth_rates(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return times (q,) [s], precession and nutation (q,) [Hz], medians of SMOOTH of them, as they are drawn."""
+    (peaks, nutation), (_, precession) = nutation_frequency(motion), precession_frequency(motion)
+    return peaks, median_filter(precession, SMOOTH), median_filter(nutation, SMOOTH)
 
 
 def precession_rate(state) -> np.ndarray:

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-from numpy.lib.stride_tricks import sliding_window_view
-from scipy.signal import butter, find_peaks, resample_poly, sosfiltfilt
+from scipy.signal import ShortTimeFFT, butter, find_peaks, resample_poly, sosfiltfilt
 
 from sonify.hearing.hum import vertex
 from sonify.hearing.rising_tone import RisingTone, rising_tone
@@ -117,8 +116,9 @@ def steady_carriers(samples, rate) -> list[Carrier]:
     size = int(CARRIER_WINDOW * rate)
     if len(samples) < 4 * size:
         return []
-    frames = sliding_window_view(samples, size)[:: size // 2]
-    level = np.array([_spectrum(frame) for frame in frames])
+    windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
+    power = np.abs(windows.stft(samples, 1, 2 + (len(samples) - size) // (size // 2))) ** 2  # none beyond the samples
+    level = 10 * np.log10(power.T + 1e-300)
     above = level - _floor(level)
     mean = np.sort(above, axis=0)[-max(len(above) // 4, 3) :].mean(axis=0)
     first = int(CARRIERS_FROM * size / rate)
@@ -141,10 +141,6 @@ def _part(source):
     power = [np.square(second, dtype=float).sum() for second in pieces(source, rate)]
     stop = min((int(np.argmax(power)) + 6) * rate, source.frames)
     return max(stop - most, 0), max(stop, most)
-
-
-def _spectrum(frame):
-    return 10 * np.log10(np.abs(np.fft.rfft(frame * np.hanning(len(frame)))) ** 2 + 1e-300)
 
 
 def _floor(level):

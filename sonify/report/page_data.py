@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import soundfile
-from scipy.ndimage import median_filter
 from scipy.spatial import Delaunay
 
 from dynamics import Motion
-from dynamics.rates import nutation_frequency, precession_frequency
+from dynamics.rates import smooth_rates
 from modal import Modes, Support
 from modal.table import SurfaceModes
 from sonify.report.captions import caption, table_caption
@@ -92,10 +91,8 @@ def compressed(source) -> str:
 
 def rates(motion: Motion) -> dict[str, Any]:
     """Return precession and nutation [Hz] at the peaks of the normal force [s]."""
-    (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
-    columns = {"t": peaks, "precession": precession, "nutation": nutation}
-    smooth = {name: median_filter(v, 5) if name != "t" else v for name, v in columns.items()}
-    return {name: packed(column) for name, column in smooth.items()}
+    columns = zip(("t", "precession", "nutation"), smooth_rates(motion), strict=True)
+    return {name: packed(column) for name, column in columns}
 
 
 def instants(motion: Motion) -> dict[str, Any]:

@@ -8,9 +8,8 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.ndimage import median_filter
 
-from dynamics.rates import nutation_frequency, precession_frequency, precession_rate
+from dynamics.rates import nutation_frequency, precession_rate, smooth_rates
 from sonify.claims.contact import carrier_line
 from sonify.claims.motion import FIGURE_4
 from sonify.claims.paper import of_the_paper
@@ -88,14 +87,13 @@ def _spectrogram(found):
     motion, sound = found.motion, found.sound
     low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
     end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
-    (peaks, nutation), precession = nutation_frequency(motion), precession_frequency(motion)[1]
-    rates = [median_filter(rate, 5) for rate in (precession, nutation)]
+    peaks, precession, nutation = smooth_rates(motion)
     seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
     delay = sound.source_end - motion.t[-1]
     carrier = carrier_line(found.scene, motion, delay)
     table = found.table.frequency if found.table else []
     seen |= {"frequencies": found.modes.frequency, "table": table, "carrier": carrier}
-    return seen | {"time": peaks + delay, "rates": [rates[0], nutating(rates[1], rates[0])]}
+    return seen | {"time": peaks + delay, "rates": [precession, nutating(nutation, precession)]}
 
 
 def nutating(nutation: np.ndarray, precession: np.ndarray) -> np.ndarray:
