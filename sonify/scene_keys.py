@@ -54,7 +54,7 @@ def _keys(section, sections, path):
         if inner:
             yield from _of_all_kinds([list(_keys(own, sections, f"{path}{name}.")) for own in inner])
         else:
-            meaning, unit = _apart(key["description"])
+            meaning, unit = _apart(" ".join(key["description"].split()))
             span = " or ".join(map(_range, options))
             yield Key(f"{path}{name}", unit, span, _default(name, key, section), meaning)
 
