@@ -14,7 +14,7 @@ from scipy.interpolate import CubicSpline
 
 from dynamics import Motion
 from dynamics.coupled.acting import acting, shares
-from dynamics.coupled.from_scene import contact_law
+from dynamics.coupled.from_scene import contact_law, step_rate
 from dynamics.coupled.full import Compliant
 from dynamics.coupled.handover import columns, energy, release
 from dynamics.coupled.march import FLAT, LIES
@@ -144,6 +144,9 @@ def test_what_is_not_solved_is_refused_in_one_line(elastic):
         assert len(str(caught.value).splitlines()) == 1
     with pytest.raises(ValueError, match="needs the surface_modes"):
         solve_motion(elastic.replace(TABLE))
+    with pytest.raises(SceneError, match=r"numerics\.contact_rate = 150000: too low .* at least \d"):
+        elastic.replace(TABLE, "numerics.accuracy=draft", "numerics.contact_rate=1.5e5")
+    assert step_rate(elastic.replace(TABLE, "numerics.accuracy=draft")) < 4e5  # which a draft then takes
 
 
 def test_a_heavy_table_is_a_rigid_one(elastic):

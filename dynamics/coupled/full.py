@@ -140,6 +140,6 @@ class Compliant:
 
     def _hold(self, y):
         """Raise ValueError where a resonance turns too far in a step."""
-        fastest = float(rate_needed(self.table.law, inclination(y[None]))[0])
+        fastest = float(rate_needed(self.table.law, np.maximum(inclination(y[None]), LEAST_INCLINATION))[0])
         if fastest > self.rate:
             raise ValueError(f"rate = {self.rate:g}: too low for so stiff a contact, at least {fastest:.4g} 1/s needed")
