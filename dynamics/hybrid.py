@@ -33,7 +33,7 @@ class Step(NamedTuple):
 
     regime: Any
     duration: float
-    coefficients: Any
+    coefficients: np.ndarray
     is_sure: bool = False
 
     @property
@@ -43,7 +43,7 @@ class Step(NamedTuple):
 
     def at(self, t: float) -> list:
         """Return the state (k,) after t."""
-        return (t ** np.arange(len(self.coefficients)) @ np.asarray(self.coefficients)).tolist()
+        return (t ** np.arange(len(self.coefficients)) @ self.coefficients).tolist()
 
 
 class Switch(NamedTuple):
@@ -129,5 +129,5 @@ def _follow(system, path, regime, y, span, watch) -> str | None:
 def _take(path, switch):
     """Append the closed steps of a switch; return its regime and state."""
     for step in switch.steps:
-        path.extend(np.array([step.duration]), np.array([step.coefficients]), step.regime)
+        path.extend(np.array([step.duration]), step.coefficients[None], step.regime)
     return switch.regime, switch.state

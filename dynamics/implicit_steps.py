@@ -31,8 +31,10 @@ RELAXED = 12.0
 """Times of relaxation in the first step of a slide: as many as the nodes resolve."""
 SHORTEST = 1e-12
 ACCURACY = 1e-12
-SETTLED, STEERED, MOST_TRIES = 1e-14, 3, 40
+SETTLED, STEERED, MOST_TRIES = 1e-13, 3, 40
 """What the iteration may leave, the try at which the steering is found anew, and the tries it has."""
+STRAY = 1e-3
+"""A change after which the steering is found anew."""
 TILT = 1e-7
 """Of the difference quotient for Newton's method, which mends its error."""
 STAY = 1.5
@@ -54,36 +56,48 @@ def steering(flow, p, states, rates, spare):
 
 
 @njit(cache=True, error_model="numpy")
+def steered(states, dt, steer):
+    """Return the inverse (ORDER, ORDER) of what Newton's method solves for the rate of the direction at the nodes."""
+    matrix = np.empty((ORDER, ORDER))
+    for j in range(ORDER):
+        for i in range(ORDER):
+            matrix[j, i] = -dt * INTEGRAL[j, i] * steer[j, V2]
+        matrix[j, j] += states[j, V1]
+    return np.ascontiguousarray(np.linalg.inv(matrix))
+
+
+@njit(cache=True, error_model="numpy")
 def settle(flow, p, y, dt, states, rates, guards):
     """Solve states = y + dt INTEGRAL rates(states) from guessed states (ORDER, SIZE); tell whether that converges.
 
     The direction alone is stiff: it follows by Newton's method, and the rest, corrected for it, by Picard's. At the end
     the rates at V2 are those of the direction itself.
     """
-    turning, last, solved, steer = np.zeros(ORDER), SETTLED, np.empty((ORDER, ORDER)), rates
+    last, steer, solved, ahead = SETTLED, rates, np.empty((ORDER, ORDER)), np.empty((ORDER, SIZE))
+    turning, wrong, change, turned = np.zeros(ORDER), np.empty(ORDER), np.empty(ORDER), np.empty(ORDER)
     for attempt in range(MOST_TRIES):
         for j in range(ORDER):
             flow(states[j], p, rates[j], guards[j])
-        if attempt == 0 or attempt == STEERED:
+        if attempt == 0 or (attempt == STEERED and last > STRAY):
             steer = steering(flow, p, states, rates, guards[ORDER])
-            for j in range(ORDER):
-                for i in range(ORDER):
-                    solved[j, i] = -dt * INTEGRAL[j, i] * steer[j, V2]
-                solved[j, j] += states[j, V1]
-            solved[:] = np.linalg.inv(solved)
-        change = np.dot(solved, rates[:, V2] - states[:, V1] * turning)
-        turning += change
-        change = dt * np.dot(INTEGRAL, change)
+            solved = steered(states, dt, steer)
         for j in range(ORDER):
+            wrong[j] = rates[j, V2] - states[j, V1] * turning[j]
+        np.dot(solved, wrong, change)
+        np.dot(INTEGRAL, change, turned)
+        for j in range(ORDER):
+            turning[j] += change[j]
             for a in range(SIZE):
-                rates[j, a] += steer[j, a] * change[j]
+                rates[j, a] += steer[j, a] * (dt * turned[j])
             rates[j, V2] = turning[j]
-        ahead, size = np.dot(INTEGRAL, rates), 0.0
+        np.dot(INTEGRAL, rates, ahead)
+        size = 0.0
         for j in range(ORDER):
             for a in range(SIZE):
                 new = y[a] + dt * ahead[j, a]
-                moved = abs(new - states[j, a]) / max(1.0, abs(new))
-                size = moved if not moved <= size else size
+                moved, scale = abs(new - states[j, a]), max(1.0, abs(new))
+                if not moved <= size * scale:
+                    size = moved / scale
                 states[j, a] = new
         if size * min(1.0, size / last) < SETTLED:
             return True
@@ -154,9 +168,7 @@ def in_plane(c, states, rates, dt, place):
 
 @njit(cache=True, error_model="numpy")
 def slowest(c, low, high):
-    """Return where in [low, high] the speed on the powers c is least, between a fall and a rise; high without these."""
-    if not slope_of_speed(c, low) < 0 < slope_of_speed(c, high):
-        return high
+    """Return where in [low, high], between a fall and a rise, the speed on the powers c is least."""
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         low, high = (middle, high) if slope_of_speed(c, middle) < 0 else (low, middle)
@@ -180,10 +192,12 @@ def first_fall(flow, p, c, count, before, guards):
     A guard not positive at 0 cannot fall.
     """
     place, fired, low, y, rates, now = 1.0, -1, 0.0, np.empty(SIZE), np.empty(SIZE), np.empty(GUARDS)
+    slope = slope_of_speed(c, low)
     for look in range(ORDER + 1):
         high = NODES[look] if look < ORDER else 1.0
-        dip = slowest(c, low, high)
-        if dip < high:
+        fell, slope = slope < 0, slope_of_speed(c, high)
+        if fell and slope > 0:
+            dip = slowest(c, low, high)
             at(c, dip, y)
             flow(y, p, rates, now)
             place, fired = fall_between(flow, p, c, count, before, now, low, dip)

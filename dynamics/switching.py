@@ -5,7 +5,10 @@ and the two senses, exactly the choices whose own accelerations and loads agree 
 """
 
 import math
+from functools import lru_cache
 from itertools import product
+
+import numpy as np
 
 from .equations import UNLOADED, Law, separation
 from .hybrid import StalledError, Step
@@ -60,22 +63,26 @@ def _separates(y, law, loads) -> bool:
 
 
 def _candidates(y, law, at_zero, leaving, senses):
-    """Yield the regimes to try: rolling before sliding; of a turning at zero the reversal, sticking, the old sense."""
-    turns = turnings(y)
-    contact = [True] if 0 not in at_zero or 0 in leaving else [False, True]
-    if law.mu_static == math.inf:
-        contact = [False]
+    """Return the regimes to try: rolling before sliding; of a turning at zero the reversal, sticking, the old sense."""
+    turning = tuple(0.0 if i + 1 in at_zero else math.copysign(1.0, turn) for i, turn in enumerate(turnings(y)))
+    resisted = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
+    return _choices(turning, senses, resisted, law.mu_static < math.inf, 0 in at_zero, leaving)
+
+
+@lru_cache(1024)
+def _choices(turning, senses, resisted, can_slip, at_rest, leaving):
+    """Return the regimes to try for the sign of each turning, 0 at rest, and its sense before."""
+    contact = [False] if not can_slip else [True] if not at_rest or 0 in leaving else [False, True]
     surfaces = []
-    for i, arm in enumerate((law.k1, law.k2, law.k3)):
-        if arm == 0:
+    for i, sign in enumerate(turning):
+        if not resisted[i]:
             surfaces.append([(False, 1.0)])
-        elif i + 1 in at_zero:
+        elif sign:
+            surfaces.append([(False, sign)])
+        else:
             stick = [] if i + 1 in leaving else [(True, 1.0)]
             surfaces.append([(False, -senses[i]), *stick, (False, senses[i])])
-        else:
-            surfaces.append([(False, math.copysign(1.0, turns[i]))])
-    for sliding, *choice in product(contact, *surfaces):
-        yield Regime(sliding, tuple(c[0] for c in choice), tuple(c[1] for c in choice))
+    return [Regime(sliding, *zip(*choice, strict=True)) for sliding, *choice in product(contact, *surfaces)]
 
 
 def _consistent(y, contact, regime, law, at_zero) -> bool:
@@ -178,7 +185,7 @@ def _step_off(y, first, regime, branch, law, length=None) -> Step:
 
 
 def _parabola(regime, dt, y, slope, after) -> Step:
-    return Step(regime, dt, [list(y), slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]])
+    return Step(regime, dt, np.array([y, slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]]))
 
 
 def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
@@ -194,6 +201,6 @@ def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
     if stopping:
         angle = min(stopping, key=lambda a: abs(a - along))
         slope = FLOAT.rates(y, _along(y, angle, regime, branch, law), branch, law)
-        return Step(regime, -speed * y[R] / push.along(angle, along), [list(y), slope]), True
+        return Step(regime, -speed * y[R] / push.along(angle, along), np.array([y, slope])), True
     here = FLOAT.contact(y, branch, regime.senses, law)
     return _step_off(y, here, regime, branch, law, PASSING * speed * y[R] / (law.mu_dynamic * here.Phi)), False

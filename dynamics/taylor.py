@@ -45,12 +45,13 @@ class Compiled:
         )
 
     def borrow(self):
-        """Return an integrator that nobody else uses, with views of its parameters, state and last Taylor series."""
+        """Return an integrator that nobody else uses, with views of its parameters, state and last Taylor series, and
+        room for those of a run."""
         try:
             return self._idle.pop()
         except IndexError:
             own = deepcopy(self._integrator)
-            return own, own.pars, own.state, own.tc
+            return own, own.pars, own.state, own.tc, np.empty((MOST_STEPS, *own.tc.shape))
 
     def give_back(self, borrowed) -> None:
         """Take back what `borrow` gave."""
@@ -79,23 +80,21 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     """
     future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
     flow = future.result()
-    integrator, pars, state, series = borrowed = flow.borrow()
+    integrator, pars, state, series, kept = borrowed = flow.borrow()
     pars[:], state[:] = parameters, y
     integrator.time = 0.0
     integrator.reset_cooldowns()
-    times, coefficients = [], []
-
-    def keep(_integrator):
-        coefficients.append(series.copy())
+    times, step, outcome = [0.0], integrator.step, heyoka.taylor_outcome.success
+    while outcome == heyoka.taylor_outcome.success and len(times) <= MOST_STEPS:
+        outcome, _ = step(span - times[-1], True)
+        kept[len(times) - 1] = series
         times.append(integrator.time)
-        return True
-
-    outcome = int(integrator.propagate_until(span, max_steps=MOST_STEPS, callback=keep, write_tc=True)[0])
-    end = state.tolist()
+    ended = int(outcome)
+    end, coefficients = state.tolist(), kept[: len(times) - 1].swapaxes(1, 2).copy()
     flow.give_back(borrowed)
-    if outcome == NOT_FINITE:
+    if ended == NOT_FINITE:
         from . import dop853  # numba loads slowly
 
         return dop853.advance(y, regime, law, loads, r_end, span, tolerance)
-    guard = flow.guards[-outcome - 1] if outcome > FIRST_OF_OTHERS else None
-    return Arc(np.array(times), np.array(coefficients).swapaxes(1, 2), end, guard)
+    guard = flow.guards[-ended - 1] if ended > FIRST_OF_OTHERS else None
+    return Arc(np.array(times[1:]), coefficients, end, guard)
