@@ -74,7 +74,7 @@ def grazing_step(y, nu, regime, law, loads) -> Step | None:
 def advance(y, regime, law, loads, r_end, span) -> Arc | None:
     """Integrate a stiff slide until a guard falls, for `span`, until it is stiff no more, or for MOST_STEPS steps.
 
-    None where no length down to SHORTEST converges. Safe to call from several threads at once.
+    None where it is not stiff, or no length down to SHORTEST converges. Safe to call from several threads at once.
     """
     (flow, names, *of), parameters = prepared(polar, regime, law, loads, r_end)
     start = np.array([*y[:V1], math.hypot(y[V1], y[V2]), math.atan2(y[V2], y[V1]), *y[V2 + 1 :]])

@@ -140,6 +140,12 @@ def first_length(flow, p, y, slope):
 
 
 @njit(cache=True, error_model="numpy")
+def change_of_square(y, slope):
+    """Return the speed over r times the rate of the slip, at a polar state (SIZE,) with its `slope`."""
+    return (y[R] * slope[V1] - y[W1] * y[V1] / 2) * y[V1]
+
+
+@njit(cache=True, error_model="numpy")
 def cartesian(y):
     """Return a state (SIZE,) whose slip is polar with that along a_1, a_2."""
     out = y.copy()
@@ -230,13 +236,15 @@ def integrate(flow, y, p, count, grip, load, mu, span):
 
     `grip` and `load` are the numbers of these among the `count` guards, the load being Phi. Returns the ends of the
     steps (n,), their Taylor coefficients (n, ORDER + 1, SIZE) and the last state (SIZE,), with the slip along a_1, a_2,
-    and the number of the guard, -1 for none. Where no step is short enough, the steps before it; there may be none.
+    and the number of the guard, -1 for none. Where no step is short enough, the steps before it; there may be none, as
+    where the slide is not slow.
     """
     times, coefficients = np.empty(MOST_STEPS), np.empty((MOST_STEPS, ORDER + 1, SIZE))
     slope, states, rates = np.empty(SIZE), np.empty((ORDER, SIZE)), np.empty((ORDER, SIZE))
     before, guards = np.empty(GUARDS), np.empty((ORDER + 1, GUARDS))
-    t, n, fired, slow = 0.0, 0, -1, True
+    t, n, fired = 0.0, 0, -1
     flow(y, p, slope, before)
+    slow = is_slow(y[V1], change_of_square(y, slope), mu * before[load])
     length = first_length(flow, p, y, slope)
     while n < MOST_STEPS and t < span and fired < 0 and slow and length >= SHORTEST:
         dt = min(length * y[R], span - t)
@@ -252,8 +260,7 @@ def integrate(flow, y, p, count, grip, load, mu, span):
         length = min(max(GROWTH, error ** (-1 / 3)) * length, LONGEST)
         at(c, place, y)
         flow(y, p, slope, before)
-        product = (y[R] * slope[V1] - y[W1] * y[V1] / 2) * y[V1]
-        slow = is_slow(y[V1] / STAY, product / STAY**2, mu * before[load])
+        slow = is_slow(y[V1] / STAY, change_of_square(y, slope) / STAY**2, mu * before[load])
         if fired < 0 and not slow and before[grip] < STOP_SPEED:  # it stops too fast to be slow, and has no guard left
             fired = grip
     return times[:n].copy(), coefficients[:n].copy(), cartesian(y), fired

@@ -66,7 +66,12 @@ class RollingDisk:
     def _is_stiff(self, y, regime) -> bool:
         if not (regime.sliding and self.law.mu_dynamic > 0):
             return False
-        return is_stiff(y, self._contact(y, regime), self.law)
+        return self._is_grazing or is_stiff(y, self._contact(y, regime), self.law)
+
+    @property
+    def _is_grazing(self) -> bool:
+        """Whether slides begin so gently that collocation.py is asked first, which itself looks whether one is slow."""
+        return self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic
 
     def _contact(self, y, regime):
         return FLOAT.contact(y, Branch.of(regime, self.law, self.loads), regime.senses, self.law)
@@ -81,7 +86,7 @@ class RollingDisk:
             case Kind.JAM:
                 raise ImpossibleContactError(f"{describe(y)}: the slide jams, {guard.kind.value}")
             case Kind.SLIP:
-                if self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic:
+                if self._is_grazing:
                     self.announce("slow slide")
                 return self._follow(y, held, fired={0}, senses=regime.senses)
             case Kind.GRIP:
