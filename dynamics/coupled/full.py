@@ -90,7 +90,7 @@ class Compliant:
         friction = min(f.mu_static, LARGEST), min(f.mu_dynamic, LARGEST), f.arm_nutation, f.arm_rolling, f.arm_pivoting
         chi, moment = disk.time_unit, disk.mass * disk.radius**2 / disk.time_unit
         film = self.film or Film(0.0, 0.0, 0.0)
-        air = film.turning * moment, film.falling * moment, film.inertia * chi**2  # type: ignore[operator]
+        air = film.turning * moment, film.falling * moment, film.inertia**0.5 * chi  # type: ignore[operator]
         return np.array([*body, *friction, self.impedance, *self.viscous, *air, float(self.fitted)])
 
     @cached_property

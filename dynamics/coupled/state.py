@@ -24,5 +24,5 @@ SIZE = 44
 MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE, VISCOUS_MOMENT, VISCOUS_FORCE = *range(9), 11, 12, 13
 """Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table, viscous loads."""
 TURNING, FALLING, INERTIA, FITTED = range(14, 18)
-"""The film's moments per velocity and power of sin(beta) [N m s], and (S/SLOW)^4 over Omega^2 sin(beta)^4 [s^2]; 1
+"""The film's moments per velocity and power of sin(beta) [N m s], and (S/SLOW)^2 over Omega sin(beta)^2 [s]; 1
 where friction holds what roughness takes."""

@@ -161,7 +161,8 @@ def press(y, law, s, c, d0, d1, reach, h):
     """Apply the film of air as impulses: its drag about e_3, and its pressure on the face as the disk falls."""
     a0, a1, a2, J = -c * d0, -c * d1, s, law[J1]
     rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
-    heavier = (1.0 + (law[INERTIA] * (s * s * rate) ** 2) ** 0.625) ** 0.4
+    thick = law[INERTIA] * s * s * abs(rate)
+    heavier = (1.0 + thick * np.sqrt(np.sqrt(thick))) ** 0.4
     impulse(y, a0, a1, a2, 0.0, h * law[TURNING] * heavier / s**3, J, 0.0, LOSSES + 5, 0.0)
     lever = LEVER / law[RADIUS]
     arm = reach - 1 / lever
