@@ -33,6 +33,7 @@ class Outcome(Enum):
     TIME_LIMIT = "the time limit was reached before the disk came to rest"
     LIFTED_OFF = "the normal force fell to zero: the contact was lost"
     AIRBORNE = "the pressure of the film under the falling disk reached the contact force: the air carries the disk"
+    LEFT_TABLE = "the contact came to the edge of the table: the disk falls off it"
     UPRIGHT = "the disk stood upright on a generator of its lateral surface: contact passes to the other rim"
     FELL = "the disk fell flat, with angular velocity left"
     PRECESSION_STOPPED = "the precession came to a stop, where the law of dissipation has no direction"

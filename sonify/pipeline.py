@@ -20,7 +20,7 @@ from sonify.plan.air import beyond_the_film, with_air
 from sonify.plan.plan import with_end
 from sonify.plan.predictions import SOUND
 from sonify.plan.solvable import planned, solvable, solve_motion
-from sonify.plan.table import acts_back, strayed, with_table
+from sonify.plan.table import acts_back, with_table
 from sonify.progress import Stages, beside
 from sonify.report.pictures import Pictures
 from sonify.report.write import run_record, told_by_the_page, write_record
@@ -75,7 +75,7 @@ def solve(
         findings += air_findings(scene, motion, sound) + on_contact + literature_findings(scene, motion, modes, sound)
     return Result(
         scene=scene,
-        plan=with_end(plan, motion, [*beyond_the_film(scene, motion), *strayed(scene, motion), *silence, *several]),
+        plan=with_end(plan, motion, [*beyond_the_film(scene, motion), *silence, *several]),
         motion=motion,
         modes=modes,
         table=table,

@@ -6,7 +6,7 @@ from copy import deepcopy
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
 from importlib import resources
-from math import inf, isfinite
+from math import hypot, inf, isfinite
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -91,8 +91,12 @@ class Scene:
             from dynamics.coupled.from_scene import check  # SciPy, which a rigid contact does not need
 
             check(self)
-        if isinstance(self.surface, PlateSurface) and self.surface.radius < self.disk.radius:
-            raise ValueError(f"surface.radius = {self.surface.radius:g}: must be at least disk.radius")
+        plate = self.surface
+        if isinstance(plate, PlateSurface) and plate.radius < self.disk.radius:
+            raise ValueError(f"surface.radius = {plate.radius:g}: must be at least disk.radius")
+        if isinstance(plate, PlateSurface) and hypot(*plate.place) + self.disk.radius > plate.radius:
+            most = plate.radius - self.disk.radius
+            raise ValueError(f"surface.place = {list(plate.place)}: must be within {most:g} m of the middle")
 
     @property
     def document(self) -> dict:

@@ -18,7 +18,7 @@ from sonify.examples.sweep_table import SWEEP as SLIPS
 
 TESTED = (
     *("one_motion", "mode_table", "own_mesh", "own_recording", "own_dissipation", "many_scenes", "table_mesh"),
-    "sweep_table",
+    *("sweep_table", "surfaces"),
 )
 
 

@@ -23,6 +23,7 @@ from sonify import SceneError, load_scene
 from sonify.plan.plan import contact_rate, plan_of
 from sonify.plan.predictions import END, audible_error, level_error, measured, predicted_sound, true_error
 from sonify.plan.solvable import planned
+from sonify.plan.table import with_table
 from sonify.scene import shipped_scenes
 from sonify.sound.force import CALM, STRIDE
 from sonify.sound.oscillators import OscillatorBank
@@ -36,8 +37,9 @@ def rendered(scene, accuracy):
     """Compute a scene up to its sound; what `measured` compares."""
     scene = scene.replace(f"numerics.accuracy={accuracy}")
     plan, modes = planned(scene)
-    motion = simulate(scene)
-    renderer = Renderer(scene, motion, modes, plan.voices, plan.calm)
+    plan, table = with_table(plan, scene)
+    motion = simulate(scene, surface_modes=table)
+    renderer = Renderer(scene, motion, modes, plan.voices, plan.calm, table)
     return SimpleNamespace(plan=plan, modes=modes, motion=motion, sound=renderer.sound(), renderer=renderer)
 
 
@@ -74,9 +76,9 @@ def counted():
     sizes = {"stepped": [], "solved": []}
 
     class CountedBank(OscillatorBank):
-        def advance(self, g, knots=None):
+        def advance(self, g, knots=None, out=None):
             sizes["stepped"].append((len(g) - 1, g.shape[1]))
-            return super().advance(g, knots)
+            return super().advance(g, knots, out)
 
     def counted_force(self, t):
         sizes["solved"].append(len(np.atleast_1d(t)))

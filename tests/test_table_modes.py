@@ -17,8 +17,11 @@ from modal import UnsolvableError, surface_modes
 from modal.theory import thin_plate_frequencies
 from sonify import load_scene
 from sonify.examples import own_mesh, table_mesh
-from sonify.plan.table import bending, check_table, off_since, strayed, with_table
+from sonify.plan.solvable import solve_motion
+from sonify.plan.table import bending, check_table, off_since, with_table
+from sonify.report.write import keep_mesh, scene_record, write_json
 from sonify.scene_errors import SceneError
+from sonify.sound.table import contact_place
 
 GLASS = {"young": 70e9, "poisson": 0.22, "density": 2500.0}
 WOOD = {"young": 11e9, "poisson": 0.3, "density": 700.0}
@@ -28,6 +31,35 @@ def modes_of(surface, below, accuracy="standard"):
     scene = SimpleNamespace(surface=surface, disk=SimpleNamespace(radius=0.03755))
     scene.numerics = SimpleNamespace(accuracy=accuracy)
     return surface_modes(scene, below)
+
+
+@pytest.mark.parametrize(
+    ("radius", "poisson", "edge"),
+    [
+        (0.05, 0.0, "free"),
+        (0.3, 0.45, "free"),
+        (1.0, 0.33, "supported"),
+        (0.05, 0.1, "supported"),
+        (0.4, 0.3, "clamped"),
+    ],
+)
+def test_other_thin_plates_are_too(radius, poisson, edge):
+    """Whatever radius and Poisson's ratio; of R/h = 200 the lowest roots, to 2e-3 as above."""
+    size, matter = {"radius": radius, "thickness": radius / 200}, GLASS | {"poisson": poisson}
+    thin = [thin_plate_frequencies(n, 2, **size, **matter, edge=edge) for n in range(4)]
+    found = modes_of(PlateSurface(**size, **matter, edge=edge), 1.01 * max(thin[0][0], thin[2][0]), "draft")
+    for n in range(4):
+        frequency = np.unique(found.frequency[found.order == n].round(6))
+        assert len(frequency) >= (n in (0, 2))
+        assert frequency == pytest.approx(thin[n][: len(frequency)], rel=2e-3)
+
+
+def test_a_stiff_ring_under_the_edge_supports_it():
+    """Of a free plate; the ring is soft against shear through the thickness, which is 1/100 of the radius."""
+    size = {"radius": 0.2, "thickness": 0.002}
+    ring = PlateSurface(**size, **GLASS, edge="free", ring_radius=0.2, ring_stiffness=1e12)
+    held, supported = (modes_of(plate, 400.0) for plate in (ring, PlateSurface(**size, **GLASS)))
+    assert held.frequency == pytest.approx(supported.frequency, rel=5e-3)
 
 
 @pytest.mark.parametrize("edge", ["free", "supported", "clamped"])
@@ -124,6 +156,20 @@ def test_the_table_that_comes_with_the_program_stands_on_its_feet(tmp_path):
             modes_of(MeshSurface(**{"file": str(tmp_path / "sets.inp"), **WOOD} | change), 1500.0)
 
 
+def test_the_record_of_a_run_on_a_mesh_is_a_scene_wherever_it_is(tmp_path):
+    """The mesh is kept beside run.json, which holds no path of this machine; what it says is what was run."""
+    scene, there = load_scene("wood-table"), tmp_path / "there"
+    (tmp_path / "here").mkdir()
+    keep_mesh(Path(scene.surface.file), tmp_path / "here")
+    write_json({"scene": scene_record(scene)}, tmp_path / "here" / "run.json")
+    (tmp_path / "here").rename(there)
+    assert str(Path(scene.surface.file).parent) not in (there / "run.json").read_text("utf-8")
+    again = load_scene(there / "run.json")
+    assert again.replace(f"surface.file={scene.surface.file}") == scene
+    assert Path(again.surface.file).read_bytes() == Path(scene.surface.file).read_bytes()
+    keep_mesh(Path(again.surface.file), there)  # onto itself
+
+
 def test_a_mesh_without_a_top_face_is_refused(tmp_path):
     mesh = meshio.read(own_mesh.disk(tmp_path / "disk.vtu"))
     tilted = meshio.Mesh(mesh.points @ np.array([[1, 0, 0], [0, 0.8, 0.6], [0, -0.6, 0.8]]), mesh.cells)
@@ -177,5 +223,41 @@ def test_a_disk_that_goes_over_the_edge_is_said_to():
 
     motion = SimpleNamespace(t=t, at=at)
     assert off_since(scene, motion) == pytest.approx(1.245, abs=0.13)  # a turn takes 0.126 s
-    assert "beyond the edge" in strayed(scene, motion)[0]
-    assert strayed(load_scene("glass-plate"), motion) == []
+    assert off_since(load_scene("glass-plate"), motion) is None
+
+
+def test_the_edge_of_a_plate_ends_the_motion():
+    """Slower than it could roll in a circle the disk runs outwards; until then it goes as on a wide plate."""
+    wide = load_scene("glass-plate").replace("numerics.time_limit=1.0")
+    narrow = wide.replace("surface.radius=0.045")
+    motion, further = solve_motion(narrow), solve_motion(wide)
+    assert motion.outcome.name == "LEFT_TABLE"
+    place = contact_place(motion.at(motion.t[-1:]), wide.disk)[0]
+    assert np.hypot(*place) == pytest.approx(0.045, rel=0.02)
+    t = np.linspace(0, motion.t[-1], 20)
+    assert motion.at(t) == pytest.approx(further.at(t), rel=1e-9, abs=1e-12)
+    with pytest.raises(SceneError, match=r"surface.place = \[0.1, 0.06\]: must be within 0.1124"):
+        wide.replace("surface.place=[0.1, 0.06]")
+
+
+@pytest.mark.parametrize(
+    ("mode", "key"),
+    [
+        ({"frequency": 0.0}, "frequency"),
+        ({"frequency": -5.0}, "frequency"),
+        ({"damping_ratio": 1.0}, "damping_ratio"),
+        ({"damping_ratio": -0.1}, "damping_ratio"),
+        ({"modal_mass": 0.0}, "modal_mass"),
+        ({"modal_mass": -1.0}, "modal_mass"),
+        ({"order": -1}, "order"),
+    ],
+)
+def test_a_mode_that_is_none_is_refused_by_its_key(mode, key):
+    values = {"order": 2, "frequency": 600.0, "damping_ratio": 0.02, "modal_mass": 1.0} | mode
+    text = ", ".join(f"{name}={value}" for name, value in values.items())
+    with pytest.raises(SceneError, match=rf"^surface\.modes\.1\.{key} = {mode[key]}: must be [^\n]*$"):
+        load_scene("published").replace(
+            "surface={kind='modes', modes=[{order=0, frequency=5.0, damping_ratio=0.1, modal_mass=1.0}, {"
+            + text
+            + "}]}"
+        )

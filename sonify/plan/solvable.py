@@ -3,8 +3,9 @@
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from dynamics import ImpossibleContactError, Motion, simulate
+from dynamics import ImpossibleContactError, Motion, Outcome, simulate
 from dynamics.film.acting import film_of
 from dynamics.simulation import chosen_integrator
 from modal import Modes, UnsolvableError, eigenmodes, with_radiation
@@ -13,7 +14,7 @@ from modal.solve import check
 from sonify.plan.contact import with_contact
 from sonify.plan.plan import Plan, plan_of, with_voices
 from sonify.plan.supports import compared
-from sonify.plan.table import check_table
+from sonify.plan.table import check_table, off_since
 from sonify.scene import Scene, SceneError, scene_of
 from sonify.sound.audible_modes import after_a_jump
 
@@ -55,9 +56,13 @@ def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
 
 
 def solve_motion(scene: Scene, watch=lambda t, inclination, doing: None, table=None) -> Motion:
-    """Return the motion of a scene, on a table with these modes. Raises SceneError where no contact force satisfies the
-    balance laws."""
+    """Return the motion of a scene, on a table with these modes, as far as it stays on a plate. Raises SceneError where
+    no contact force satisfies the balance laws."""
     try:
-        return simulate(scene, watch, surface_modes=table)
+        motion: Any = simulate(scene, watch, surface_modes=table)
+        if (end := off_since(scene, motion)) is None:
+            return motion
+        motion = simulate(scene.replace(f"numerics.time_limit={end}"), watch, surface_modes=table)
+        return replace(motion, outcome=Outcome.LEFT_TABLE)
     except ImpossibleContactError as error:
         raise SceneError(f"friction, release: {error}") from None

@@ -9,9 +9,12 @@ from dynamics import Motion
 from dynamics.coupled.acting import acting, unsolved
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan.plan import ENERGY_SHARE, Decision, Plan
+from sonify.plan.predictions import END, SOUND, Prediction
 from sonify.scene import Scene, SceneError
 from sonify.sound.table import after_a_newton, contact_place
 
+LOUD = 3.0
+"""Seconds of its end that hold as much energy as all the sound of a table: of the glass plate, tests/test_plan.py."""
 BENT = 0.5
 """Deflection over thickness beyond which a plate also stretches: linear theory is left."""
 
@@ -45,7 +48,8 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     Raises SceneError where the modes cannot be sought.
     """
     if scene.imperfection:
-        plan = replace(plan, modelled=(*plan.modelled, WAVY))
+        heard_so = with_table_heard(plan.predictions, scene)
+        plan = replace(plan, predictions=heard_so, modelled=(*plan.modelled, WAVY))
     if scene.surface.kind == "rigid":
         return replace(plan, left_out=(*plan.left_out, RIGID)), None
     if scene.surface.kind == "infinite":
@@ -70,9 +74,25 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
             f"listener, and hold less than {ENERGY_SHARE:.0%} of the energy",
         ),
     )
+    plan = replace(plan, predictions=with_table_heard(plan.predictions, scene))
     plan = replace(plan, decisions=(*plan.decisions, *told), modelled=(*plan.modelled, *MODELLED[scene.surface.kind]))
     left_out = LEFT_OUT[told[0].choice != SOUNDS :]
     return replace(plan, left_out=(*plan.left_out, *left_out, *bending(every, scene))), modes
+
+
+def with_table_heard(predictions, scene: Scene) -> tuple[Prediction, ...]:
+    """Return the predictions with the error of samples of which most are the table's: the end that is cut off.
+
+    Its modes are in tune. What shakes at every step is another noise at every accuracy; of a rough contact the sound is
+    that contact's.
+    """
+    if scene.roughness:
+        return predictions
+    early = next((p.error for p in predictions if p.name == END), 0.0)
+    shaken = acts_back(scene) or scene.imperfection
+    error, source = (2**0.5, SHAKEN) if shaken else ((early / LOUD) ** 0.5, CUT)
+    kept = [p for p in predictions if not shaken or p.name != END]  # the end of a motion that is shaken is chance, too
+    return tuple(replace(p, error=error, source=source) if p.name == SOUND else p for p in kept)
 
 
 def action(scene: Scene, modes: SurfaceModes) -> Decision:
@@ -110,17 +130,6 @@ def bending(modes: SurfaceModes, scene: Scene) -> list[str]:
     ]
 
 
-def strayed(scene: Scene, motion: Motion) -> list[str]:
-    """Return what is missing where the contact leaves the table."""
-    since = off_since(scene, motion)
-    if since is None:
-        return []
-    return [
-        f"The fall of the disk from the table: from t = {since:.3g} s on its contact is beyond the edge, and the table "
-        "is taken to be pushed at the nearest place that is known."
-    ]
-
-
 def off_since(scene: Scene, motion: Motion) -> float | None:
     """Return when [s] the contact first is beyond the edge of a plate; None if never."""
     if scene.surface.kind != "plate":
@@ -135,6 +144,8 @@ WAVY = (
     "The table is wavy round the circle of the contact, which goes with the disk; the contact is where the gap between "
     "rim and waves is least."
 )
+SHAKEN = "a contact that is lost on moving waves is another noise at every step"
+CUT = "the table is loudest at the end, of which the last is cut off"
 RIGID = "The sound of the table, which is rigid."
 SOUNDS = "it only sounds"
 UNDER = (

@@ -1,6 +1,7 @@
 """RESULT -> FILES: run.json, motion.npz, the modes, the pictures and the page that shows them all."""
 
 import json
+import shutil
 import subprocess
 from concurrent.futures import Future
 from dataclasses import asdict
@@ -50,6 +51,8 @@ def write_record(result: "Result", stages: Stages, pictures: Pictures, record: F
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
         pictures.write(result)
+    if result.scene.surface.kind == "mesh":
+        keep_mesh(Path(result.scene.surface.file), result.out)
     write_json(record.result() | {"seconds": rounded(result.seconds)}, result.out / "run.json")
     page.write(result, result.out / "report.html", told.result())
 
@@ -83,11 +86,26 @@ def write_motion(motion: Motion, path: Path):
         )
 
 
+def keep_mesh(file: Path, out: Path):
+    """Copy the mesh of a table beside run.json, which names it alone and so is a scene on any machine."""
+    if (out / file.name).resolve() != file.resolve():
+        with whole(out / file.name) as temporary:
+            shutil.copyfile(file, temporary)
+
+
+def scene_record(scene) -> dict:
+    """Return every key of a scene; a mesh by the name that it has beside run.json."""
+    record = finite(asdict(scene))
+    if scene.surface.kind == "mesh":
+        record["surface"]["file"] = Path(scene.surface.file).name
+    return record
+
+
 def run_record(result: "Result") -> dict:
     """Return what run.json holds: plain values, none of them infinite or not a number."""
     sound = result.sound
     return {
-        "scene": finite(asdict(result.scene)),
+        "scene": scene_record(result.scene),
         "plan": asdict(result.plan),
         "outcome": {"name": result.motion.outcome.name, "sentence": result.motion.outcome.sentence},
         "motion": {"end": float(result.motion.t[-1]), "integrator": result.motion.integrator},
