@@ -72,6 +72,7 @@ def test_steady_carriers_do_not_distract(tmp_path):
     found = sorted(carrier.frequency for carrier in heard.carriers)
     assert found == pytest.approx([1086.7, 7299.4], rel=1e-4)
     assert max(carrier.spread for carrier in heard.carriers) < 1
+    assert {carrier.course for carrier in heard.carriers} == {"steady"}
 
 
 @pytest.mark.parametrize("hum", [0.0, 0.1, 1.0, 3.0])

@@ -30,6 +30,8 @@ STRETCH, READINGS = 0.5, 12
 
 STEADY = 5.0
 """Spread of a steady carrier [cents]."""
+LASTING = 0.2
+"""Part of the sound through which a steady carrier is heard."""
 RECORDED, CONSTANT = (1840.0, 2280.0), (5040.0, 8230.0)
 """Peaks recorded of the toy on granite [Hz]: those between which the carrier passes, and two that stay."""
 TOO_LOW = 1.1, 1.9
@@ -124,7 +126,8 @@ def contact_findings(
     broken = [contact_is_lost(motion, expected), *([micro_flights(motion)] if motion.contact_losses else [])]
     if scene.roughness is None:
         return broken, marked
-    lines = [c.frequency for c in known.carriers if c.spread < STEADY] if known else []
+    lasting = [c for c in known.carriers if c.end - c.begin > LASTING * known.duration] if known else []
+    lines = [c.frequency for c in lasting if c.spread < STEADY]
     heard = carrier_heard(sound, motion, expected, lines)
     found = carrier_findings(scene, motion, expected, heard) if np.isfinite(heard.frequency).sum() >= 3 else []
     rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms) / 2**0.5

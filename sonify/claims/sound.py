@@ -199,14 +199,16 @@ def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -
 
 
 def carriers_are_steady(heard: Heard) -> Finding:
-    """The spread of the frequency of the strongest carrier over the sound [cents], known to a half from five frames."""
+    """How far the strongest carrier spreads or drifts [cents]; its spread is known to a half from five frames."""
+    one = heard.carriers[0]
+    drift, error = (x * (one.end - one.begin) for x in (abs(one.drift), one.drift_error))
     return Finding(
         key="carriers_are_steady",
         claim="The strongest carrier keeps its pitch: no mode rises",
-        value=heard.carriers[0].spread,
+        value=max(one.spread, drift),
         unit="cents, spread over the sound",
         at_most=5.0,
-        margin=heard.carriers[0].spread / 2,
+        margin=max(one.spread / 2, 2 * error),
         source="linear modes; from the sound alone",
     )
 
@@ -220,7 +222,7 @@ def carriers_are_modes(heard: Heard, modes: Modes) -> Finding:
         value=float(np.abs(1200 * np.log2(strongest / modes.frequency)).min()),
         unit="cents to the nearest mode",
         at_most=5.0,
-        margin=heard.carriers[0].spread,
+        margin=2 * 1200 / np.log(2) * heard.carriers[0].error / strongest,
         source="section 8",
     )
 

@@ -1,15 +1,14 @@
-"""RECORDING -> WHAT IT TELLS: the rising tone, the repetition of its envelope and the steady carriers of any sound."""
+"""RECORDING -> WHAT IT TELLS: the rising tone, the repetition of its envelope and the carriers of any sound."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
 import soundfile
-from scipy.signal import ShortTimeFFT, butter, find_peaks, resample_poly, sosfiltfilt
+from scipy.signal import butter, resample_poly, sosfiltfilt
 
-from sonify.hearing.hum import vertex
+from sonify.hearing.carriers import Carrier, carriers
 from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.source import Source, pieces, source_of, stretch
 from sonify.scene_errors import InputError
@@ -20,26 +19,12 @@ SHORTEST, SLOWEST = 0.2, 1000
 """A recording that is shorter [s], or of fewer samples a second, tells nothing."""
 ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
 """The envelope is that of the sound above this frequency [Hz], at this sample rate [Hz]."""
-CARRIER_WINDOW, CARRIERS_FROM = 0.5, 300.0
-"""Window in which carriers are told apart [s], and where they begin [Hz]."""
-CARRIER_STANDS_OUT_DB, MOST_CARRIERS = 15.0, 12
-
-
 FOREIGN = {".3gp", ".aac", ".amr", ".m4a", ".m4v", ".mkv", ".mov", ".mp4", ".webm", ".wma"}
 """Endings of what telephones and cameras record, which libsndfile does not read."""
 
 
 class RecordingError(InputError):
     """The recording cannot be judged; the message is one line."""
-
-
-@dataclass(frozen=True, kw_only=True)
-class Carrier:
-    """A steady tone: median `frequency` [Hz], its `spread` over the frames [cents], and how far it stands out [dB]."""
-
-    frequency: float
-    spread: float
-    level: float
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,14 +52,14 @@ def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
     with ThreadPoolExecutor() as pool:  # what takes long is arrays, which let go of Python's lock
         tone = pool.submit(rising_tone, samples, rate)
         repetition = pool.submit(lambda: rising_tone(*envelope(samples, rate)) if beaten else None)
-        carriers = steady_carriers(samples, rate)
+        found = [replace(c, begin=c.begin + start, end=c.end + start) for c in carriers(samples, rate)]
     return Heard(
         duration=duration,
         sample_rate=rate,
         start=start,
         tone=_later(tone.result(), start),
         repetition=_later(repetition.result(), start),
-        carriers=carriers,
+        carriers=found,
         missing=duration * getattr(source_of(sound), "missing", 0.0),
     )
 
@@ -85,7 +70,8 @@ def read(sound: Source | str | Path):
     Raises RecordingError for what is no sound file, is too short, too slow, silent, or holds samples that are not
     finite.
     """
-    source, name = source_of(sound), f"{sound}" if isinstance(sound, (str, Path)) else "the sound"
+    source = source_of(sound)
+    name = str(getattr(source, "path", "the sound"))
     try:
         rate, (start, stop) = source.sample_rate, _part(source)
         channels = stretch(source, start, stop)
@@ -111,22 +97,6 @@ def envelope(samples, rate) -> tuple[np.ndarray, float]:
     return square - square.mean(), rate / down
 
 
-def steady_carriers(samples, rate) -> list[Carrier]:
-    """Return the tones whose frequency stays, the most outstanding first; at most MOST_CARRIERS."""
-    size = int(CARRIER_WINDOW * rate)
-    if len(samples) < 4 * size:
-        return []
-    windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
-    power = np.abs(windows.stft(samples, 1, 2 + (len(samples) - size) // (size // 2))) ** 2  # none beyond the samples
-    level = 10 * np.log10(power.T + 1e-300)
-    above = level - _floor(level)
-    mean = np.sort(above, axis=0)[-max(len(above) // 4, 3) :].mean(axis=0)
-    first = int(CARRIERS_FROM * size / rate)
-    peaks = first + find_peaks(mean[first:-2], height=CARRIER_STANDS_OUT_DB, distance=int(20 * size / rate))[0]
-    found = [_carrier(level, above, peak, rate / size) for peak in peaks]
-    return sorted((c for c in found if c is not None), key=lambda c: -c.level)[:MOST_CARRIERS]
-
-
 def _later(tone, start):
     """Move a tone from the time of the part that was read to the time of the file."""
     return None if tone is None else replace(tone, end=tone.end + start, time=tone.time + start)
@@ -141,33 +111,6 @@ def _part(source):
     power = [np.square(second, dtype=float).sum() for second in pieces(source, rate)]
     stop = min((int(np.argmax(power)) + 6) * rate, source.frames)
     return max(stop - most, 0), max(stop, most)
-
-
-def _floor(level):
-    """The median level (t, f) in 32 neighbouring bands of each frame, not more than 90 dB below its highest."""
-    edges = np.linspace(0, level.shape[1], 33).astype(int)
-    floor = np.column_stack([np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)])
-    floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
-    return np.repeat(floor, np.diff(edges), axis=1)
-
-
-def _carrier(level, above, peak, spacing):
-    """The carrier at a bin, or None if fewer than five frames and a fifth of them show it."""
-    near = np.arange(peak - 2, peak + 3)
-    best = near[np.argmax(level[:, near], axis=1)]
-    rows = np.arange(len(level))
-    low, mid, high = (level[rows, np.clip(best + i, 0, level.shape[1] - 1)] for i in (-1, 0, 1))
-    shown = (above[rows, best] > CARRIER_STANDS_OUT_DB) & (low < mid) & (high < mid)
-    if shown.sum() < max(5, len(level) // 5):
-        return None
-    frequency = (best[shown] + vertex(low[shown], mid[shown], high[shown])) * spacing
-    middle = np.median(frequency)
-    cents = 1200 * np.log2(frequency / middle)
-    return Carrier(
-        frequency=float(middle),
-        spread=float(1.48 * np.median(np.abs(cents))),
-        level=float(np.median(above[rows, best][shown])),
-    )
 
 
 def _reason(path, error):

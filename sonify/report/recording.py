@@ -54,10 +54,14 @@ def sentences(heard: Heard) -> list[str]:
         lines.append(f"the file is truncated: its header promises {heard.missing:.3f} s more")
     for name, tone in (("rising tone", heard.tone), ("rising repetition of the envelope", heard.repetition)):
         lines.append(f"{name}: {_fit(tone) if tone else 'none stands out'}")
-    return lines + [
-        f"carrier: {c.frequency:.2f} Hz, steady within {c.spread:.2f} cents, {c.level:.0f} dB out of its surroundings"
-        for c in heard.carriers
-    ]
+    return lines + [f"carrier: {_carrier(c)}" for c in heard.carriers]
+
+
+def _carrier(c):
+    course = "steady" if c.course == "steady" else f"{c.course} by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"
+    beside = f", sidebands {', '.join(f'± {x:.3g} Hz' for x in c.sidebands)}" if c.sidebands else ""
+    place = f"{c.frequency:.2f} ± {c.error:.2g} Hz from {c.begin:.2f} to {c.end:.2f} s, {course}"
+    return f"{place}, spread {c.spread:.2f} cents, {c.level:.0f} dB out of its surroundings{beside}"
 
 
 def _fit(tone):

@@ -1,0 +1,60 @@
+"""Claim: carriers are told with their drift, with errors that hold the truth, and apart from their sidebands.
+
+Source: least squares and the jackknife over parts. Oracle: tones and bands of noise of known course, and an amplitude
+that is modulated ever faster.
+"""
+
+import numpy as np
+import pytest
+from scipy.signal import butter, sosfilt
+
+from sonify.hearing.carriers import carriers
+
+RATE, LENGTH = 16000, 12.0
+TIME = np.arange(int(LENGTH * RATE)) / RATE
+
+
+def made(seed, drift, bandwidth):
+    """A carrier by chance, with noise: samples, its frequency in the middle [Hz] and its drift [cents/s]."""
+    random = np.random.default_rng(seed)
+    middle, drift = random.uniform(900, 5000), drift * random.uniform(-1, 1)
+    phase = 2 * np.pi * np.cumsum(middle * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
+    low, wide = butter(1, bandwidth or 1.0, fs=RATE, output="sos"), random.standard_normal((2, len(TIME)))
+    shape = sosfilt(low, wide, axis=1) if bandwidth else np.ones((2, 1))
+    sound = (shape * [np.cos(phase), np.sin(phase)]).sum(axis=0)
+    noise = sound.std() * 10 ** random.uniform(-2, 0.15) * random.standard_normal(len(TIME))
+    return sound + noise, middle, drift
+
+
+@pytest.mark.parametrize(("drift", "bandwidth"), [(0.0, 0.0), (25.0, 0.0), (25.0, 8.0)])
+def test_twice_the_errors_hold_the_truth(drift, bandwidth):
+    """In 95 % of the cases for a normal error; of 30, fewer than 25 would have a chance below 2 %."""
+    inside = []
+    for seed in range(30):
+        samples, middle, rate = made(seed, drift, bandwidth)
+        one = carriers(samples, RATE)[0]
+        there = middle * 2 ** (rate * ((one.begin + one.end) / 2 - LENGTH / 2) / 1200)
+        inside.append((abs(one.frequency - there) < 2 * one.error, abs(one.drift - rate) < 2 * one.drift_error))
+    assert (np.sum(inside, axis=0) >= 25).all()
+
+
+@pytest.mark.parametrize(("drift", "course"), [(20.0, "rises"), (-20.0, "falls"), (0.0, "steady")])
+def test_a_carrier_that_moves_is_not_called_steady(drift, course):
+    phase = 2 * np.pi * np.cumsum(1700 * 2 ** (drift * TIME / 1200)) / RATE
+    noise = 0.1 * np.random.default_rng(1).standard_normal(len(TIME))
+    found = carriers(np.cos(phase) + noise, RATE)
+    assert [one.course for one in found] == [course]
+
+
+def test_sidebands_are_told_from_carriers():
+    """A tone of 1500 Hz, modulated 60 to 96 times a second, and another of 2500 Hz that is not."""
+    swing = 1 + 0.5 * np.cos(2 * np.pi * 60 * TIME * (1 + TIME / 40))
+    noise = 0.01 * np.random.default_rng(0).standard_normal(len(TIME))
+    found = carriers(swing * np.cos(2 * np.pi * 1500 * TIME) + 0.3 * np.cos(2 * np.pi * 2500 * TIME) + noise, RATE)
+    assert [one.frequency for one in found] == pytest.approx([1500, 2500], rel=1e-5)
+    assert found[0].sidebands == pytest.approx((78.0,), rel=0.02)
+    assert found[1].sidebands == ()
+
+
+def test_noise_has_no_carriers():
+    assert carriers(np.random.default_rng(0).standard_normal(8 * RATE), RATE) == []
