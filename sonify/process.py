@@ -3,9 +3,11 @@
 import errno
 import os
 import signal
+import subprocess
 import sys
 import threading
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from pathlib import Path
 from stat import S_ISREG
 
 ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
@@ -14,6 +16,10 @@ AGAIN = 0.05
 """So long [s] a signal waits, and again, for the end of an import."""
 LEFT = {errno.EPIPE, errno.EIO, errno.EINVAL}
 """What a stream answers whose reader has left: a closed pipe, a closed terminal, a closed pipe of Windows."""
+
+
+ONE_THREAD = ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM")
+"""Whose threads a process has one of: the cores are taken by other runs."""
 
 
 class BrokenOffError(RuntimeError):
@@ -86,3 +92,19 @@ class Unread:
                 raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
             return act(*what)
+
+
+def started(python: str, module: str, **how) -> subprocess.Popen:
+    """Return a process of one thread that runs a module of this program, with pipes to its input and from its output;
+    no script of the user's is run again in it."""
+    home = str(Path(__file__).parent.parent)
+    environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in ONE_THREAD}
+    environment["PYTHONPATH"] = os.pathsep.join(filter(None, [home, os.environ.get("PYTHONPATH")]))
+    return subprocess.Popen(
+        [python, "-m", module],
+        env=environment,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        start_new_session=True,  # Ctrl-C of a terminal is for the driver
+        **how,
+    )

@@ -10,6 +10,7 @@ from functools import cached_property
 from math import atan
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from scipy.integrate import cumulative_simpson
 from scipy.interpolate import CubicSpline
 
@@ -27,30 +28,47 @@ from sonify.scene import Scene
 
 LAWS = ("rolling", "air", "law")
 """What slows a disk: contour friction, the film, and whatever else its scene names."""
-LEAST_LEFT, SOLVED = 2e-3, 200
-"""The correction is known to so little time left [s], and at so many places."""
+LEAST_LEFT, SOLVED, PLACES, FAR = 2e-3, 4000, 8, 0.5
+"""The correction is known to so little time left [s], from a table of so many times, in so many places a turn; a rate
+that is so far from that of a steady motion, over that, is none."""
+TOLERANCE = 1e-12
+"""Relative tolerance of a motion that is averaged so: 1e-2 of a turn in a thousand."""
+BLOCK = 16
+"""Turns over which a solved motion is averaged, as a sound is."""
+SUM = "their sum"
+"""The line that is heard as often as disk and contact turn and nutate together."""
 NUTATING = (0.005, 0.02, 0.08, 0.3)
 """Inclinations [rad] at which the nutation is solved."""
 LEAST_ROLLING = 1e-12
 """A disk that nothing slows is slowed by so small a share of contour friction."""
 LEAST_AIR = 1e-3
 """A film of less than this share is none."""
-FACTORS = ("power_coefficient", "viscous_moment", "viscous_force")
-"""What a share of the scene's other laws multiplies, besides the arms of its friction."""
+FACTORS = {
+    "power_coefficient": 1,
+    "air_viscosity": 1,
+    "boundary_layer_viscosity": 2,
+    "viscous_moment": 1,
+    "viscous_force": 1,
+}
+"""What a share of the scene's other laws multiplies, besides the arms of its friction: this power of it."""
 FLATTEST, POINTS = 1e-7, 600
 """The least inclination [rad] that is tabulated, and how many are, evenly in the logarithm."""
+
+
+def has_film(scene: Scene) -> bool:
+    """Return whether there is air under the disk of a scene whose film is known."""
+    return scene.disk.shape == "solid" and scene.air.film != "none" and scene.air.pressure > 0
 
 
 class Decline:
     """The steady decline of the disk of a scene. Shown by tests/test_fit.py."""
 
-    line: "float | np.ndarray" = 1.0
-    """Periods of what is heard in a turn of the contact; where it is the nutation, (b,)."""
     correction = np.zeros((2, 1))
     """log(time left) (c,) and log(precession solved / steady) (c,) there."""
 
     def __init__(self, scene: Scene):
         self.scene, self.disk = scene, scene.disk
+        self._known: dict[bytes, np.ndarray] = {}
         law = law_of(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
         steepest = 0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h)) if law.h else 1.2
         self.beta = np.geomspace(FLATTEST, min(steepest, 1.2), POINTS)
@@ -59,7 +77,7 @@ class Decline:
         self.energy = energy(self.beta, (0.0, law.h * w3, w3), (0.0, 0.0), law)
         self.rate = rate / self.disk.time_unit / (2 * np.pi)
         contour = resistance(Dissipation(contour_moment=self.disk.weight * self.disk.radius), self.disk)
-        film = film_under(self.disk, scene.air) if self.disk.shape == "solid" and scene.air.pressure else None
+        film = film_under(self.disk, scene.air) if has_film(scene) else None
         own = resistance(replace(scene.dissipation, contour_moment=0.0), self.disk)
         own_law = law_of(self.disk, scene.friction)
         self.powers = np.array(
@@ -84,13 +102,16 @@ class Decline:
     def _slope(self):
         return CubicSpline(np.log(self.beta), self.energy).derivative()(np.log(self.beta))  # dE/d(log beta)
 
+    @cached_property
     def lines(self) -> dict[str, "Decline"]:
-        """Return the decline as it is heard: once or twice in a turn of the contact, or once in a nutation."""
-        return {"precession": self, "its double": self._heard(2.0), "nutation": self._heard(self._nutation)}
+        """The decline as it is heard: once or twice in a turn of the contact, once in a nutation, and as often as both
+        together, where the tilting disk nutates."""
+        ratios = {"its double": 2.0, "nutation": self._nutation, SUM: 1.0 + self._nutation}
+        return {"precession": self} | {name: self._heard(ratio) for name, ratio in ratios.items()}
 
     def _heard(self, ratio):
         other = copy(self)
-        other.line, other.rate = ratio, self.rate * ratio
+        other.rate = self.rate * ratio
         return other
 
     @cached_property
@@ -109,13 +130,27 @@ class Decline:
         return float(np.median(nutation_frequency(motion)[1] / precession_frequency(motion)[1]))
 
     def left(self, shares) -> np.ndarray:
-        """Return the time left [s] (b,) at every inclination, for shares (3,) of the LAWS."""
+        """Return the time left [s] (b,) at every inclination, for shares (3,) of the LAWS; the last is remembered."""
+        key = np.asarray(shares, float).tobytes()
+        if key not in self._known:
+            self._known.clear()
+            self._known[key] = self._left(shares)
+        return self._known[key]
+
+    def _left(self, shares):
         power = np.maximum(np.asarray(shares, float) @ self.powers, LEAST_ROLLING * self.powers[0])
         rate = self._slope / power  # d(time left)/d(log beta), a power of beta below the table
         growth = np.log(rate[1] / rate[0]) / np.log(self.beta[1] / self.beta[0])
         first = rate[0] / growth
         time = cumulative_simpson(rate, x=np.log(self.beta), initial=0.0) + first
         return time * self.disk.time_unit
+
+    def _left_at(self, inclination, shares):
+        """The time left [s] at an inclination [rad], below the table as a power of it."""
+        time = self.left(shares)
+        growth = np.log(time[1] / time[0]) / np.log(self.beta[1] / self.beta[0])
+        below = min(inclination / self.beta[0], 1.0) ** growth
+        return float(np.interp(inclination, self.beta, time) * below)
 
     def turns(self, left, shares) -> tuple[np.ndarray, np.ndarray]:
         """Return the periods still to come, and how many there are a second [Hz], at times left (k,) [s] > 0."""
@@ -137,37 +172,52 @@ class Decline:
         """Return the inclination [rad] at times left (k,) [s]."""
         return np.exp(np.interp(np.log(left), np.log(self.left(shares)), np.log(self.beta)))
 
-    def solved(self, shares) -> "Decline":
-        """Return the decline corrected by a solved motion: its centre moves, which no steady motion's does.
+    def solved(self, shares) -> dict[str, "Decline"]:
+        """Return the lines corrected by a solved motion: its centre moves, which no steady motion's does, and it slips.
 
         The motion is that of the scene, with shares (3,) of the LAWS. Raises ValueError where it cannot be solved.
         """
         motion = simulate(self._scene_of(*map(float, shares)))
-        flattest = max(motion.at(motion.t[-1:])[0, 1], 2 * FLATTEST)
-        end = motion.t[-1] + np.interp(flattest, self.beta, self.left(shares))
-        left = np.geomspace(end, max(end - motion.t[-1], LEAST_LEFT), SOLVED + 1)
-        turned = self._counted(motion, np.clip(end - left, 0.0, motion.t[-1]))
-        corrected = copy(self)
-        corrected.correction = Decline.correction
-        ratio = np.diff(turned) / -np.diff(corrected.turns(left, shares)[0])
-        within = (ratio > 0.5) & (ratio < 2)
-        middle = np.log(left[1:] * left[:-1]) / 2
-        if within.sum() < 2:
-            raise ValueError("the solved motion is far from every steady one")
-        corrected.correction = np.array([middle[within][::-1], np.log(ratio[within])[::-1]])
-        return corrected
-
-    def _counted(self, motion, t):
-        """Periods of the line that is heard, from the release to times (k,) [s]."""
-        if isinstance(self.line, float):
-            return self.line * np.abs(motion.at(t)[:, 0]) / (2 * np.pi)
+        end = motion.t[-1] + self._left_at(motion.at(motion.t[-1:])[0, 1], shares)
         peaks = load_peaks(motion)
-        return np.interp(t, peaks, np.arange(len(peaks)), left=np.nan, right=np.nan)
+
+        def turned(t):
+            return np.abs(motion.at(t)[:, 0]) / (2 * np.pi)
+
+        def nutated(t):
+            return np.interp(t, peaks, np.arange(len(peaks)), left=np.nan, right=np.nan)
+
+        counts = {
+            "precession": turned,
+            "its double": lambda t: 2 * turned(t),
+            "nutation": nutated,
+            SUM: lambda t: turned(t) + nutated(t),
+        }
+        found = {name: self.lines[name]._corrected(count, motion.t[-1], end, shares) for name, count in counts.items()}
+        if found["precession"] is None:
+            raise ValueError("the solved motion is far from every steady one")
+        return {name: line for name, line in found.items() if line is not None}
+
+    def _corrected(self, count, last, end, shares):
+        """The line as `count(t)` (k,) has it in a motion up to the time `last`; None where that says little."""
+        left = np.geomspace(end, max(end - last, LEAST_LEFT), SOLVED)
+        steady = self.turns(left, shares)[0]
+        even = np.arange(steady[0], steady[-1], -1 / PLACES)
+        left = np.interp(even, steady[::-1], left[::-1])
+        excess = count(np.clip(end - left, 0.0, last)) + even
+        here = np.isfinite(excess)
+        middle, ratio = _slopes(-left[here], excess[here], self.frequency(left[here], shares))
+        near = np.abs(ratio) < FAR
+        if near.sum() < 2:
+            return None
+        other = copy(self)
+        other.correction = np.array([np.log(-middle[near]), np.log1p(ratio[near])])[:, ::-1]
+        return other
 
     def _scene_of(self, rolling, air, law):
         scene = self.scene
         arms = {arm: law * getattr(scene.friction, arm) for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")}
-        own = {name: law * getattr(scene.dissipation, name) for name in FACTORS}
+        own = {name: law**power * getattr(scene.dissipation, name) for name, power in FACTORS.items()}
         return replace(
             scene,
             friction=replace(scene.friction, **arms),
@@ -177,4 +227,17 @@ class Decline:
             else replace(scene.air, film="none"),
             contact=replace(scene.contact, law="rigid"),
             surface=Surface(),
+            numerics=replace(scene.numerics, tolerance=TOLERANCE),
         )
+
+
+def _slopes(t, excess, frequency):
+    """Middles (b,) [s] of blocks of even turns, and the slopes (b,) there of what was turned in excess (k,) at times t
+    (k,) [s], over the `frequency` (k,), with a Hann window."""
+    size = min(BLOCK * PLACES, len(t))
+    window = np.sin(np.pi * (np.arange(size) + 0.5) / size) ** 2 if size else np.zeros(1)
+    t, excess, frequency = (sliding_window_view(x, len(window))[:: max(size // 4, 1)] for x in (t, excess, frequency))
+    middle = t @ window / window.sum()
+    since = (t - middle[:, None]) * window
+    slope = np.sum(since * excess, axis=1) / np.sum(since * t, axis=1)
+    return middle, slope / (frequency @ window / window.sum())

@@ -2,23 +2,36 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import inf
+from itertools import product
 
 import numpy as np
 from scipy.signal import resample_poly
 
 from sonify.fitting.decline import LAWS, Decline
-from sonify.fitting.estimate import FLOOR, LENGTHS, Fit, Heard, Value, fit, solved_near, tracked
-from sonify.fitting.phase import Rates
+from sonify.fitting.estimate import FLOOR, LENGTHS, Fit, Followed, Heard, Value, fit, followed, mixed, solved_near
+from sonify.fitting.phase import FARTHEST, OVERLAP, Rates
 from sonify.hearing.recording import ENVELOPE_FROM, RecordingError, envelope, read
 from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.source import Source
 
 TONE_RATE = 4000
 """Samples a second [Hz] in which the tone is followed."""
-NEAR, USUAL, RIVALS = 0.05, 5.0, 2
+MAIN = ("precession", "its double", "nutation")
+"""Lines that the loudest tone may be."""
+NEAR, USUAL, MARGIN = 0.05, 5.0, 30.0
 """A block speaks for a line by the logarithm of this over the spread of the fit; the contact is usually heard once in a
-turn; so many of the best tracks are tried along a solved motion."""
+turn; tracks that are so near the best are tried along a solved motion."""
+MOST_AIR, MUCH = 2.0, 20.0
+"""Theory knows the film within this factor; how much an excess of it speaks against a track."""
+LITTLE = 1e-4
+"""Of its unit, with which a share begins that was sought before."""
+AGAIN, APART = (8.0, 12.0, 16.0), (0.95, 1.0, 1.05)
+"""Turns in a block along a solved motion; motions slip at other times where the shares are so many times as large, and
+may explain a sound as well."""
+AS_WELL, OTHER = 2.0, 0.3
+"""So does a motion whose spread is not so many times as large; a film that is so far from that of theory is another."""
+STARTS = (1e-4, 1.0, 1.0)
+"""Shares of the LAWS with which the search begins."""
 RIDGE_ERROR = 0.03
 """Relative error of the ridge of a spectrogram, from which the search begins."""
 SHORTEST = 2.0
@@ -60,6 +73,12 @@ class Judged:
     def contour_fits(self) -> bool:
         """Whether contour friction and film alone explain the sounds: the scene's other law takes little."""
         return 2 not in self.fit.free or shares_of_power(self.decline, self.fit)["law"][0] < ABSENT
+
+    def without_samples(self) -> "Judged":
+        """Return the same with nothing left of the sounds but what was found."""
+        none = np.zeros(0)
+        sounds = tuple(replace(sound, samples=none) for sound in self.sounds)
+        return replace(self, sounds=sounds, streams=[replace(one, samples=none) for one in self.streams])
 
     def values(self) -> dict[str, Value]:
         """Return `rolling`, `air` and `law`, the share of the scene's other laws: those that were sought."""
@@ -107,10 +126,14 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
     `correct` by a solved motion where that explains the sounds better than steady ones do.
     """
     tracks = _tracks(decline, sounds)
-    rivals = [_again(track) for track in sorted(tracks, key=lambda track: -track.score)[:RIVALS]]
+    first = max(track.score for track in tracks)
+    rivals = [track for track in tracks if track.score > first - MARGIN]
     if correct:
-        rivals += [track for rival in rivals if (track := _corrected(rival)) is not None]
+        rivals += [track for rival in rivals for track in _corrected(rival, decline)]
     best = max(rivals, key=lambda track: track.score)
+    same = [track for track in rivals if (track.signal, track.line) == (best.signal, best.line)]
+    best = min(same, key=lambda track: track.fit.spread)
+    one = _settled(best, decline) if best.model == "solved" else best.fit
     return Judged(
         sounds=tuple(sounds),
         signal=best.signal,
@@ -118,20 +141,22 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
         model=best.model,
         decline=best.decline,
         streams=best.streams,
-        fit=best.fit,
-        verdict=verdict_of(best.decline, best.fit),
+        fit=one,
+        verdict=verdict_of(decline, one),
     )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Track:
-    """The fit of contour friction and film to one signal of the sounds, heard as one line of the decline."""
+    """The fit of a decline to one signal of the sounds, in which one `line` of it is followed: the other lines, there
+    and in the signals `beside`, must be where they should be then."""
 
     signal: str
     line: str
     model: str
     lines: dict[str, Decline]
     streams: list[Heard]
+    beside: list[list[Heard]]
     fit: Fit
 
     @property
@@ -141,34 +166,50 @@ class Track:
 
     @cached_property
     def score(self) -> float:
-        """How much speaks for it: the tones of all lines that are where they should be, and how near they are."""
-        seen = [
-            tracked(decline, stream, end, self.fit.shares, LENGTHS[-1]).evidence
-            for decline in self.lines.values()
-            for stream, end in zip(self.streams, self.fit.ends, strict=True)
-        ]
-        near = len(self.fit.residual) * np.log(NEAR / max(self.fit.spread, FLOOR))
-        return float(sum(seen) + near + USUAL * (self.line == "precession"))
+        """How much speaks for it: the tones of all lines that are where they should be, how near the one that is
+        followed is to its decline, that the contact is usually heard once in a turn, and that no film is much more than
+        theory has it."""
+        one = self.fit
+        signals = product((self.streams, *self.beside), self.lines.values())
+        seen = sum(_evidence(line, streams, one.ends, one.shares, LENGTHS[-1], NEAR) for streams, line in signals)
+        near = len(one.residual) / OVERLAP * np.log(NEAR / max(one.spread, FLOOR))
+        return float(seen + near + USUAL * (self.line == "precession") - MUCH * max(one.shares[1] - MOST_AIR, 0))
+
+
+def _evidence(line, streams, ends, shares, length, near=FARTHEST):
+    """How much speaks for a line: the sum of log(1 + power over noise) of the blocks that are `near` where they should
+    be, over that; another line beside it is no noise."""
+    found = 0.0
+    for i, _, rates in followed(line, streams, ends, shares, length, noise_of=np.median):
+        missed = np.log(rates.frequency / line.frequency(ends[i] - rates.time, shares))
+        found += np.log1p(rates.clear[np.abs(missed) < near]).sum() / OVERLAP
+    return found
 
 
 def _tracks(decline, sounds):
-    """The tracks of the sounds as every line of the decline, in every signal that they have in common."""
-    lines, found = decline.lines(), []
-    for signal in ("tone", "envelope"):
-        if not all(signal in sound.tones for sound in sounds):
+    """The tracks of the sounds: the ridge of every signal that they have in common may be that of every line, and where
+    the decline that this would be is heard best, it is followed."""
+    signals = [signal for signal in ("tone", "envelope") if all(signal in sound.tones for sound in sounds)]
+    streams, found = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}, {}
+    for ridge, name in product(signals, MAIN):
+        try:
+            moved, shares = _guess(decline, decline.lines[name], *_ridges(sounds, ridge))
+            heard = {
+                (signal, line): _evidence(decline.lines[line], streams[signal], moved, shares, LENGTHS[0])
+                for signal, line in product(signals, MAIN)
+            }
+            signal, line = max(heard, key=heard.__getitem__)
+            one = fit(decline.lines[line], streams[signal], moved, shares, _free(decline), LENGTHS[:4])
+        except ValueError:
             continue
-        streams = [stream(sound, signal) for sound in sounds]
-        for line, heard_as in lines.items():
-            try:
-                ends, shares = _guess(heard_as, sounds, signal)
-                one = fit(heard_as, streams, ends, base(decline, shares), _free(decline), LENGTHS[:3])
-            except ValueError:
-                continue
-            found.append(Track(signal=signal, line=line, model="steady", lines=lines, streams=streams, fit=one))
+        beside = [streams[other] for other in signals if other != signal]
+        head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
+        track = Track(**head, streams=streams[signal], beside=beside, fit=one)
+        found[signal, line] = max(found.get((signal, line), track), track, key=lambda track: track.score)
     if not found:
         name, disk = sounds[0].name, decline.scene.name
         raise RecordingError(f"{name}: its tone cannot be followed by a decline of the disk '{disk}'")
-    return found
+    return list(found.values())
 
 
 def _free(decline):
@@ -192,51 +233,58 @@ def stream(sound: Sound, signal: str) -> Heard:
     return Heard(samples=samples, rate=rate, first=sound.start, filtered=sound.recorded and signal == "tone")
 
 
-def _guess(decline, sounds, signal):
-    """Ends and shares that are near the ridges of the spectrograms."""
+def _ridges(sounds, signal):
+    """Ridges of the spectrograms, and ends."""
     tones = [sound.tones[signal] for sound in sounds]
     ends = np.array([sound.start + tone.end for sound, tone in zip(sounds, tones, strict=True)])
     ridges = [
         Rates(sound.start + tone.time, tone.frequency, RIDGE_ERROR * tone.frequency, tone.level)
         for sound, tone in zip(sounds, tones, strict=True)
     ]
-    best = (inf, ends, np.array([1e-4, 0.0, 0.0]))
-    for shares in ([1e-4, 0, 0], [1e-4, 1.0, 0], [0, 1.0, 0], [0, 0, 1.0]):
-        if (shares[1] and not decline.has_film) or (shares[2] and not decline.has_law):
-            continue
-        shares = np.array(shares, float)
-        nothing = [Heard(samples=np.zeros(0), rate=1.0, first=0.0)] * len(sounds)
-        try:
-            moved, found, cost = solved_near(
-                decline, nothing, ridges, ends, shares, tuple(np.flatnonzero(shares).tolist())
-            )
-        except ValueError:
-            continue
-        best = min(best, (cost, moved, found), key=lambda one: one[0])
-    return best[1:]
+    return ridges, ends
 
 
-def _again(track):
-    """The track fitted in long blocks."""
-    one = fit(track.decline, track.streams, track.fit.ends, track.fit.shares, track.fit.free, LENGTHS[2:])
-    return replace(track, fit=one)
+def _guess(decline, line, ridges, ends):
+    """Ends and shares with which a line is near the ridges: of every law that is sought alone, or of two of them."""
+    heard = tuple(Followed(i, line, ridge) for i, ridge in enumerate(ridges))
+    sought, tried = _free(decline), []
+    for some in (*((law,) for law in sought), sought[:2]):
+        start = np.zeros(3)
+        start[list(some)] = np.array(STARTS)[list(some)]
+        tried.append(solved_near(heard, ends, base(decline, start), some))
+    return min(tried, key=lambda one: one[2])[:2]
 
 
-def _corrected(track):
-    """The track along a motion solved with the shares found, twice; None where that cannot be solved."""
-    lines, one, free = track.lines, track.fit, _free(track.decline)
+def _corrected(track, decline, factors=(1.0, 1.0)):
+    """The tracks along motions solved with the shares found, times each of the factors, one after the other, as far as
+    these can be solved."""
+    found = []
     try:
-        for _ in range(2):
-            solved = lines[track.line].solved(one.shares)
-            one = fit(solved, track.streams, one.ends, one.shares, free, LENGTHS[3:])
-    except (ValueError, ArithmeticError):
-        return None
-    return replace(track, model="solved", lines=lines | {track.line: solved}, fit=one)
+        for factor in factors:
+            one = track.fit
+            lines = decline.solved(np.where(np.isin(range(3), one.free), factor, 1.0) * one.shares)
+            one = fit(lines[track.line], track.streams, one.ends, one.shares, one.free, AGAIN, LITTLE)
+            found.append(track := replace(track, model="solved", lines=lines, fit=one))
+    except (ValueError, ArithmeticError, KeyError):
+        pass
+    return found
+
+
+def _settled(track, decline):
+    """The fit along several motions that explain the sounds as well: they differ by when they slip, and by what the
+    film of theory takes where another was found."""
+    found = [track, *_corrected(track, decline, APART)]
+    if 1 in track.fit.free and abs(track.fit.shares[1] - 1) > OTHER:
+        others = tuple(law for law in track.fit.free if law != 1)
+        theory = replace(track.fit, shares=track.fit.shares * [1, 0, 1] + [0, 1, 0], free=others)
+        found += _corrected(replace(track, fit=theory), decline, (1.0, *APART))
+    least = min(one.fit.spread for one in found)
+    return mixed([one.fit for one in found if one.fit.spread < AS_WELL * least])
 
 
 def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]]:
     """Return for each of the LAWS the least and greatest share, in 95 %, of the energy that was lost while heard."""
-    left = np.concatenate([end - h.time for end, h in zip(one.ends, one.heard, strict=True)])
+    left = np.concatenate([one.ends[h.sound] - h.rates.time for h in one.heard])
     beta = np.geomspace(*decline.inclination(np.clip([left.min(), left.max()], 1e-3, None), one.shares), 60)
     power = np.array([np.interp(beta, decline.beta, p) for p in decline.powers])
     fall = np.gradient(beta)  # energy goes with the inclination

@@ -1,13 +1,15 @@
 """RATES -> SHARES: the end of the motion and the shares of what slows it, with intervals, by robust least squares."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from scipy.optimize import least_squares
+from scipy.stats import norm, t
 
 from sonify.fitting.decline import LAWS, Decline
-from sonify.fitting.phase import Rates, rates
+from sonify.fitting.phase import OVERLAP, Rates, rates
 
 LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
 """Turns in a block, from one round to the next: short ones follow a guess that is far off, long ones hear little
@@ -17,6 +19,7 @@ FLOOR = 2e-4
 DRAWS, RUN, RUNS = 400, 4, 8
 """Residuals are drawn anew so often, in runs of so many blocks at least, and at most so many runs: neighbours share
 half of what they hear, and what is not steady lasts."""
+TINY = 1e-30
 LAST = 0.01
 """So shortly before the end [s] nothing is heard any more."""
 
@@ -31,17 +34,25 @@ class Value:
     inner: tuple[float, float]
 
 
+class Followed(NamedTuple):
+    """The rates at which a line of the decline is heard in one of several sounds, which count from 0."""
+
+    sound: int
+    line: Decline
+    rates: Rates
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fit:
     """A decline fitted to one sound or several: `ends` [s], one a sound, and `shares` of the LAWS, of which the
-    `free` ones were sought. `draws` (d, sounds + 3) are as likely as they; `residual` (k,) is log(heard / fitted) and
-    `sigma` (k,) its error by noise."""
+    `free` ones were sought. `draws` (d, sounds + 3) are as likely as they; `residual` (k,) is log(heard / fitted) of
+    all that was `heard`, and `sigma` (k,) its error by noise."""
 
     free: tuple[int, ...]
     ends: np.ndarray
     shares: np.ndarray
     draws: np.ndarray
-    heard: tuple[Rates, ...]
+    heard: tuple[Followed, ...]
     residual: np.ndarray
     sigma: np.ndarray
 
@@ -74,8 +85,8 @@ class Heard:
     filtered: bool = False
 
 
-def tracked(decline: Decline, sound: Heard, end, shares, length) -> Rates:
-    """Return the rates of a sound beside the decline of an end [s] and shares (3,)."""
+def tracked(decline: Decline, sound: Heard, end, shares, length, **how) -> Rates:
+    """Return the rates of a sound beside the decline of an end [s] and shares (3,); `how` as for `rates`."""
 
     def turns(t):
         left = end - t
@@ -84,26 +95,35 @@ def tracked(decline: Decline, sound: Heard, end, shares, length) -> Rates:
         turned[inside], frequency[inside] = decline.turns(left[inside], shares)
         return -turned, frequency
 
-    return rates(sound.samples, sound.rate, sound.first, turns, length)
+    return rates(sound.samples, sound.rate, sound.first, turns, length, **how)
 
 
-def fit(decline: Decline, sounds: list[Heard], ends, shares, free: tuple[int, ...], lengths=LENGTHS) -> Fit:
-    """Return the fit of a decline to sounds, sought from guesses of the ends [s] and the shares (3,).
+def fit(line: Decline, sounds: list[Heard], ends, shares, free: tuple[int, ...], lengths=LENGTHS, least=0.05) -> Fit:
+    """Return the fit of a line of a decline to sounds, sought from guesses of the ends [s] and the shares (3,),
+    which begin with `least` of their UNITS.
 
     Raises ValueError if less than eight blocks of the sounds are clear.
     """
     ends, shares = np.array(ends, float), np.array(shares, float)
+    filtered = all(sound.filtered for sound in sounds)
     for length in lengths:
-        heard = tuple(tracked(decline, s, e, shares, length) for s, e in zip(sounds, ends, strict=True))
-        if sum(len(h.time) for h in heard) < 8:
+        heard = followed(line, sounds, ends, shares, length)
+        if sum(len(h.rates.time) for h in heard) < 8:
             raise ValueError("the tone is too faint or too short to be followed")
-        ends, shares, solved = _solved(decline, sounds, heard, ends, shares, free)
-    return _with_intervals(decline, sounds, heard, ends, shares, free, solved)
+        ends, shares, solved = _solved(heard, filtered, ends, shares, free, least)
+    return _with_intervals(heard, ends, shares, free, solved)
 
 
-def solved_near(decline: Decline, sounds: list[Heard], heard, ends, shares, free):
+def followed(line: Decline, sounds: list[Heard], ends, shares, length, **how) -> tuple[Followed, ...]:
+    """Return the rates of a line in every sound, beside the decline of ends [s] and shares (3,); `how` as for
+    `rates`."""
+    pairs = enumerate(zip(sounds, ends, strict=True))
+    return tuple(Followed(i, line, tracked(line, sound, end, shares, length, **how)) for i, (sound, end) in pairs)
+
+
+def solved_near(heard: tuple[Followed, ...], ends, shares, free):
     """Return ends, shares and robust cost of the decline that is nearest to given rates, without listening again."""
-    ends, shares, (solved, _) = _solved(decline, sounds, heard, np.array(ends), np.array(shares, float), free)
+    ends, shares, (solved, _) = _solved(heard, False, np.array(ends, float), np.array(shares, float), free)
     return ends, shares, float(solved.cost)
 
 
@@ -128,12 +148,13 @@ def _unpack(x, sounds, shares, free, unit):
     return x[:sounds], full, x[count] * CORNER if len(x) > count else 0.0
 
 
-def _residual(x, decline, sounds, heard, shares, free, unit):
+def _residual(x, heard, sounds, shares, free, unit):
     """log(heard / model) of every block over its error."""
-    ends, full, corner = _unpack(x, len(heard), shares, free, unit)
+    ends, full, corner = _unpack(x, sounds, shares, free, unit)
     out = []
-    for h, end in zip(heard, ends, strict=True):
-        model = _through_high_pass(partial(decline.frequency, shares=full), np.maximum(end - h.time, LAST / 10), corner)
+    for i, line, h in heard:
+        left = np.maximum(ends[i] - h.time, LAST / 10)
+        model = _through_high_pass(partial(line.frequency, shares=full), left, corner)
         out.append(np.log(h.frequency / model) / _relative_error(h))
     return np.concatenate(out)
 
@@ -151,18 +172,18 @@ def _through_high_pass(frequency, left, corner):
     return here + (lead[0] - lead[1]) / (2 * STEP * left) / (2 * np.pi)
 
 
-def _solved(decline, sounds, heard, ends, shares, free):
+def _solved(heard, filtered, ends, shares, free, least=0.05):
     unit = np.maximum(shares[list(free)], [UNITS[i] for i in free])
-    corner = [0.1] * all(sound.filtered for sound in sounds)
-    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, 0.05), corner])
-    others = np.zeros(len(x) - len(heard))
-    lower = np.append([h.time.max(initial=-np.inf) + LAST / 5 for h in heard], others)
-    upper = np.full(len(x), np.inf)
-    upper[len(heard) + len(free) :] = HIGHEST_CORNER
+    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, least), [0.1] * filtered])
+    others = np.zeros(len(x) - len(ends))
+    last = np.full(len(ends), -np.inf)
+    for i, _, h in heard:
+        last[i] = max(last[i], h.time.max(initial=-np.inf))
+    lower, upper = np.append(last + LAST / 5, others), np.full(len(x), np.inf)
+    upper[len(ends) + len(free) :] = HIGHEST_CORNER
     x = np.maximum(x, lower + 1e-9)
-    arguments = (decline, sounds, heard, shares, free, unit)
-    first = _residual(x, *arguments)
-    scale = max(_deviation(first), 1.0)
+    arguments = (heard, len(ends), shares, free, unit)
+    scale = max(_deviation(_residual(x, *arguments)), 1.0)
     solved = least_squares(
         _residual,
         x,
@@ -170,9 +191,9 @@ def _solved(decline, sounds, heard, ends, shares, free):
         args=arguments,
         loss="cauchy",
         f_scale=2 * scale,
-        x_scale=np.append(np.full(len(heard), 0.05), np.ones(len(others))),
+        x_scale=np.append(np.full(len(ends), 0.05), np.ones(len(others))),
     )
-    ends, full, _ = _unpack(solved.x, len(heard), shares, free, unit)
+    ends, full, _ = _unpack(solved.x, len(ends), shares, free, unit)
     return ends, full, (solved, unit)
 
 
@@ -182,27 +203,28 @@ UNITS = (1e-5, 0.05, 0.05)
 """Shares of the LAWS below which they are looked for from the ground up."""
 
 
-def _with_intervals(decline, sounds, heard, ends, shares, free, solution):
+def _with_intervals(heard, ends, shares, free, solution):
     """Draw residuals anew, in runs of blocks, and solve the linearised problem for each drawing."""
     solved, unit = solution
-    arguments = (decline, sounds, heard, shares, free, unit)
+    arguments = (heard, len(ends), shares, free, unit)
     residual = _residual(solved.x, *arguments)
     scale = max(_deviation(residual), 1.0)
     weight = 1 / (1 + (residual / (2 * scale)) ** 2)
-    jacobian = _jacobian(lambda x: _residual(x, *arguments), solved.x)
-    inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
     random, count = np.random.default_rng(0), len(residual)
     run = max(RUN, count // RUNS)
-    leverage = np.sqrt(count / max(count - len(solved.x), 1))
+    apart = count / OVERLAP
+    leverage = np.sqrt(apart / max(apart - len(solved.x), 1))
     runs = -(-count // run)
     drawn = (random.integers(0, count, (DRAWS, runs, 1)) + np.arange(run)) % count
     noise = leverage * residual[drawn] * random.choice([-1.0, 1.0], (DRAWS, runs, 1))
     noise = noise.reshape(DRAWS, -1)[:, :count]
+    jacobian = _jacobian(lambda x: _residual(x, *arguments), solved.x)
+    inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
     moved = solved.x - noise @ inverse.T
     draws = np.tile(np.append(ends, shares), (DRAWS, 1))
     draws[:, : len(ends)] = moved[:, : len(ends)]
     draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : len(ends) + len(free)] * unit
-    sigma = np.concatenate([_relative_error(h) for h in heard])
+    sigma = np.concatenate([_relative_error(h.rates) for h in heard])
     return Fit(
         free=free,
         ends=ends,
@@ -224,11 +246,38 @@ def _jacobian(function, x):
     return np.stack(columns, axis=1)
 
 
-def pooled(decline: Decline, fits: list[Fit], filtered: bool) -> Fit:
-    """Return the fit of one decline to the rates that were heard in several sounds, without listening again;
-    `filtered` as in `Heard`."""
-    heard = tuple(rates for one in fits for rates in one.heard)
-    silent = [Heard(samples=np.zeros(0), rate=1.0, first=0.0, filtered=filtered)] * len(heard)
-    ends, free = np.concatenate([one.ends for one in fits]), fits[0].free
-    ends, shares, solution = _solved(decline, silent, heard, ends, np.mean([one.shares for one in fits], axis=0), free)
-    return _with_intervals(decline, silent, heard, ends, shares, free, solution)
+def pooled(fits: list[Fit]) -> Fit:
+    """Return what fits to one sound each say together: the mean of their shares, weighted by their variances; where
+    these are farther apart than they tell, all errors are as much larger."""
+    values = np.array([one.shares for one in fits])
+    draws = np.array([one.draws[:DRAWS, 1:] for one in fits])
+    spread = np.maximum(draws.std(axis=1), TINY)
+    weight = spread**-2 / np.sum(spread**-2, axis=0)
+    mean = np.sum(weight * values, axis=0)
+    apart = np.sqrt(np.sum(((values - mean) / spread) ** 2, axis=0) / (len(fits) - 1))
+    random = np.random.default_rng(0)
+    away = np.sum([w * random.permutation(d - v) for w, d, v in zip(weight, draws, values, strict=True)], axis=0)
+    ends = np.array([one.draws[: len(away), 0] for one in fits]).T
+    return Fit(
+        free=fits[0].free,
+        ends=np.concatenate([one.ends for one in fits]),
+        shares=mean,
+        draws=np.hstack([ends, mean + away * np.maximum(apart, 1.0)]),
+        heard=tuple(Followed(i, h.line, h.rates) for i, one in enumerate(fits) for h in one.heard),
+        residual=np.concatenate([one.residual for one in fits]),
+        sigma=np.concatenate([one.sigma for one in fits]),
+    )
+
+
+def mixed(fits: list[Fit]) -> Fit:
+    """Return the first of m fits to the same sounds along motions that differ, with the mean of their values and all
+    that is as likely as any of them.
+
+    How far these are from their mean counts with Student's factor over that of a normal error (Rubin 1987, 3.1.6).
+    """
+    values = np.array([np.append(one.ends, one.shares) for one in fits])
+    m, mean = len(fits), values.mean(axis=0)
+    wider = np.sqrt(1 + 1 / m) * t.ppf(0.975, max(m - 1, 2)) / norm.ppf(0.975)
+    draws = np.concatenate([one.draws + (wider - 1) * (own - mean) for one, own in zip(fits, values, strict=True)])
+    count = len(fits[0].ends)
+    return replace(fits[0], ends=mean[:count], shares=mean[count:], draws=draws)

@@ -29,17 +29,16 @@ class Null:
     air: Value | None = None
 
 
-def null_tests(judged: Judged) -> list[Null]:
-    """Return how the ear judges each other mechanism; a mechanism of which the disk has none is left out."""
-    names = [name for name in OTHERS[judged.verdict] if name == "rolling" or judged.decline.has_film]
-    return [_null(judged, name) for name in names]
+def null_tests(decline: Decline, judged: Judged) -> list[Null]:
+    """Return how the ear judges each other mechanism in a steady decline; what the disk has none of is left out."""
+    names = [name for name in OTHERS[judged.verdict] if name == "rolling" or decline.has_film]
+    return [_null(decline, judged, name) for name in names]
 
 
-def _null(judged, name):
-    decline, rates, end = Decline(judged.decline.scene), judged.fit.heard[0], judged.fit.ends[0]
-    streams = [judged.streams[0]]
+def _null(decline, judged, name):
+    rates, end = judged.fit.heard[0].rates, judged.fit.ends[0]
     free = tuple(np.flatnonzero(ALONE[name]).tolist())
-    _, shares, _ = solved_near(judged.decline, streams, (rates,), [end], np.array(ALONE[name]), free)
+    _, shares, _ = solved_near(judged.fit.heard[:1], [end], np.array(ALONE[name]), free)
     first = float(rates.time.min()) - 0.5
     made = {"end": end - first, "duration": end - first + 1.0, "rate": RATE, "seed": 1}
     try:

@@ -7,17 +7,21 @@ slope of its phase within a block is a rate that the decline has missed. No wind
 from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 
 SIDES = np.array([-6, -5, -4, 4, 5, 6])
 """Where beside the tone the noise is read, in turns a block: a Hann window has nothing left of the tone there."""
-BIN = 1 / 24
-"""What a still tone is averaged over [turns]."""
+BINS = 24
+"""Means of the still tone in a turn."""
 FARTHEST = 0.15
 """A rate that is so far from what is expected, over that, is not told by the slope of a phase."""
 CLEAR = 4.0
 """A block counts whose tone has so many times the power of the noise beside it."""
 MOST_BLOCKS, OVERLAP = 300, 2
 """Blocks of a sound at most, each sharing half of itself with the next."""
+TINY = 1e-300
+FEWEST = 16
+"""Bins of a block that must hold samples."""
 
 
 class Rates(NamedTuple):
@@ -29,57 +33,61 @@ class Rates(NamedTuple):
     error: np.ndarray
     clear: np.ndarray
 
-    @property
-    def evidence(self) -> float:
-        """How much speaks for the tone: the sum over the blocks of log(1 + power over noise)."""
-        return float(np.log1p(self.clear).sum() / OVERLAP)
 
-
-def rates(samples, rate: float, first: float, turns, length: float) -> Rates:
+def rates(samples, rate: float, first: float, turns, length: float, noise_of=np.mean) -> Rates:
     """Return the rates of the tone in samples (n,) at `rate` [Hz], of which the first is at the time `first` [s].
 
     `turns(t) -> (turns, turns a second [Hz])` is what the tone is expected to do at times (k,) [s]; not finite where it
-    is not expected. Blocks are `length` turns long, or longer where there would be more than MOST_BLOCKS.
+    is not expected. Blocks are `length` turns long, or longer where there would be more than MOST_BLOCKS. The noise is
+    `noise_of` the powers beside the tone.
     """
     t = first + np.arange(len(samples)) / rate
     turned, frequency = turns(t)
     here = np.flatnonzero(np.isfinite(turned) & (frequency < rate / 2.5))
-    if len(here) < 16:
+    if len(here) < FEWEST:
         return Rates(*np.zeros((4, 0)))
     here = slice(here[0], here[-1] + 1)
-    turned, frequency, t = turned[here], frequency[here], t[here]
-    still = samples[here] * np.exp(-2j * np.pi * turned)
-    still, t, turned, frequency = _binned(still, t, turned, frequency)
+    still = samples[here] * np.exp(-2j * np.pi * turned[here])
+    return rates_of_still(still, t[here], turned[here], frequency[here], length, noise_of)
+
+
+def rates_of_still(still, t, turned, frequency, length: float, noise_of=np.mean) -> Rates:
+    """Return the rates of a tone that was expected to have `turned` (n,) at times t (n,) [s], `frequency` (n,) times a
+    second, and is `still` (n,) in that time."""
     length = max(length, OVERLAP * (turned[-1] - turned[0]) / MOST_BLOCKS)
-    edges = np.arange(turned[0], turned[-1] - length, length / OVERLAP)
-    bounds = np.searchsorted(turned, np.stack([edges, edges + length]))
-    found = [_block(still[a:b], t[a:b], turned[a:b], frequency[a:b]) for a, b in bounds.T if b - a >= 16]
-    out = np.array([one for one in found if one is not None]).reshape(-1, 4)
-    return Rates(*out[out[:, 3] > CLEAR].T)
+    count, still, t, frequency = _binned(still, t, turned, frequency)
+    size = round(length * BINS)
+    if len(count) < size:
+        return Rates(*np.zeros((4, 0)))
+    blocks = (sliding_window_view(x, size)[:: size // OVERLAP] for x in (count > 0, still, t))
+    middle, missed, error, clear = _blocks(*blocks, noise_of)
+    expected = np.interp(middle, t[count > 0], frequency[count > 0])
+    told = (clear > CLEAR) & (np.abs(missed) < FARTHEST * expected)
+    return Rates(middle[told], (expected + missed)[told], error[told], clear[told])
 
 
 def _binned(still, t, turned, frequency):
-    """Means over every BIN of a turn: the still tone needs no more."""
-    bins = np.floor(turned / BIN)
-    starts = np.flatnonzero(np.diff(bins, prepend=bins[0] - 1))
-    count = np.diff(starts, append=len(bins))
-    return [np.add.reduceat(x, starts) / count for x in (still, t, turned, frequency)]
+    """How many samples there are in every bin of a turn, and means over them: the still tone needs no more."""
+    bins = (BINS * (turned - turned[0])).astype(int)
+    count = np.bincount(bins)
+    mean = [np.bincount(bins, x) / np.maximum(count, 1) for x in (still.real, still.imag, t, frequency)]
+    return count, mean[0] + 1j * mean[1], mean[2], mean[3]
 
 
-def _block(still, t, turned, frequency):
-    """Middle, rate, error and clarity of a block; None for silence."""
-    phase = (turned - turned[0]) / (turned[-1] - turned[0])
-    window = np.sin(np.pi * phase) ** 2  # a Hann window over turns
-    middle = np.average(t, weights=window)
-    since = t - middle
-    tone, slope = np.sum(window * still), np.sum(window * since * still)
-    noise = np.mean(np.abs(np.exp(-2j * np.pi * np.outer(SIDES, phase)) @ (window * still)) ** 2)
-    if not noise > 0:
-        return None
-    spread = np.sum(window * since**2) / np.sum(window)
-    missed = (slope / tone).imag / (2 * np.pi * spread)
-    share = np.sum(window**2 * since**2) / np.sum(window**2)
-    clear = np.abs(tone) ** 2 / noise
-    error = np.sqrt(share / 2 / clear) / (2 * np.pi * spread)
-    expected = np.interp(middle, t, frequency)
-    return None if abs(missed) > FARTHEST * expected else (middle, expected + missed, error, clear)
+def _blocks(there, still, t, noise_of):
+    """Middle, missed rate, error and clarity (b,) of blocks (b, bins); the clarity of silence is 0."""
+    phase = (np.arange(still.shape[1]) + 0.5) / still.shape[1]
+    window = np.sin(np.pi * phase) ** 2 * there  # a Hann window over turns
+    total = np.maximum(window.sum(axis=1), TINY)
+    middle = np.sum(window * t, axis=1) / total
+    since = (t - middle[:, None]) * there
+    seen = window * still
+    tone, slope = seen.sum(axis=1), np.sum(since * seen, axis=1)
+    beside = np.abs(seen @ np.exp(-2j * np.pi * np.outer(phase, SIDES))) ** 2
+    noise = noise_of(beside, axis=1)
+    spread = np.maximum(np.sum(window * since**2, axis=1) / total, TINY)
+    share = np.sum((window * since) ** 2, axis=1) / np.maximum(np.sum(window**2, axis=1), TINY)
+    clear = np.where(there.sum(axis=1) < FEWEST, 0.0, np.abs(tone) ** 2 / np.maximum(noise, TINY))
+    missed = (slope / np.where(tone == 0, 1, tone)).imag / (2 * np.pi * spread)
+    error = np.sqrt(share / 2 / np.maximum(clear, TINY)) / (2 * np.pi * spread)
+    return middle, missed, error, clear

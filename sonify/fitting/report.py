@@ -45,7 +45,7 @@ def as_json(fits: Fits) -> dict[str, Any]:
 
 
 def _one(fitted: Fitted) -> dict[str, Any]:
-    judged, rates = fitted.judged, fitted.judged.fit.heard[0]
+    judged, rates = fitted.judged, fitted.judged.fit.heard[0].rates
     head = {"file": fitted.file, "t_end": value(judged.fit.value(0))} | _values(judged.values())
     return head | {
         "verdict": judged.verdict,
@@ -151,7 +151,8 @@ def draw(fits: Fits, path: Path):
 
 def _draw_one(above, below, fitted):
     one, decline = fitted.judged.fit, fitted.judged.decline
-    rates, left = one.heard[0], one.ends[0] - one.heard[0].time
+    rates = one.heard[0].rates
+    left = one.ends[0] - rates.time
     at = np.geomspace(left.min(), left.max(), 200)
     fitted_rate = decline.frequency(at, one.shares)
     count = len(one.ends)

@@ -1,13 +1,12 @@
 """FILES + SCENE -> FITTED: each recording by itself, all of them together, and what else could have been heard."""
 
 from collections.abc import Callable, Iterable
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
-from multiprocessing import get_context
 from pathlib import Path
 
 from modal.one_thread import one_blas_thread
 from sonify.fitting import estimate
+from sonify.fitting.apart import each
 from sonify.fitting.decline import Decline
 from sonify.fitting.ear import Judged, heard, judge, verdict_of
 from sonify.fitting.estimate import Fit, Value, in_words, pooled
@@ -75,17 +74,14 @@ def fit(
         fitted.append(one)
         watch(len(fitted) / len(paths), one.file)
     decline, fits = fitted[0].judged.decline, [one.judged.fit for one in fitted]
-    pool = fits[0] if len(fits) == 1 else pooled(decline, fits, fitted[0].judged.streams[0].filtered)
+    pool = fits[0] if len(fits) == 1 else pooled(fits)
     verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool)
     return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict)
 
 
 def _each(paths, scene, like):
-    if len(paths) < MANY:
-        yield from (fit_one(path, scene.document, like) for path in paths)
-        return
-    with ProcessPoolExecutor(WORKERS, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(fit_one, paths, [scene.document] * len(paths), [like] * len(paths))
+    tasks = [(path, scene.document, like) for path in paths]
+    return (fit_one(*task) for task in tasks) if len(tasks) < MANY else each(tasks, WORKERS)
 
 
 @one_blas_thread
@@ -93,7 +89,8 @@ def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
     """Return the fit of one recording; the scene comes as its document. Raises RecordingError."""
     scene = from_document(document)
     sound = heard(source(path), str(path), recorded=recorded(path))
-    judged = judge(Decline(scene), [sound])
+    decline = Decline(scene)
+    judged = judge(decline, [sound])
     published = None
     if like == "fu-berlin":
         end = float(judged.fit.ends[0]) - sound.start
@@ -103,8 +100,8 @@ def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
             raise RecordingError(f"{path}: {error}") from None
     return Fitted(
         file=str(path),
-        judged=judged,
-        nulls=null_tests(judged),
+        judged=judged.without_samples(),
+        nulls=null_tests(decline, judged),
         radius_shows=radius_shows(judged),
         published_way=published,
     )
@@ -120,7 +117,7 @@ def _with_radius(judged, factor):
     """The spread of the fit of a disk of another radius; None if it cannot follow the tone."""
     scene = judged.decline.scene
     disk = replace(scene.disk, radius=factor * scene.disk.radius)
-    decline = Decline(replace(scene, disk=disk)).lines()[judged.line]
+    decline = Decline(replace(scene, disk=disk)).lines[judged.line]
     decline.correction = judged.decline.correction
     try:
         return estimate.fit(decline, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free).spread

@@ -4,17 +4,12 @@ The same on one machine and on every worker of a cluster: each thread has one su
 """
 
 import json
-import os
-import subprocess
 import sys
 import threading
-from pathlib import Path
 from typing import IO, Any, cast
 
-import sonify
+from sonify.process import started
 
-ONE_THREAD = ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM")
-"""Whose threads a process has one of: the cores are taken by other runs."""
 TRIES = 2
 """Processes that a run may bring down before that is its result."""
 OWN = threading.local()
@@ -25,19 +20,7 @@ class Hand:
     """A process that waits for tasks; `late` where it was ended because one took too long."""
 
     def __init__(self):
-        home = str(Path(sonify.__file__).parent.parent)
-        environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in ONE_THREAD}
-        environment["PYTHONPATH"] = os.pathsep.join(filter(None, [home, os.environ.get("PYTHONPATH")]))
-        call = [sys.executable, "-m", "sonify.sweeps.worker"]
-        self.process = subprocess.Popen(
-            call,
-            env=environment,
-            text=True,
-            encoding="utf-8",
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            start_new_session=True,  # Ctrl-C of a terminal is for the driver
-        )
+        self.process = started(sys.executable, "sonify.sweeps.worker", text=True, encoding="utf-8")
         self._tasks, self._answers = cast(IO[str], self.process.stdin), cast(IO[str], self.process.stdout)
         self.late = False
         HANDS.add(self)

@@ -1,0 +1,48 @@
+"""Claim: the program's own sound of a scene gives back what slowed its disk, within the interval.
+
+Source: the sound is made by force, modes and film along a motion of many regimes; the ear knows the steady decline, and
+motions that it solves itself with the shares it has found. Oracle: the numbers of the scene. Slips come at other times
+in every motion, and two of these scenes start with many: their intervals are wide.
+"""
+
+import pytest
+
+import sonify
+from sonify import load_scene
+from sonify.fitting.decline import has_film
+from sonify.fitting.result import fit
+from sonify.sound.wav import write_sound
+
+pytestmark = pytest.mark.slow
+CONTOUR, OTHER = ("thorne", "toy", "contour", "granite"), ("published", "power")
+
+
+def fitted(name, folder):
+    scene = load_scene(name)
+    write_sound(sonify.solve(scene).sound, folder)
+    return scene, fit(folder / "pressure.wav", scene)
+
+
+def held(value, truth):
+    return value.low <= truth <= value.high
+
+
+@pytest.mark.parametrize("name", CONTOUR)
+def test_contour_friction_and_film_are_given_back(name, tmp_path):
+    scene, fits = fitted(name, tmp_path)
+    rolling = scene.dissipation.contour_moment / (scene.disk.weight * scene.disk.radius)
+    values = fits.values()
+    assert held(values["rolling"], rolling)
+    assert values["rolling"].value == pytest.approx(rolling, rel=0.05)
+    assert held(values["air"], 1.0) if has_film(scene) else "air" not in values
+    assert fits.verdict in {"rolling", "both"}
+
+
+@pytest.mark.parametrize("name", OTHER)
+def test_another_law_is_given_back_and_contour_friction_does_not_fit(name, tmp_path):
+    _, fits = fitted(name, tmp_path)
+    law = fits.values()["law"]
+    assert held(law, 1.0)
+    assert law.high - law.low < 0.3
+    assert not fits.files[0].judged.contour_fits
+    assert fits.verdict == "cannot tell"
