@@ -144,7 +144,7 @@ class Together(NamedTuple):
 
     def __call__(self, *state) -> Loads:
         """Return the loads as each of the laws does."""
-        return Loads(*(reduce(add, parts) for parts in zip(*(law(*state) for law in self.laws), strict=True)))
+        return reduce(lambda one, other: Loads._make(map(add, one, other)), [law(*state) for law in self.laws])
 
     @property
     def is_singular(self) -> bool:

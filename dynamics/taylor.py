@@ -7,7 +7,9 @@ from functools import lru_cache
 import heyoka
 import numpy as np
 
+from .dissipation import Resistance
 from .equations import Law
+from .film.law import Film, film_in
 from .hybrid import Arc
 from .regime import Branch, Flow, Regime
 from .symbolic import formulas, prepared, shape
@@ -26,8 +28,9 @@ LIFT = 1e-300
 class Compiled:
     """The integrator of one branch. It holds the state of a run, so that each run borrows a copy of its own.
 
-    heyoka keeps what it has compiled on disk, so the branches that most motions have are compiled for speed. Those in
-    which something sticks or another law resists are compiled in compact mode, ready ten times sooner and half as fast.
+    heyoka keeps what it has compiled on disk, so the branches that most motions have, in a vacuum or in air, are
+    compiled for speed. Those in which something sticks or another law alone resists are compiled in compact mode, ready
+    ten times sooner and half as fast.
     """
 
     def __init__(self, branch: Branch, tolerance: float):
@@ -39,7 +42,7 @@ class Compiled:
             [(a, heyoka.expression(b) if isinstance(b, float) else b) for a, b in zip(y, rates, strict=True)],
             [1.0] * len(y),
             tol=tolerance,
-            compact_mode=any(branch.stuck) or branch.loads is not None,
+            compact_mode=any(branch.stuck) or not is_common(branch.loads),
             opt_level=2,
             t_events=[heyoka.t_event(g + LIFT, direction=falling) for g in guards.values()],
         )
@@ -56,6 +59,12 @@ class Compiled:
     def give_back(self, borrowed) -> None:
         """Take back what `borrow` gave."""
         self._idle.append(borrowed)
+
+
+def is_common(loads) -> bool:
+    """Return whether most motions have such loads: none, or a film of air, alone or beside a scene's own resistance."""
+    laws = getattr(loads, "laws", (loads,))
+    return loads is None or (bool(film_in(loads)) and all(isinstance(law, Film | Resistance) for law in laws))
 
 
 _compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")

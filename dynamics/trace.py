@@ -61,7 +61,7 @@ def _operator(symbol):
     return forward, backward
 
 
-for _name, _symbol in (("add", "+"), ("sub", "-"), ("mul", "*"), ("truediv", "/")):
+for _name, _symbol in (("add", "+"), ("sub", "-"), ("mul", "*"), ("truediv", "/"), ("pow", "**")):
     _forward, _backward = _operator(_symbol)
     setattr(Scalar, f"__{_name}__", _forward)
     setattr(Scalar, f"__r{_name}__", _backward)

@@ -87,6 +87,9 @@ def test_the_plan_says_whether_the_film_acts_and_how_wrong_its_law_is(thorne, in
     assert chosen.startswith("acts")
     assert any("Reynolds" in sentence for sentence in plan.modelled)
     assert any(sentence.startswith("Air under the disk") for sentence in still.left_out)
-    assert any("incompressible" in sentence for sentence in beyond_the_film(thorne, in_air))
+    assert any("isothermal" in sentence for sentence in beyond_the_film(thorne, in_air))
+    assert not any("mean free path" in sentence for sentence in beyond_the_film(thorne, in_air))
+    slips = thorne.replace("air.pressure=2e3")
+    assert len(beyond_the_film(slips, simulate(slips))) == 2
     rare = thorne.replace("air.pressure=20", "air.density=1e-4")
     assert any("mean free path" in sentence for sentence in beyond_the_film(rare, simulate(rare)))

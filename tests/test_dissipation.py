@@ -86,7 +86,7 @@ def test_bildstens_coefficient():
 def test_how_far_the_papers_laws_are_from_the_film_that_is_solved():
     """Moffatt's is 1.63 times too small where the film is thin, Bildsten's 4.9 times too large where it is thick; each
     for a thin disk at a steady Omega^2 beta = 4 g / a."""
-    air, disk = Air(film="acts"), Disk(radius=RADIUS, thickness=1e-6, mass=0.4387)
+    air, disk = Air(film="acts", pressure=1e9, density=1.204), Disk(radius=RADIUS, thickness=1e-6, mass=0.4387)
     film, unit = film_under(disk, air), disk.mass * disk.radius**2 / disk.time_unit**3
     papers = (
         {"air_viscosity": air.viscosity},

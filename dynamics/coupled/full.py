@@ -88,9 +88,9 @@ class Compliant:
         disk, f = self.table.law.disk, self.friction
         body = disk.mass, *inertias(disk), disk.radius, disk.thickness / 2, disk.weight
         friction = min(f.mu_static, LARGEST), min(f.mu_dynamic, LARGEST), f.arm_nutation, f.arm_rolling, f.arm_pivoting
-        chi, moment = disk.time_unit, disk.mass * disk.radius**2 / disk.time_unit
-        film = self.film or Film(0.0, 0.0, 0.0)
-        air = film.turning * moment, film.falling * moment, film.inertia**0.5 * chi  # type: ignore[operator]
+        chi, energy = disk.time_unit, disk.mass * disk.radius**2 / disk.time_unit**2
+        units = energy * chi, energy * chi, chi**2, chi, energy, 1.0
+        air = np.multiply(self.film or np.zeros(len(units)), units)  # type: ignore[arg-type]
         return np.array([*body, *friction, self.impedance, *self.viscous, *air, float(self.fitted)])
 
     @cached_property

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..film import forces
 from . import gap, normal, profile, state, table, tangential, waves, waving
 from .compiled import fingerprint, kernel, outermost
 from .gap import locate
@@ -114,4 +115,4 @@ def _compiled(version):
     return march
 
 
-march = _compiled(fingerprint(gap, normal, profile, state, table, tangential, waves, waving))
+march = _compiled(fingerprint(forces, gap, normal, profile, state, table, tangential, waves, waving))

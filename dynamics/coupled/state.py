@@ -23,6 +23,5 @@ LIFT, ALOFT, BORNE = 41, 42, 43
 SIZE = 44
 MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE, VISCOUS_MOMENT, VISCOUS_FORCE = *range(9), 11, 12, 13
 """Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table, viscous loads."""
-TURNING, FALLING, INERTIA, FITTED = range(14, 18)
-"""The film's moments per velocity and power of sin(beta) [N m s], and (S/SLOW)^2 over Omega sin(beta)^2 [s]; 1
-where friction holds what roughness takes."""
+TURNING, FALLING, INERTIA, NUMBER, AMBIENT, SLIP, FITTED = range(14, 21)
+"""The constants of the film, as film/forces.py names them, in SI units; 1 where friction holds what roughness takes."""

@@ -14,10 +14,11 @@ velocity there: of a contact that stands that is its law, and it takes energy wh
 
 import numpy as np
 
-from ..film.law import LEVER
+from ..film.forces import parts
 from .compiled import kernel
 from .gap import column
 from .state import (
+    AMBIENT,
     ARMS,
     CELL,
     EXCESS,
@@ -33,10 +34,12 @@ from .state import (
     MASS,
     MU_D,
     MU_S,
+    NUMBER,
     PART,
     RADIUS,
     SINE,
     SLIDES,
+    SLIP,
     SPARED,
     SPEED,
     SPRING,
@@ -47,6 +50,10 @@ from .state import (
     VISCOUS_MOMENT,
 )
 from .table import K1, K2, LENGTH1, LENGTH2
+
+film = kernel(parts)
+NEVER = 1e-30
+"""Added to a precession rate, by which the drag is divided."""
 
 
 @kernel
@@ -158,19 +165,27 @@ def resist(y, law, powers, s, c, d0, d1, h):
 
 @kernel
 def press(y, law, s, c, d0, d1, reach, h):
-    """Apply the film of air as impulses: its drag about e_3, and its pressure on the face as the disk falls."""
-    a0, a1, a2, J = -c * d0, -c * d1, s, law[J1]
-    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
-    thick = law[INERTIA] * s * s * abs(rate)
-    heavier = (1.0 + thick * np.sqrt(np.sqrt(thick))) ** 0.4
-    impulse(y, a0, a1, a2, 0.0, h * law[TURNING] * heavier / s**3, J, 0.0, LOSSES + 5, 0.0)
-    lever = LEVER / law[RADIUS]
+    """Apply the film of air as impulses: its drag about e_3, its pressure on the face as the disk falls, and that of
+    the air that is squeezed as it turns."""
+    a0, a1, a2, J, m = -c * d0, -c * d1, s, law[J1], law[MASS]
+    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + NEVER
+    drag, fall, lever, tip, lift = film(
+        s, rate, law[TURNING], law[FALLING], law[INERTIA], law[NUMBER], law[AMBIENT], law[SLIP]
+    )
+    impulse(y, a0, a1, a2, 0.0, h * drag / (rate * s), J, 0.0, LOSSES + 5, 0.0)
+    lever /= law[RADIUS]
     arm = reach - 1 / lever
-    v, yields = y[5] - arm * (y[10] * d0 - y[9] * d1) / J, 1 / law[MASS] + arm * arm / J
-    push = v / yields * np.expm1(-h * lever * lever * law[FALLING] / s**3 * yields)
-    y[5], y[9], y[10] = y[5] + push / law[MASS], y[9] + arm * push * d1, y[10] - arm * push * d0
+    v, yields = y[5] - arm * (y[10] * d0 - y[9] * d1) / J, 1 / m + arm * arm / J
+    push = v / yields * np.expm1(-h * lever * lever * fall * yields)
     y[LOSSES + 5] -= push * (v + push * yields / 2)
-    y[LIFT] = push / h
+    y[5], y[9], y[10] = y[5] + push / m, y[9] + arm * push * d1, y[10] - arm * push * d0
+    borne = h * lift / law[RADIUS]
+    if borne > 0:
+        arm = reach - law[RADIUS] * tip / lift
+        v, yields = y[5] - arm * (y[10] * d0 - y[9] * d1) / J, 1 / m + arm * arm / J
+        y[LOSSES + 5] -= borne * (v + borne * yields / 2)
+        y[5], y[9], y[10] = y[5] + borne / m, y[9] + arm * borne * d1, y[10] - arm * borne * d0
+    y[LIFT] = (push + borne) / h
 
 
 @kernel

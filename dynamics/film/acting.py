@@ -13,7 +13,7 @@ from ..equations import law_of
 from ..kinematics import energy
 from ..steady import steady_precession
 from ..time_left import steady_power
-from .law import LEVER, Film, film_under
+from .law import Film, film_under
 
 MATTERS = 0.01
 """Share of the power that the film must take to be taken along."""
@@ -65,7 +65,7 @@ def _from_when(disk: Disk, air: Air, friction, dissipation, release: Release, en
 
     It starts from the steady motion that has the energy of the release, or from the steepest one.
     """
-    law, _, beta, held, own, power = _decline(disk, air, friction, dissipation, end)
+    law, _, beta, _, held, own, power = _decline(disk, air, friction, dissipation, end)
     given = energy(radians(release.inclination_deg), np.array(release.omega) * disk.time_unit, (0.0, 0.0), law)
     time = np.concatenate([[0.0], np.cumsum(np.diff(-held) * (1 / power[1:] + 1 / power[:-1]) / 2)])
     first = np.argmax((own >= MATTERS * power) & (held <= given))
@@ -81,18 +81,18 @@ def carried_below(scene) -> float:
     if film_of(scene).film is None:
         return 0.0
     end = scene.numerics.stopping_inclination(scene.disk)
-    law, film, beta, held, _, power = _decline(scene.disk, scene.air, scene.friction, scene.dissipation, end)
-    lift = LEVER * film.falling * power / np.gradient(held, beta) / np.sin(beta) ** 3
+    law, film, beta, turning, held, _, power = _decline(scene.disk, scene.air, scene.friction, scene.dissipation, end)
+    lift = film.at(beta, (power / np.gradient(held, beta), None, turning))[2]
     return float(beta[lift > (law.K + 4) / 4].max(initial=0.0))
 
 
 def _decline(disk, air, friction, dissipation, end):
-    """The law, the film and, at falling inclinations (POINTS,) of a steady disk, these, its energy, the film's power
-    and the whole."""
+    """The law, the film and, at falling inclinations (POINTS,) of a steady disk, these, omega_3, its energy, the film's
+    power and the whole."""
     law, film, others = law_of(disk, friction), film_under(disk, air), resistance(dissipation, disk)
     steepest = 0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h))
     beta = np.geomspace(steepest, min(end, steepest / 2), POINTS)
     rate = np.array([steady_precession(b, law.h, law.K) * sin(b) for b in beta])
     held = energy(beta, (0.0, law.h * rate, rate), (0.0, 0.0), law)
     own = film.powers(beta, (0.0, law.h * rate, rate))[0]
-    return law, film, beta, held, own, own + np.array([steady_power(b, law, others) for b in beta])
+    return law, film, beta, rate, held, own, own + np.array([steady_power(b, law, others) for b in beta])

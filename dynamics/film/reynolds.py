@@ -60,13 +60,17 @@ class FilmMesh:
         a, b = self.basis.doflocs
         self.nodes, self._inner = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1, np.flatnonzero(a > 1e-9)
 
-    def linear(self, velocities, shapes, sigma: float = 0.0, inertia: complex = 0.0, orders: int = 3) -> list[Response]:
+    def linear(
+        self, velocities, shapes, sigma: float = 0.0, inertia: complex = 0.0, orders: int = 3, slip: float = 0.0
+    ) -> list[Response]:
         """Return the Response to each of `velocities` (v, e, q) at the rate e^{i w t}, whose work is done on `shapes`.
 
         div(m(h) grad p) - i sigma h p = V, sigma = 12 mu w R^2/(p_a g^2), the air isothermal, its pressure little
-        changed; `inertia` is g sqrt(i w rho/mu), with which the mobility m, h^3 without it, is that of unsteady flow.
+        changed; `inertia` is g sqrt(i w rho/mu), with which the mobility m, h^3 without it, is that of unsteady flow;
+        `slip`, the mean free path over g, adds 6 slip h^2 to it, as Maxwell found.
         """
-        matrix = self._stiffness(mobility_of(self.height, inertia), 1j * sigma * self.height)
+        mobility = mobility_of(self.height, inertia) + 6 * slip * self.height**2
+        matrix = self._stiffness(mobility, 1j * sigma * self.height)
         loads, works = (self._loads(some) for some in (velocities, shapes))
         inner, p = self._inner, np.zeros(loads.shape, complex)
         factors = splu(matrix[inner][:, inner].tocsc())
@@ -74,21 +78,21 @@ class FilmMesh:
         rim = -(matrix @ p.T + loads.T).T @ self._waves(orders)
         return [Response(*answer) for answer in zip(p, p @ works.T, rim, strict=True)]
 
-    def turning(self, Lam: float, guess=None) -> np.ndarray:
+    def turning(self, Lam: float, guess=None, falling: float = 0.0) -> np.ndarray:
         """Return the pressure (n,) over that around of a gap that turns steadily, Lam = 12 mu Omega/(p_a beta^2).
 
-        div(P h^3 grad P) = -Lam d(P h)/dtheta in the frame that turns, isothermal, by Newton's method from `guess`.
-        Raises ArithmeticError where that does not converge.
+        div(P h^3 grad P) = -Lam d(P h)/dtheta - falling P h in the frame that turns, isothermal, by Newton's method
+        from `guess`; `falling` is 12 mu omega_1/(p_a beta^3). Raises ArithmeticError where that does not converge.
         """
         P, inner = np.ones(self.basis.N) if guess is None else guess.copy(), self._inner
         for _ in range(MOST_STEPS):
-            slope = self._assembled(_turning_slope, P, Lam)[inner][:, inner].tocsc()
-            step = splu(slope).solve(-self._assembled(_turning, P, Lam)[inner])
+            slope = self._assembled(_turning_slope, P, Lam, falling)[inner][:, inner].tocsc()
+            step = splu(slope).solve(-self._assembled(_turning, P, Lam, falling)[inner])
             change = np.maximum(step, -LARGEST_FALL * P[inner])
             P[inner] += change
             if np.abs(change).max() < TOLERANCE * P.max():
                 return P
-        raise ArithmeticError(f"the compressible film does not converge at Lam = {Lam:g}")
+        raise ArithmeticError(f"the compressible film does not converge at Lam = {Lam:g}, falling = {falling:g}")
 
     def flow_out(self, P, Lam: float, orders: int = 3) -> np.ndarray:
         """Return the mass that leaves at the rim under `turning`, as Response.rim, over p_a g^3/(12 mu)."""
@@ -114,10 +118,11 @@ class FilmMesh:
         loads = [_load.assemble(self.basis, weight=shape * self._measure) for shape in shapes]
         return np.reshape(loads, (-1, self.basis.N))
 
-    def _assembled(self, form, P, Lam):
+    def _assembled(self, form, P, Lam, falling=0.0):
         cube, flow = self.height**3, Lam * self.height
         fields = {f"along_{key}": cube * value for key, value in self._metric.items()}
         fields |= {f"around_{key}": flow * value for key, value in self._around.items()}
+        fields["source"] = falling * self.height * self._measure
         return form.assemble(self.basis, P=self.basis.interpolate(P), **fields)
 
 
@@ -165,10 +170,10 @@ def _around(q, w):
 
 @LinearForm
 def _turning(q, w):
-    """int P h^3 grad P . grad q + Lam P h dq/dtheta dA."""
-    return w.P * (_along(w.P, q, w) + _around(q, w))
+    """int P h^3 grad P . grad q + Lam P h dq/dtheta - falling P h q dA."""
+    return w.P * (_along(w.P, q, w) + _around(q, w) - w.source * q)
 
 
 @BilinearForm
 def _turning_slope(p, q, w):
-    return p * (_along(w.P, q, w) + _around(q, w)) + w.P * _along(p, q, w)
+    return p * (_along(w.P, q, w) + _around(q, w) - w.source * q) + w.P * _along(p, q, w)

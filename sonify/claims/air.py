@@ -55,11 +55,12 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
 
 
 def air_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
-    """Return what ends the motion, in words, and of its film Lam at the end: beyond 1 the air is squeezed, and the law
-    of the film fails."""
+    """Return what ends the motion, in words, and of its film Lam at the end, over what slip lets through more: the law
+    of the film is held against solutions up to 100."""
     film = film_in(getattr(motion, "loads", None))
-    parts, rate = shares_of_the_end(motion, film), abs(precession_rate(motion.state[-1:])[0])
-    squeezed = {"film_squeezed": float(compressibility(motion.state[-1, 1], rate, scene.air))} if film else {}
+    parts, (beta, rate) = shares_of_the_end(motion, film), (motion.state[-1, 1], precession_rate(motion.state[-1:])[0])
+    slips = 1 + film.slip / np.sin(beta) if film else 1.0
+    squeezed = {"film_squeezed": float(compressibility(beta, rate, scene.air) / slips)} if film else {}
     return {"ended_by": max(parts, key=lambda name: parts[name])} | squeezed
 
 
@@ -184,7 +185,7 @@ def film_powers(motion: Motion, film: Film):
 def lifts(motion: Motion, film: Film):
     """Return the lift of the film [N], (n,), at the times of the motion."""
     disk, state = motion.disk, motion.state
-    push = film.lift(np.sin(state[:, 1]), state[:, 5] * disk.time_unit)
+    push = film.at(state[:, 1], state[:, 5:8].T * disk.time_unit)[2]
     return push * disk.mass * disk.radius / disk.time_unit**2
 
 
