@@ -20,6 +20,9 @@ if TYPE_CHECKING:
 
 HARMONICS = 8
 """Multiples of the precession rate that the contact force is taken to contain."""
+GENTLE = 1e-8
+"""Share of the first step of a slide in which it gains less speed by its first push than by the growth of that push:
+then it has none, but the rounding of its coefficients."""
 BLOCK = 8192
 """Times at which the force is computed together: few enough for the cache."""
 
@@ -200,7 +203,7 @@ class RigidMotion:
             resting = np.hypot(y[V1], y[V2]) < 1e-3 * STOP_SPEED
             rest, slope, curve = self.path.c[-1:-4:-1, piece[resting], V1 : V2 + 1].swapaxes(1, 2)
             duration = np.diff(self.path.x)[piece[resting]]
-            grazes = np.abs(slope).max(axis=0) < 0.1 * duration * np.abs(curve).max(axis=0)
+            grazes = np.abs(slope).max(axis=0) < GENTLE * duration * np.abs(curve).max(axis=0)
             onward = np.where(grazes, curve, slope) * np.where(rest.any(axis=0), -1.0, 1.0)
             y[V1 : V2 + 1, resting] = 1e-3 * STOP_SPEED * onward / np.abs(onward).max(axis=0)
         branch = Branch.of(regime, self.law, self.loads)

@@ -13,9 +13,9 @@ from dynamics.rolling import RollingDisk
 from sonify import load_scene
 
 
-def equal(name, span):
+def equal(name, span, ratio=1.0):
     scene = load_scene(name).replace(f"numerics.time_limit={span}", "air.film=none", "contact.law=rigid")
-    return scene.replace(f"friction.mu_static={scene.friction.mu_dynamic}")
+    return scene.replace(f"friction.mu_static={ratio * scene.friction.mu_dynamic}")
 
 
 @pytest.mark.parametrize(("name", "span"), [("published", 2.0), ("hoop", 5.0), ("moffatt", 2.0)])
@@ -36,6 +36,23 @@ def test_a_slide_without_a_jump_takes_no_more_pieces_than_one_with():
     """Equal frictions bring as many pieces as unequal ones to a motion as long, where explicit steps have no bound."""
     unequal = load_scene("published").replace("numerics.time_limit=12", "air.film=none")
     assert len(simulate(equal("published", 12.0)).t) < 2 * len(simulate(unequal).t)
+
+
+@pytest.mark.parametrize("ratio", [1.0, 1.001])
+def test_the_force_at_a_start_is_against_the_slip_that_begins(ratio):
+    """The direction of the slip a little later, extrapolated to the start by a parabola, whose error is its cube."""
+    motion = simulate(equal("published", 4.0, ratio))
+    starts = [e.t for e in motion.transitions if e.before == "roll" and e.after == "slide"]
+    assert len(starts) > 10
+    later = 1e-3 * np.array([1.0, 2.0, 4.0])
+    for start in starts:
+        piece = motion.t[np.searchsorted(motion.t, start, side="right")] - start
+        slip = motion.at(start + later * piece)[:, 8:10]
+        near = np.unwrap(np.arctan2(slip[:, 1], slip[:, 0]))
+        begins = (8 * near[0] - 6 * near[1] + near[2]) / 3
+        friction = -motion.force(start)[0, :2]
+        off = np.arctan2(friction[1], friction[0]) - begins
+        assert abs(np.angle(np.exp(1j * off))) < later[-1] ** 3
 
 
 def test_the_weights_integrate_polynomials_exactly():
