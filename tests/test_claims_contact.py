@@ -76,6 +76,8 @@ def test_contact_is_lost_as_a_gaussian_vibration_loses_it_and_where_it_is_solved
     weight, kept = TABLE.law.disk.weight, SimpleNamespace(contact_losses=(), t=np.array([0.0, 10.0]))
     assert contact_is_lost(kept, still(weight / 3.0902)).value == pytest.approx(1e-3, rel=1e-3)
     assert not contact_is_lost(kept, still(weight / 6)).holds
+    solved = SimpleNamespace(contact_losses=(), t=kept.t, lost=None)
+    assert contact_is_lost(solved, still(weight / 3)).value == 0
     flights = [SimpleNamespace(t=2.0, duration=0.004, height=1e-7), SimpleNamespace(t=3.0, duration=0.001, height=1e-8)]
     broken = SimpleNamespace(contact_losses=flights, t=kept.t)
     assert contact_is_lost(broken, still(0.0)).value == pytest.approx(5e-4)

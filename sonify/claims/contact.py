@@ -222,10 +222,10 @@ def constant_peaks_are_the_contact(expected: Vibration) -> Finding:
 
 def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
     """The share of the time without contact: as solved, or, where the motion keeps it, of a Gaussian vibration."""
-    flights = motion.contact_losses
-    if flights:
+    flights, solved = motion.contact_losses, bool(motion.contact_losses) or hasattr(motion, "lost")
+    if solved:
         lasts = np.array([f.duration for f in flights])
-        share, first = lasts.sum() / motion.t[-1], flights[0].t
+        share, first = lasts.sum() / motion.t[-1], flights[0].t if flights else np.inf
         margin = 2 * np.sqrt(np.sum(lasts**2)) / motion.t[-1]  # flights as independent events
     else:
         lost = without_contact(expected, 1.0)
@@ -236,7 +236,7 @@ def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
         key="contact_is_lost",
         claim="Vibrations finally break the contact",
         value=float(share),
-        unit=f"of the time without contact, {'solved' if flights else 'expected of the filter'}; {when}",
+        unit=f"of the time without contact, {'solved' if solved else 'expected of the filter'}; {when}",
         at_least=LEAST_LOSS,
         margin=float(margin),
         source="abstract: the vibrations will result in a loss of contact",
