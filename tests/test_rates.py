@@ -9,7 +9,7 @@ import pytest
 from scenes import scene, whirling
 
 from dynamics import simulate, theory
-from dynamics.rates import nutation_frequency, precession_frequency, slips
+from dynamics.rates import halves, nutation_frequency, precession_frequency, slips
 
 
 @pytest.fixture(scope="module")
@@ -62,3 +62,16 @@ def test_slips_come_a_hundred_times_as_often_towards_the_end(motion):
     gaps = np.diff(slips(motion))
     assert len(gaps) > 100
     assert np.median(gaps[:20]) > 100 * np.median(gaps[-20:])
+
+
+def test_what_many_ask_of_the_same_times_is_told_from_memory_and_stays_the_motions_own(motion):
+    """Oracle: times of the same values that someone may change, which are evaluated anew."""
+    t = halves(motion)
+    for ask in (motion.force, motion.energy):
+        told = ask(t)
+        assert np.array_equal(told, ask(t.copy()))
+        told[:] = 0.0
+        assert np.array_equal(ask(t), ask(t.copy()))
+    assert np.array_equal(t[::2], motion.t)
+    with pytest.raises(ValueError, match="read-only"):
+        t[0] = 1.0

@@ -37,16 +37,18 @@ def friction(table: pa.Table) -> list[str]:
 def halt(table: pa.Table) -> list[str]:
     """What takes the last energy of a steel disk on glass, and whether contact is lost, where the film's law holds."""
     pressure, moment, squeezed = columns(table, "air.pressure", "dissipation.contour_moment", "film_squeezed")
-    known = squeezed < HELD
-    airborne, by_air = is_in(table, "outcome", "AIRBORNE")[known], is_in(table, "ended_by", "the film of air")[known]
-    most = moment[known][by_air].max(initial=0.0)
+    held = [p for p in np.unique(pressure) if (squeezed[pressure >= p] < HELD).all()]
+    known = pressure >= min(held, default=np.inf)
+    airborne, by_air = is_in(table, "outcome", "AIRBORNE"), is_in(table, "ended_by", "the film of air")
+    still = by_air & ~known
     return [
         f"From {pressure[known].min() / PRESSURE:.2g} atmospheres on, where the law of the film has been held against "
-        f"solutions, contact is lost to the air in {airborne.sum()} of {known.sum()} runs.",
-        f"There the film takes more of the last tenth of the energy than anything else in {by_air.sum()} runs, up to "
-        f"a contour moment of {most:.2g} N m.",
-        f"At lower pressures {(~known).sum()} runs tell nothing: Lam is up to {squeezed.max():.1g} there, and the law "
-        f"of the film has been held against solutions up to {HELD:g}."
+        f"solutions, contact is lost to the air in {(airborne & known).sum()} of {known.sum()} runs.",
+        f"There the film takes more of the last tenth of the energy than anything else in {(by_air & known).sum()} "
+        f"runs, up to a contour moment of {moment[by_air & known].max(initial=0.0):.2g} N m.",
+        f"At lower pressures {(~known).sum()} runs tell nothing certain, as Lam is up to {squeezed.max():.1g} there, "
+        f"and the law has been held against solutions up to {HELD:g}: by it the film takes most in {still.sum()} "
+        f"of them, down to {pressure[still].min(initial=np.inf) / PRESSURE:.2g} atmospheres."
         if not known.all()
         else f"At the end Lam, how far the film squeezes its air, is up to {squeezed.max():.2g}, below the {HELD:g} "
         "up to which solutions have been held against it: the law of the film holds in all runs.",
