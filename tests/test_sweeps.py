@@ -391,12 +391,16 @@ def test_the_conclusion_on_a_table_that_acts_back_is_that_of_its_table():
     """Two masses at two pressures: the light mode breaks the contact, and ends the motion twice as early."""
     told = {"surface.modes.0.modal_mass": [0.1, 0.1, 30.0, 30.0], "air.pressure": [1.01325, 101325.0] * 2}
     told |= {"contact_kept": [0.0, 0.0, 0.02, 0.01], "t_end": [0.5, 0.51, 1.0, 1.02], "outcome": ["AIRBORNE"] * 4}
-    told |= {"ended_by": ["the table", "the table", "the table", "the film of air"]}
+    told |= {"ended_by": ["the table", "the table", "sliding", "the film of air"], "passed": [True] * 4}
+    told |= {"dissipation_never_falls": [0.0, 2e-5, 0.0, 0.0]}
     lines = CONCLUSIONS["halt-table"](pa.table(told))
     assert "with a mode of 0.1 kg after 0.51 s, with one of 30 kg after 1 s" in lines[0]
     assert "from 1e-05 to 1 atmospheres the air changes that by 0.02 s at most" in lines[0]
-    assert lines[1].startswith("Vibration breaks the contact in 2 of 4 runs, none of them with the heaviest mode")
-    assert lines[2].endswith("the table in 3 runs, the film of air in 1 runs.")
+    assert lines[1].startswith("Vibration breaks the contact in 2 of 4 runs")
+    assert lines[1].endswith("carries the disk in 4.")
+    assert "film of air in 1 runs, from 1 atmospheres on, into the table in 2, with modes up to 0.1 kg" in lines[2]
+    lines = CONCLUSIONS["halt-table"](pa.table(told | {"passed": [True, False, True, True]}))
+    assert lines[1].endswith("in 1 the film gives back up to 2e-05 of the energy, which a self-check refuses.")
 
 
 def test_the_conclusions_on_halt_and_pitch_are_those_of_their_tables():

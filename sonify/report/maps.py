@@ -13,6 +13,8 @@ from matplotlib.tri import Triangulation
 from sonify.report.figure import figure_at
 
 MARKS = "osD^vP*Xhp<>d8H"
+COLOURS = ("#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7", "#56b4e9", "#e69f00")
+"""Told apart by the colour-blind; in grey print the marks tell."""
 DECADE = 12.0
 LEVELS, WIDE, WORDS = 12, 300.0, 16
 
@@ -56,7 +58,7 @@ def draw_map(what: Map, path):
             told = f"{what.of}, median of up to {shared} runs" if shared > 1 else what.of
         else:
             most = [Counter(map(_word, found)).most_common(1)[0][0] for found in points.values() if found]
-            figure.subplots_adjust(right=0.8)
+            figure.subplots_adjust(right=0.77)
             _categories(panel, places[known], most)
             told = f"{what.of}, most frequent of up to {shared} runs" if shared > 1 else what.of
         _failed(panel, places[~known])
@@ -110,10 +112,12 @@ def _levels(values):
 
 def _categories(panel, places, words):
     names = sorted(set(words))
-    for name, mark in zip(names, cycle(MARKS), strict=False):
+    for name, mark, colour in zip(names, cycle(MARKS), cycle(COLOURS), strict=False):
         here = places[np.array(words) == name]
         flat = np.full(len(here), names.index(name))
-        panel.plot(here[:, 0], here[:, 1] if here.shape[1] == 2 else flat, mark, ls="", label=fill(name, WORDS))
+        panel.plot(
+            here[:, 0], here[:, 1] if here.shape[1] == 2 else flat, mark, color=colour, ls="", label=fill(name, WORDS)
+        )
     _legend(panel)
 
 
