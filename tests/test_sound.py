@@ -5,6 +5,7 @@ the end of the chain in closed form; the frequencies and decay rates that go in;
 """
 
 import hashlib
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -18,7 +19,7 @@ from sonify import load_scene
 from sonify.sound.drive import in_patch_frame, modal_drive, rigid_acceleration
 from sonify.sound.oscillators import free_response
 from sonify.sound.pressure import STEMS
-from sonify.sound.radiation import piston_strength
+from sonify.sound.radiation import listener_of, piston_strength
 from sonify.sound.radiators import ElasticFace
 from sonify.sound.render import FADE_IN, FADE_OUT, Renderer
 from sonify.sound.wav import write_sound
@@ -43,6 +44,24 @@ def short(scene):
 
 def rms(samples):
     return np.sqrt(np.mean(np.square(samples), axis=0))
+
+
+TABLE = "surface={kind='infinite', thickness=0.01, young=70e9, poisson=0.22, density=2500.0, loss_factor=0.1}"
+
+
+@pytest.mark.parametrize("change", ["name=published", "air.film=acts", TABLE])
+def test_another_ear_hears_what_a_listener_there_hears(scene, short, modes, change):
+    """And the first what it hears alone, bit for bit: the modes ring once for both."""
+    scene, ear = scene.replace(change), listener_of(scene)
+    both = Renderer(scene, short, modes, turn=1.0).sound().columns
+    alone, there = (
+        Renderer(scene, short, modes, listener=replace(ear, azimuth=ear.azimuth + turn)).sound().columns
+        for turn in (0.0, 1.0)
+    )
+    assert np.array_equal(both[:, :-1], alone)
+    rounded = 4 * 2.0**-24 * np.abs(there).sum(axis=1)  # the stems, their sum, and what the other ear hears
+    assert (np.abs(both[:, -1] - there[:, 0]) <= rounded).all()
+    assert np.abs(there - alone).max() > 0.1 * np.abs(alone).max()
 
 
 def test_the_heave_is_a_monopole_moved_by_the_normal_force(scene, motion, stems):
