@@ -35,9 +35,9 @@ CELLS = {
         "contact_kept": ("no, the least force is {:.1f} of the weight", "yes"),
     },
     "what makes the halt": {
-        "waves_bring_the_halt": (
-            "waves of the table, {:.0%} of what the disk loses beyond rolling friction",
-            "not the waves of the table, {:.0%} of what the disk loses beyond rolling friction",
+        "halt_comes_earlier": (
+            "the table, {:.1f} s earlier than if it did not act back",
+            "what makes it on a table that does not act back, {:.1f} s later",
         ),
         "table_takes_little": (
             "as on a rigid table",

@@ -1,12 +1,9 @@
 """TABLE: what it carries of the sound, and from when on it must act back on the disk; a "no" is a result."""
 
-from typing import Any
-
 import numpy as np
 
 from dynamics import Motion
-from dynamics.coupled.state import CAUSES
-from dynamics.time_left import time_left
+from sonify.claims import two_ways
 from sonify.claims.motion import Finding
 from sonify.claims.sound import LAST, since_as_much
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
@@ -35,7 +32,7 @@ def table_findings(
 
     `tone` is the rising tone of the whole sound, or None; `error` the relative one of the sound, in quadratic mean.
     """
-    found = motion_findings(scene, motion)
+    found = motion_findings(scene, motion) + two_ways.motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
     apart = scene.roughness is None or scene.contact.law == "rigid"  # else the contact's stem is the table's as well
@@ -50,43 +47,8 @@ def table_findings(
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return those that the motion alone can judge: of a table that is wavy, or that acts back."""
-    found = [waves_break_contact(scene, motion)] if scene.imperfection else []
-    acts = getattr(scene.surface, "action", "auto") == "motion" and motion.outcome.name in ENDS
-    return [*found, waves_bring_the_halt(motion), halt_comes_early(scene, motion)] if acts else found
-
-
-def waves_bring_the_halt(motion: Any) -> Finding:
-    """The share of the modes of the table, with what they hold, in what the disk gives besides to resisting moments.
-
-    These act on a rigid table, too: the rest is what brings its halt forward.
-    """
-    end = motion.t[-1:]
-    parts = dict(zip(CAUSES, motion.lost(end)[0].tolist(), strict=True))
-    parts["table"] += float(motion.table_energy(end)[0])
-    del parts["moments"]
-    whole = sum(parts.values())
-    return Finding(
-        key="waves_bring_the_halt",
-        claim="Waves of the table, and not impacts, take what brings the halt forward",
-        value=parts["table"] / whole,
-        unit="of the energy; " + ", ".join(f"{name} {part / whole:.3f}" for name, part in parts.items()),
-        at_least=0.5,
-        source="energy lost to each cause in every step but to resisting moments, and held by the modes of the table",
-    )
-
-
-def halt_comes_early(scene: Scene, motion: Motion) -> Finding:
-    """How long before the quasi-steady decline of a disk on a rigid table the disk lies flat [s]."""
-    left = time_left(np.radians(scene.release.inclination_deg), scene.disk, scene.friction, scene.dissipation)
-    return Finding(
-        key="halt_comes_early",
-        claim="The table brings the halt forward",
-        value=float(left - motion.t[-1]),
-        unit=f"s before the {left:.3g} s that a steady disk has on a rigid table",
-        at_least=0.1,
-        source="section 8: an abrupt halt; quasi-steady decline on a rigid table",
-    )
+    """Return those that the motion alone can judge: of a table that is wavy."""
+    return [waves_break_contact(scene, motion)] if scene.imperfection else []
 
 
 def waves_break_contact(scene: Scene, motion: Motion) -> Finding:
