@@ -5,6 +5,7 @@ of the states, the closed form of a driven oscillator, an independent program fo
 """
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from dynamics import Motion
+from dynamics import Motion, Outcome
 from dynamics.coupled.acting import acting, shares
 from dynamics.coupled.from_scene import contact_law, step_rate
 from dynamics.coupled.full import Compliant
@@ -199,6 +200,7 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     assert f"{found.inclination:.2g} rad on" in action(scene, modes).choice
     t = motion.handed_over
     assert isinstance(motion, Motion)
+    assert replace(motion, outcome=Outcome.LEFT_TABLE).outcome is Outcome.LEFT_TABLE
     assert motion.at(t)[0, 1] == pytest.approx(found.inclination, rel=0.05)
     assert motion.at([t])[0] == pytest.approx(motion.first.at([t])[0], abs=1e-3, rel=1e-3)  # the springs creep
     assert motion.table_energy([0.9 * t])[0] == 0 < motion.table_energy([t])[0]

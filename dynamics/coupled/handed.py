@@ -36,7 +36,8 @@ def hand_over(scene, inclination: float, alone: Callable, watch, modes) -> Motio
     left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
     parts = Changed(scene, numerics=left, surface=SimpleNamespace(action="motion"))
     state, force = first.at_and_force(t)
-    return HandedOver(first, solve(parts, lambda now, *rest: watch(t + now, *rest), modes, (state[0], force[0])))
+    then = solve(parts, lambda now, *rest: watch(t + now, *rest), modes, (state[0], force[0]))
+    return HandedOver(first, then, then.outcome)
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,6 +49,7 @@ class HandedOver:
 
     first: Motion
     then: CompliantMotion
+    outcome: Outcome
 
     def __repr__(self):
         """In one line."""
@@ -57,11 +59,6 @@ class HandedOver:
     def disk(self) -> Disk:
         """The disk."""
         return self.first.disk
-
-    @property
-    def outcome(self) -> Outcome:
-        """How the second part ended."""
-        return self.then.outcome
 
     @property
     def integrator(self) -> str:
