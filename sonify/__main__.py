@@ -91,11 +91,12 @@ def run(scene, out, accuracy, assignments, animation):
 @click.option(
     "--out", type=click.Path(), help="Folder for picture and numbers; default outputs/listen/<name of the file>."
 )
-def listen(recording, out):
-    """Seek the rising tone, its end and exponent, and the steady carriers in RECORDING, a sound file of your own."""
+@click.option("--scene", help="Whose resonances the carriers are matched to: a name or a file.")
+def listen(recording, out, scene):
+    """Seek the rising tone, its end and exponent, and the carriers in RECORDING, a sound file of your own."""
     from sonify.report.recording import tell
 
-    for line in tell(recording, out):
+    for line in tell(recording, out, scene):
         click.echo(line)
 
 

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 from scipy.signal import butter, sosfilt
 
+from sonify import load_scene
+from sonify.claims.carriers import matched, resonances
 from sonify.hearing.carriers import carriers
 
 RATE, LENGTH = 16000, 12.0
@@ -58,3 +60,16 @@ def test_sidebands_are_told_from_carriers():
 
 def test_noise_has_no_carriers():
     assert carriers(np.random.default_rng(0).standard_normal(8 * RATE), RATE) == []
+
+
+def test_carriers_are_matched_to_modes_and_contact():
+    """The toy on granite: its first free mode lies at 10.6 kHz, its contact passes 2 kHz; 5.04 kHz, recorded, is
+    neither's."""
+    known = resonances(load_scene("granite"))
+    rate = 44100
+    t = np.arange(4 * rate) / rate
+    mode = next(f for of, f in known if of == "disk")
+    sound = sum(np.cos(2 * np.pi * f * t) for f in (mode, 2000.0, 5040.0))
+    found = carriers(sound + 0.01 * np.random.default_rng(0).standard_normal(len(t)), rate)
+    of = {round(one.frequency): match and match.of for one in found for match in [matched(one, known)]}
+    assert of == {round(mode): "disk", 2000: "contact", 5040: None}

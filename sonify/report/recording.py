@@ -9,11 +9,13 @@ from sonify.hearing.recording import Heard, listen
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 
 
-def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
-    """Listen to a recording, write heard.json and spectrogram.png into `out`, return what was heard as lines.
+def tell(recording: str | Path, out: str | Path | None = None, scene: str | Path | None = None) -> list[str]:
+    """Listen to a recording, write heard.json and spectrogram.png into `out`, return what was heard as lines; the
+    carriers are matched to the resonances of a scene, if there is one.
 
-    Raises RecordingError before anything is written, and OutputError when `out` cannot be written.
+    Raises RecordingError and SceneError before anything is written, and OutputError when `out` cannot be written.
     """
+    known = _resonances(scene) if scene else []
     heard = listen(recording)
     folder = claim(out or own_folder(recording))
     from sonify.report.sound import draw_recording
@@ -22,8 +24,8 @@ def tell(recording: str | Path, out: str | Path | None = None) -> list[str]:
     low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
     with whole(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, heard.duration, heard.tone)
-    write_json({"recording": _name(recording)} | finite(numbers(heard)), folder / "heard.json")
-    return [*sentences(heard), str(folder)]
+    write_json({"recording": _name(recording)} | finite(numbers(heard, known)), folder / "heard.json")
+    return [*sentences(heard, known), str(folder)]
 
 
 def own_folder(recording: str | Path) -> Path:
@@ -42,19 +44,43 @@ def _name(recording):
     return str(Path(recording).resolve())
 
 
-def numbers(heard: Heard) -> dict:
+def _resonances(scene):
+    from sonify.claims.carriers import resonances  # modes load slowly
+    from sonify.scene import load_scene
+
+    return resonances(load_scene(scene))
+
+
+def _matched(carrier, known):
+    if not known:
+        return None
+    from sonify.claims.carriers import matched
+
+    return matched(carrier, known)
+
+
+def numbers(heard: Heard, known=()) -> dict:
     """Return what was heard as plain values: the fits, the carriers, and the ridge of the tone."""
-    return asdict(heard) | {name: _tone(getattr(heard, name)) for name in ("tone", "repetition")}
+    carriers = []
+    for c in heard.carriers:
+        match = _matched(c, known)
+        carriers.append(asdict(c) | {"course": c.course, "matched": match and match._asdict()})
+    tones = {name: _tone(getattr(heard, name)) for name in ("tone", "repetition")}
+    return asdict(heard) | tones | {"carriers": carriers}
 
 
-def sentences(heard: Heard) -> list[str]:
+def sentences(heard: Heard, known=()) -> list[str]:
     """Return what was heard in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
     if heard.missing:
         lines.append(f"the file is truncated: its header promises {heard.missing:.3f} s more")
     for name, tone in (("rising tone", heard.tone), ("rising repetition of the envelope", heard.repetition)):
         lines.append(f"{name}: {_fit(tone) if tone else 'none stands out'}")
-    return lines + [f"carrier: {_carrier(c)}" for c in heard.carriers]
+    return lines + [f"carrier: {_carrier(c)}{_near(_matched(c, known))}" for c in heard.carriers]
+
+
+def _near(match):
+    return f"; a resonance of the {match.of}, {match.cents:+.1f} cents from {match.frequency:.1f} Hz" if match else ""
 
 
 def _carrier(c):
