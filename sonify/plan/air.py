@@ -5,14 +5,21 @@ from dataclasses import replace
 import numpy as np
 
 from dynamics import Motion
+from dynamics.disk import Friction
+from dynamics.dissipation import Dissipation, resistance
+from dynamics.equations import law_of
 from dynamics.film.acting import film_of
-from dynamics.film.law import compressibility, falls_faster, thickness
+from dynamics.film.law import compressibility, falls_faster, film_under, thickness
 from dynamics.rates import precession_rate
+from dynamics.steady import steady_precession
+from dynamics.time_left import steady_power
 from sonify.plan.plan import Decision, Plan
 from sonify.scene import Scene
 
-ABSORBED = 0.5
-"""Absorption of air of middling humidity at 20 kHz [dB/m], ISO 9613-1; at 10 kHz a third of it."""
+HIGH = 20e3
+"""Frequency [Hz] at which absorption is told: below it is less."""
+JUDGED = (0.1, 0.01, 0.001)
+"""Inclinations [rad] at which a paper's law of the air is held against the film."""
 RAREFIED = (
     (60, "slip at the walls lets a tenth more air through, and more later, which the film's law has within 10 %"),
     (1, "there the film is no continuum, and its law holds by its order alone"),
@@ -25,15 +32,35 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
     told = film_of(scene)
     acts = "acts on the motion and on the sound" if told.film else "does not act"
     decision = Decision(subject="film of air under the disk", choice=acts, reason=told.reason)
-    far = f"Absorption on the way to the listener, up to {ABSORBED * scene.audio.distance:.2g} dB at 20 kHz."
-    also = scene.dissipation.air_viscosity or scene.dissipation.boundary_layer_viscosity
-    twice = [TWICE] if told.film and also else []
+    taken = scene.air.absorption(HIGH) * scene.audio.distance if scene.air.pressure else 0.0
+    far = f"Absorption on the way to the listener, up to {taken:.2g} dB at 20 kHz in air of 50 % humidity."
+    own = papers_law(scene)
+    twice = [TWICE] if told.film and own else []
     return replace(
         plan,
         decisions=(*plan.decisions, decision),
         modelled=(*plan.modelled, *(MODELLED if told.film else ())),
-        left_out=(*plan.left_out, *(LEFT_OUT if told.film else VACUUM), *twice, far),
+        left_out=(*plan.left_out, *(LEFT_OUT if told.film else VACUUM), *twice, *own, far),
     )
+
+
+def papers_law(scene: Scene) -> list[str]:
+    """Return how far a paper's law of the air is from the film that is solved, where the scene has such a law."""
+    disk, air, given = scene.disk, scene.air, scene.dissipation
+    law = Dissipation(
+        air_viscosity=given.air_viscosity,
+        boundary_layer_viscosity=given.boundary_layer_viscosity,
+        air_density=given.air_density,
+    )
+    paper = resistance(law, disk)
+    if not paper or disk.shape != "solid" or not air.pressure or not air.density:
+        return []
+    none, film, told = law_of(disk, Friction(mu_static=1.0, mu_dynamic=1.0)), film_under(disk, air), []
+    for beta in JUDGED:
+        turning = steady_precession(beta, disk.aspect, disk.gyration) * np.sin(beta)
+        solved = film.powers(beta, (0.0, 0.0, turning))[0]
+        told.append(f"{steady_power(beta, none, paper) / solved:.2g} at {beta:g} rad")
+    return [f"The law of the air is its paper's; it takes of the power of the solved film {', '.join(told)}."]
 
 
 def beyond_the_film(scene: Scene, motion: Motion) -> list[str]:
