@@ -4,11 +4,15 @@ Source: the README's description of the page; WCAG 2.2 AA. Oracle: the samples t
 decoded; the pixels of the canvases; axe-core. Skipped where there is no Chromium.
 """
 
+import queue
 import shutil
+import threading
+import tomllib
 
 import pytest
 
 from sonify import load_scene, run
+from sonify.serve import serve
 
 playwright = pytest.importorskip("playwright.sync_api", reason="needs the extra `browser`")
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -236,6 +240,37 @@ def test_it_can_be_used_by_everyone(open_page, scheme):
     page.wait_for_function(READY, timeout=60_000)
     found = axe.Axe().run(page, options={"runOnly": ["wcag2a", "wcag2aa", "wcag21aa", "wcag22aa"]})
     assert [(v["id"], v["nodes"][0]["html"][:200]) for v in found.response["violations"]] == []
+
+
+def test_scene_and_command_are_copied(open_page, folder):
+    page = open_page(permissions=["clipboard-read", "clipboard-write"])
+    page.wait_for_function(READY, timeout=60_000)
+    for place in ("scene", "command"):
+        page.click(f'button[data-copy="#{place}"]')
+        page.wait_for_selector("button:has-text('copied')")
+        held = page.evaluate("navigator.clipboard.readText()")
+        assert held == page.locator(f"#{place}").inner_text().strip()
+    assert load_scene("published").replace("numerics.accuracy=draft").document == tomllib.loads(
+        page.locator("#scene").inner_text()
+    )
+
+
+def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, folder):
+    told = queue.Queue()
+    threading.Thread(target=serve, args=(folder.parent, "127.0.0.1", 0, told.put), daemon=True).start()
+    page = browser.new_page(viewport={"width": 1280, "height": 900})
+    page.goto(f"{told.get(timeout=20)}compare?a={folder.name}&b={folder.name}")
+    page.wait_for_function(f"{READY.removeprefix('() => ')} && sonify.spectrograms.length == 2", timeout=60_000)
+    page.evaluate("sonify.player.seek(10.0)")
+    page.click("#play")
+    page.wait_for_function("sonify.player.playing")
+    before = page.evaluate("sonify.player.time")
+    page.click("input[name=run][value='1']")
+    page.wait_for_function("sonify.player.run === 1 && sonify.player.playing")
+    assert page.evaluate(LOUDEST) > 1e-3
+    assert before < page.evaluate("sonify.player.time") < before + 10
+    assert len(set(page.evaluate("sonify.timeline.panels.map((panel) => panel.head.style.left)"))) == 1
+    page.close()
 
 
 def test_nothing_swings_for_those_who_want_it_still(open_page):
