@@ -96,7 +96,7 @@ class Scene:
             raise ValueError(f"surface.radius = {plate.radius:g}: must be at least disk.radius")
         if isinstance(plate, PlateSurface) and hypot(*plate.place) + self.disk.radius > plate.radius:
             most = plate.radius - self.disk.radius
-            raise ValueError(f"surface.place = {list(plate.place)}: must be within {most:g} m of the middle")
+            raise ValueError(f"surface.place = {list(plate.place)}: must not be beyond {most:g} m from the middle")
 
     @property
     def document(self) -> dict:

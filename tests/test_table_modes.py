@@ -236,7 +236,7 @@ def test_the_edge_of_a_plate_ends_the_motion():
     assert np.hypot(*place) == pytest.approx(0.045, rel=0.02)
     t = np.linspace(0, motion.t[-1], 20)
     assert motion.at(t) == pytest.approx(further.at(t), rel=1e-9, abs=1e-12)
-    with pytest.raises(SceneError, match=r"surface.place = \[0.1, 0.06\]: must be within 0.1124"):
+    with pytest.raises(SceneError, match=r"surface.place = \[0.1, 0.06\]: must not be beyond 0.1124"):
         wide.replace("surface.place=[0.1, 0.06]")
 
 
