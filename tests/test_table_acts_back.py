@@ -237,15 +237,16 @@ def test_what_a_table_that_acts_back_takes(handed):
 
 @pytest.mark.slow
 def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(monkeypatch):
+    """The halt is 0.5 s before that of the same disk, on the same contact, on a table without modes."""
     scene = load_scene("glass-plate").replace("contact.law=elastic", "friction.mu_static=0.6", "surface.action=auto")
     modes = surface_modes(scene, 20e3)
     motion = solve_motion(scene, table=modes)
-    rigid = solve_motion(scene.replace("surface={kind='rigid'}"))
-    monkeypatch.setattr("dynamics.coupled.acting.ACTS", 0.003)
+    advanced = two_ways.halt_comes_earlier(scene, motion)
+    monkeypatch.setattr("dynamics.coupled.acting.ACTS", 0.005)
     earlier = solve_motion(scene, table=modes)
     assert earlier.handed_over < motion.handed_over - 0.5
-    assert 0.1 < rigid.t_end - motion.t_end < 1.0
-    assert motion.t_end == pytest.approx(earlier.t_end, abs=0.1 * (rigid.t_end - motion.t_end))
+    assert 0.1 < advanced.value < 1.0
+    assert motion.t_end == pytest.approx(earlier.t_end, abs=0.1 * advanced.value)
 
 
 @pytest.mark.slow
