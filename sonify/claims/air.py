@@ -11,7 +11,7 @@ from dynamics import Motion, Outcome
 from dynamics.dissipation import resistance
 from dynamics.equations import law_of
 from dynamics.film.acting import MATTERS
-from dynamics.film.law import Film, compressibility, film_in, film_under
+from dynamics.film.law import Film, compressibility, falls_faster, film_in, film_under
 from dynamics.rates import precession_rate
 from dynamics.time_left import steady_power
 from sonify.claims.motion import Finding
@@ -33,6 +33,8 @@ LOST_TO = (
     "the film of air",
 )
 """What a full motion knows the losses of, in the order of its causes."""
+FALLS_AS = 100 / 3
+"""A fall three times as fast as the air leaves is as far from the law of the film, 27 %, as it is held at Lam = 100."""
 INCLINATIONS = (1e-3, 1e-2)
 """Between these the exponent of a friction is read [rad]."""
 
@@ -55,12 +57,15 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
 
 
 def air_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
-    """Return what ends the motion, in words, and of its film Lam at the end, over what slip lets through more: the law
-    of the film is held against solutions up to 100."""
+    """Return what ends the motion, in words, and of its film Lam at the end, over what slip lets through more, or
+    FALLS_AS times how much faster it falls than its air leaves: it is held against solutions up to 100 of either."""
     film = film_in(getattr(motion, "loads", None))
-    parts, (beta, rate) = shares_of_the_end(motion, film), (motion.state[-1, 1], precession_rate(motion.state[-1:])[0])
-    slips = 1 + film.slip / np.sin(beta) if film else 1.0
-    squeezed = {"film_squeezed": float(compressibility(beta, rate, scene.air) / slips)} if film else {}
+    parts, squeezed = shares_of_the_end(motion, film), {}
+    if film:
+        (beta, nutation), rate = motion.state[-1, [1, 5]], precession_rate(motion.state[-1:])[0]
+        turns = compressibility(beta, rate, scene.air) / (1 + film.slip / np.sin(beta))
+        falls = FALLS_AS * falls_faster(beta, nutation, scene.disk.radius, scene.air)
+        squeezed = {"film_squeezed": float(max(turns, falls))}
     return {"ended_by": max(parts, key=lambda name: parts[name])} | squeezed
 
 
