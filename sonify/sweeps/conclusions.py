@@ -45,8 +45,9 @@ def halt(table: pa.Table) -> list[str]:
         f"solutions, contact is lost to the air in {(airborne & known).sum()} of {known.sum()} runs.",
         f"There the film takes more of the last tenth of the energy than anything else in {(by_air & known).sum()} "
         f"runs, up to a contour moment of {moment[by_air & known].max(initial=0.0):.2g} N m.",
-        f"At lower pressures {(~known).sum()} runs tell nothing certain, as Lam is up to {squeezed.max():.1g} there, "
-        f"and the law has been held against solutions up to {HELD:g}: by it the film takes most in {still.sum()} "
+        f"At lower pressures {(~known).sum()} runs tell nothing certain, as Lam, or 33 times how much faster "
+        f"the disk falls than its air leaves, is up to {squeezed.max():.1g} there, and the law has been held against "
+        f"solutions up to {HELD:g}: by it the film takes most in {still.sum()} "
         f"of them, down to {pressure[still].min(initial=np.inf) / PRESSURE:.2g} atmospheres."
         if not known.all()
         else f"At the end Lam, how far the film squeezes its air, is up to {squeezed.max():.2g}, below the {HELD:g} "
