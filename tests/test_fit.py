@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import soundfile
 from click.testing import CliRunner
+from scipy.signal import butter, sosfilt
 
 from sonify import RecordingError, load_scene
 from sonify.__main__ import main
@@ -55,8 +56,9 @@ def test_rolling_alone_declines_as_its_closed_form(scene):
     assert np.diff(pair)[0] / np.log(2) == pytest.approx(-1 / 3, abs=10 * beta)
 
 
-def test_the_film_alone_declines_with_the_power_of_a_sixth(decline):
-    left = np.array([0.5e-3, 1e-3])
+def test_the_film_alone_declines_with_the_power_of_a_sixth(scene):
+    """Of air that no film squeezes: so much air weighs as little as in a room."""
+    decline, left = Decline(scene.replace("air.pressure=1e9", "air.density=1.2")), np.array([0.5e-3, 1e-3])
     exponent = np.diff(np.log(decline.frequency(left, [0, 1, 0])))[0] / np.log(2)
     assert exponent == pytest.approx(-1 / 6, abs=2e-3)  # the inertia of the air is of order S^2.5, 1e-3 there
 
@@ -84,6 +86,15 @@ def test_a_rate_that_is_missed_is_read_from_the_phase():
     assert found.frequency == pytest.approx(20.3, abs=0.3e-2)
 
 
+def test_what_was_heard_before_a_tone_began_is_left_out():
+    """Of 100 s of noise as loud as the tone of 8 s after it, no block counts but one that reaches into the tone."""
+    t = np.arange(108 * RATE // 10) / (RATE / 10)
+    sound = np.random.default_rng(0).standard_normal(len(t)) + np.where(t < 100, 0, 2**0.5 * np.cos(2 * np.pi * 20 * t))
+    found = rates(sound, RATE / 10, 0.0, lambda t: (20.0 * t, np.full_like(t, 20.0)), 8.0)
+    assert len(found.time) == pytest.approx(8 * 20 * 2 / 8, abs=3)
+    assert found.time.min() > 100 - 8 / 20
+
+
 @pytest.mark.parametrize(
     ("shares", "verdict"), [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")]
 )
@@ -96,6 +107,28 @@ def test_the_truth_is_found_and_named(decline, shares, verdict):
         assert values[name].high >= truth - 1e-3 * unit
         assert values[name].value == pytest.approx(truth, abs=0.03 * unit)
     assert found.fit.value(0).value == pytest.approx(12.0, abs=0.02)
+
+
+def speech(seconds, seed):
+    """Noise from 100 to 1000 Hz, in syllables, as strong as 1."""
+    t = np.arange(seconds * RATE) / RATE
+    noise = np.random.default_rng(seed).standard_normal(len(t))
+    band = sosfilt(butter(2, [100, 1000], "bandpass", fs=RATE, output="sos"), noise) * np.sin(2 * np.pi * 1.5 * t)
+    return band / band.std()
+
+
+def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
+    """It is as loud as the disk, and lasts six times as long."""
+    run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3)
+    samples = np.concatenate([run.std() * speech(30, 1), run, run.std() * speech(30, 2)])
+    sound = heard(Recording(samples=samples, sample_rate=RATE), "made", ("tone",))
+    found = judge(decline, [sound], correct=False)
+    end, values = found.fit.value(0), found.values()
+    assert end.low <= 40.0 <= end.high
+    assert values["rolling"].low <= 1e-4 <= values["rolling"].high
+    assert values["air"].low <= 1.0 <= values["air"].high
+    assert found.verdict == "both"
+    assert end.value - found.fit.heard[0].rates.time.min() < 10.5
 
 
 @pytest.mark.slow

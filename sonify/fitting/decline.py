@@ -53,6 +53,9 @@ FACTORS = {
 """What a share of the scene's other laws multiplies, besides the arms of its friction: this power of it."""
 FLATTEST, POINTS = 1e-7, 600
 """The least inclination [rad] that is tabulated, and how many are, evenly in the logarithm."""
+LEAST_GROWTH = 0.49
+"""Below the table the time left goes at least with this power of the inclination: with 1/2 under the paper's arm, and
+with none under a film that is squeezed, which alone would never let the disk down."""
 
 
 def has_film(scene: Scene) -> bool:
@@ -141,7 +144,7 @@ class Decline:
         power = np.maximum(np.asarray(shares, float) @ self.powers, LEAST_ROLLING * self.powers[0])
         rate = self._slope / power  # d(time left)/d(log beta), a power of beta below the table
         growth = np.log(rate[1] / rate[0]) / np.log(self.beta[1] / self.beta[0])
-        first = rate[0] / growth
+        first = rate[0] / max(growth, LEAST_GROWTH)
         time = cumulative_simpson(rate, x=np.log(self.beta), initial=0.0) + first
         return time * self.disk.time_unit
 

@@ -22,6 +22,8 @@ MOST_BLOCKS, OVERLAP = 300, 2
 TINY = 1e-300
 FEWEST = 16
 """Bins of a block that must hold samples."""
+USUALLY = 0.5
+"""A tone that is there is told by so large a share of the blocks at least: noise and speech tell one in a tenth."""
 
 
 class Rates(NamedTuple):
@@ -38,8 +40,8 @@ def rates(samples, rate: float, first: float, turns, length: float, noise_of=np.
     """Return the rates of the tone in samples (n,) at `rate` [Hz], of which the first is at the time `first` [s].
 
     `turns(t) -> (turns, turns a second [Hz])` is what the tone is expected to do at times (k,) [s]; not finite where it
-    is not expected. Blocks are `length` turns long, or longer where there would be more than MOST_BLOCKS. The noise is
-    `noise_of` the powers beside the tone.
+    is not expected. What was heard before the tone began is left out. Blocks are `length` turns long, or longer where
+    there would be more than MOST_BLOCKS. The noise is `noise_of` the powers beside the tone.
     """
     t = first + np.arange(len(samples)) / rate
     turned, frequency = turns(t)
@@ -54,16 +56,35 @@ def rates(samples, rate: float, first: float, turns, length: float, noise_of=np.
 def rates_of_still(still, t, turned, frequency, length: float, noise_of=np.mean) -> Rates:
     """Return the rates of a tone that was expected to have `turned` (n,) at times t (n,) [s], `frequency` (n,) times a
     second, and is `still` (n,) in that time."""
-    length = max(length, OVERLAP * (turned[-1] - turned[0]) / MOST_BLOCKS)
-    count, still, t, frequency = _binned(still, t, turned, frequency)
+    heard = _binned(still, t, turned, frequency)
+    first = _beginning(_told(heard, length, noise_of)[0]) * _step(length)
+    heard = [x[first:] for x in heard]
+    length = max(length, OVERLAP * len(heard[0]) / BINS / MOST_BLOCKS)
+    told, *found = _told(heard, length, noise_of)
+    return Rates(*(x[told] for x in found))
+
+
+def _beginning(told):
+    """The first of the blocks (b,) from which on most are told: their surplus from there to the end is the greatest."""
+    return len(told) - 1 - np.argmax(np.cumsum(told[::-1] - USUALLY)) if len(told) else 0
+
+
+def _step(length):
+    """Bins from one block of `length` turns to the next."""
+    return round(length * BINS) // OVERLAP
+
+
+def _told(heard, length, noise_of):
+    """Whether each block (b,) tells a tone, and the Rates (b,) there."""
+    count, still, t, frequency = heard
     size = round(length * BINS)
     if len(count) < size:
-        return Rates(*np.zeros((4, 0)))
-    blocks = (sliding_window_view(x, size)[:: size // OVERLAP] for x in (count > 0, still, t))
+        return np.zeros(0, bool), *np.zeros((4, 0))
+    blocks = (sliding_window_view(x, size)[:: _step(length)] for x in (count > 0, still, t))
     middle, missed, error, clear = _blocks(*blocks, noise_of)
     expected = np.interp(middle, t[count > 0], frequency[count > 0])
     told = (clear > CLEAR) & (np.abs(missed) < FARTHEST * expected)
-    return Rates(middle[told], (expected + missed)[told], error[told], clear[told])
+    return told, middle, expected + missed, error, clear
 
 
 def _binned(still, t, turned, frequency):
