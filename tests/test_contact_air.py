@@ -10,6 +10,7 @@ import pytest
 from dynamics import simulate
 from dynamics.coupled.state import CAUSES
 from dynamics.film.law import film_under
+from modal import surface_modes
 from sonify import load_scene
 from sonify.claims.air import carried_by_air, film_powers
 
@@ -50,6 +51,22 @@ def test_the_film_takes_its_power(carried):
     assert lost[-1] - lost[0] == pytest.approx(work, rel=0.01)
     assert (np.diff(lost) >= 0).all()
     assert motion.energy(t) + motion.lost(t).sum(axis=1) == pytest.approx(motion.energy([0.0])[0], rel=1e-9)
+
+
+@pytest.mark.parametrize("pressure", [101.325, 1013.25])
+def test_squeezed_air_gives_no_more_than_it_holds(pressure):
+    """Where the waves of a light table throw the disk: what is lost to any cause never falls, and energy adds up."""
+    mode = (
+        "surface={kind='modes', action='motion', modes=[{order=4, frequency=180.0, damping_ratio=0.02, modal_mass=M}]}"
+    )
+    low = "release.inclination_deg=2.0", "release.omega=[0.0, 1.011, 5.929]", "numerics.accuracy=draft"
+    scene = load_scene("light-plate").replace(
+        mode.replace("M", "0.1"), *low, "air.film=acts", f"air.pressure={pressure}"
+    )
+    motion = simulate(scene, surface_modes=surface_modes(scene))
+    first = motion.energy([0.0])[0]
+    assert motion.largest_regain() < 1e-12 * first
+    assert np.abs(motion.energy(motion.t) + motion.lost(motion.t).sum(axis=1) - first).max() < 1e-8 * first
 
 
 def test_fitted_friction_counts_roughness_once():

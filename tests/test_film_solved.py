@@ -10,7 +10,7 @@ from scipy.integrate import quad
 from scipy.special import jv, k0, k1
 
 from dynamics import Air, Disk
-from dynamics.film.forces import FLATTENS, SLIP, forces
+from dynamics.film.forces import FLATTENS, SLIP, forces, holds
 from dynamics.film.law import FALLING, TURNING, film_under
 from dynamics.film.reynolds import FilmMesh, compressible, mobility_of
 
@@ -128,6 +128,12 @@ def solved(mesh, P):
     return np.array([mesh.integral(P - 1, -y), mesh.integral(P - 1, 1 + x), mesh.integral(P - 1)]) / np.pi
 
 
+def held(mesh, P):
+    """int h (P ln P - P + 1) dA of a solved pressure over p pi R^3; next to the contact it passes below nothing."""
+    at = np.asarray(mesh.basis.interpolate(P))
+    return (mesh.area * mesh.height * (at * np.log(np.maximum(at, 1e-300)) - at + 1)).sum() / np.pi
+
+
 def compare(mesh, numbers):
     P = None
     for Lam in numbers:
@@ -135,6 +141,7 @@ def compare(mesh, numbers):
         still, falls = solved(mesh, P), (solved(mesh, mesh.turning(Lam, P, falling=0.01)) - solved(mesh, P)) / 0.01
         assert by_law(Lam) == pytest.approx(still, rel=0.08)
         assert by_law(Lam)[0] == pytest.approx(still[0], rel=0.03)
+        assert holds(1.0, Lam, 1 / FLATTENS, 1.0, 0.0) == pytest.approx(held(mesh, P), rel=0.05)
         assert by_law(Lam)[2] == pytest.approx(still[2], rel=0.05)
         assert (by_law(Lam, 0.01) - by_law(Lam))[1:] / 0.01 == pytest.approx(falls[1:], rel=0.06)
 

@@ -150,6 +150,24 @@ def test_what_is_not_solved_is_refused_in_one_line(elastic):
     assert step_rate(elastic.replace(TABLE, "numerics.accuracy=draft")) < 4e5  # which a draft then takes
 
 
+def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(elastic):
+    light = TABLE.replace("order=2, frequency=600.0", "order=4, frequency=180.0").replace("=1.0", "=0.02")
+    scene = elastic.replace(light, "release.inclination_deg=2.0", "release.omega=[0.0, 1.011, 5.929]")
+    with pytest.raises(SceneError, match=r"no first step: the table bends"):
+        solve_motion(scene, table=surface_modes(scene))
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
+    """A tilted table, or one of two waves, on which a disk would rattle on for as long as it is followed."""
+    low = "release.inclination_deg=0.3", "release.omega=[0,0.39134,2.29607]", "numerics.accuracy=draft"
+    light = TABLE.replace("order=2", f"order={order}").replace("modal_mass=1.0", "modal_mass=0.05")
+    scene = elastic.replace(light, *low, "numerics.time_limit=6")
+    motion = solve_motion(scene, table=surface_modes(scene))
+    assert motion.outcome is Outcome.SETTLED
+    assert motion.largest_regain() < 1e-12 * motion.energy(0.0)[0]
+
+
 def test_a_heavy_table_is_a_rigid_one(elastic):
     """A thousand times the mass: the motion is that on the elastic contact alone, within its vibration."""
     low = "release.inclination_deg=0.2", "release.omega=[0.0, 0.0, 1.8]", "numerics.time_limit=0.05"

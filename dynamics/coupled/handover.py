@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from ..film.forces import holds
 from .contact import LEAST_INCLINATION
 from .profile import height
 from .resonance import inertias
@@ -15,9 +16,12 @@ from .state import (
     LAST,
     LOSSES,
     MOMENTUM,
+    NUMBER,
     PATH,
     SIZE,
+    SLIP,
     SPRING,
+    SQUEEZED,
     STIFFNESS,
     SURFACE,
     TABLE,
@@ -58,6 +62,7 @@ def release(model, state, force=None) -> np.ndarray:
         c[K1 : K2 + 1],
     )  # along t = -a_1, d = a_2
     y[FORCE], y[LAST : LAST + 2], y[GAP], y[[PATH, EDGE]] = N, N, -delta, -R * state[2]
+    y[SQUEEZED] = holds(np.sin(beta), w3 / np.sin(beta), *model.constants[NUMBER : SLIP + 1])
     return y
 
 
@@ -68,16 +73,15 @@ def inclination(y) -> np.ndarray:
 
 def energy(model, y) -> np.ndarray:
     """Return kinetic, potential and elastic energy [J] of states (n, SIZE), zero for the disk lying flat, with that of
-    the modes of the table."""
+    the modes of the table and of squeezed air."""
     (J1, J2), L, n = inertias(model.table.law.disk), y[:, MOMENTUM : MOMENTUM + 3], y[:, AXIS : AXIS + 3]
     moving = model.table.law.disk.mass * np.sum(y[:, VELOCITY:AXIS] ** 2, axis=1)
     turning = np.sum(L * L, axis=1) / J1 + (1 / J2 - 1 / J1) * np.sum(L * n, axis=1) ** 2
     stiffness = model.table.columns(np.maximum(inclination(y), LEAST_INCLINATION))[:, K]
     pressed = 0.8 * stiffness * np.maximum(0.0, -y[:, GAP]) ** 2.5
     springs = np.sum(y[:, STIFFNESS : STIFFNESS + 2] * y[:, SPRING : SPRING + 2] ** 2, axis=1)
-    return (
-        (moving + turning + pressed + springs) / 2 + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE]) + y[:, SURFACE]
-    )
+    moved = (moving + turning + pressed + springs) / 2
+    return moved + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE]) + y[:, SURFACE] + y[:, SQUEEZED]
 
 
 def columns(model, y) -> np.ndarray:

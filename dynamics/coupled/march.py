@@ -7,7 +7,7 @@ from . import gap, normal, profile, state, table, tangential, waves, waving
 from .compiled import fingerprint, kernel, outermost
 from .gap import locate
 from .normal import step_normal
-from .state import ALOFT, BORNE, FORCE, GAP, LIFT, SINE, SLIDES, SURFACE, TANGENTIAL, TURNING, WEIGHT
+from .state import ALOFT, BORNE, FORCE, GAP, LIFT, OWED, SINE, SLIDES, SURFACE, TANGENTIAL, TURNING, WEIGHT
 from .tangential import step_tangential
 from .waves import FLAT_FOR, energy_of
 from .waving import hold_waving, soften, step_waving
@@ -15,7 +15,8 @@ from .waving import hold_waving, soften, step_waving
 FALLS = 0.6
 """A disk is flat where a step takes as much of its inclination: it would soon pass through the table."""
 LIES, RESTS = 1e-5, 0.02
-"""On a table that waves a disk is flat that has been below so many rad for so long [s]."""
+"""On a table that waves a disk is flat that has been below so many rad for so long [s], or that a change to another
+wave brings to rest (OWED): on several waves at once one contact has no law, and would rattle without end."""
 LONG, HALF = 2e-3, 0.5
 """The air carries a disk that has been without contact for so long [s], while it bore that part of the weight."""
 GOES, FLAT, UPRIGHT, UNSOLVED, CARRIED = range(5)
@@ -51,7 +52,7 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
             if waving:
                 solved = step_waving(y, law, start, per_unit, spline, waves, scratch, h)
                 waves.contact[FLAT_FOR] = waves.contact[FLAT_FOR] + 1 if y[SINE] < LIES else 0
-                flat = waves.contact[FLAT_FOR] * h > RESTS
+                flat = waves.contact[FLAT_FOR] * h > RESTS or y[OWED] > 0
             else:
                 solved = step_normal(y, law, start, per_unit, spline, table, rim, h)
                 flat = y[SINE] < FALLS * sine

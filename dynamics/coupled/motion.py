@@ -13,10 +13,11 @@ from ..film.law import Film
 from ..motion import COLUMNS, Jumps, Outcome, Transition
 from ..rates import precession_rate
 from ..rigid_motion import HARMONICS, read_only
+from ..switching import ImpossibleContactError
 from .choice import acts_back, first_force
 from .contact import LEAST_INCLINATION
 from .from_scene import last_inclination, law_table, step_rate
-from .full import Compliant, ContactLoss
+from .full import ENDS, Compliant, ContactLoss
 from .handover import columns, energy, inclination, release
 from .march import CARRIED, FLAT, GOES, LIES, UNSOLVED, UPRIGHT
 from .record import Record, between
@@ -285,8 +286,12 @@ def solve(
         impulses.append(given[1:])
         slides.append(np.reshape(piece.slips, (-1, 2)))
         losses.append(np.reshape(piece.losses, (-1, 3)))
-        watch(float(piece.t[-1]), float(inclination(y[None])[0]), "")
+        if len(piece.t):
+            watch(float(piece.t[-1]), float(inclination(y[None])[0]), "")
     written, flights = rows.rows(), losses.rows()
+    if len(written) < 2:
+        bent = "the table bends so far that the disk touches another wave of it than that on which it was let go"
+        raise ImpossibleContactError(f"no first step: {ENDS[piece.why] if model.modes is None else bent}")
     end = np.flatnonzero(written[:, 1] >= last)[-1]
     if piece.why == CARRIED:  # it ends where the contact was lost
         end, flights = int(flights[-1, 0] / (STATES * dt)), flights[:-1]

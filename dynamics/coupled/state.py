@@ -20,7 +20,11 @@ SPARED = 40
 """Energy [J] that fitted friction was spared, since contact and creep had taken it."""
 LIFT, ALOFT, BORNE = 41, 42, 43
 """Lift of the film [N]; of a flight that goes on, its duration [s] and the impulse of that lift [N s]."""
-SIZE = 44
+SQUEEZED = 44
+"""Energy [J] of the squeezed air of the film."""
+OWED = 45
+"""Energy [J] that a change to another wave of the table took, and that nothing had which moved."""
+SIZE = 46
 MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE, VISCOUS_MOMENT, VISCOUS_FORCE = *range(9), 11, 12, 13
 """Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table, viscous loads."""
 TURNING, FALLING, INERTIA, NUMBER, AMBIENT, SLIP, FITTED = range(14, 21)

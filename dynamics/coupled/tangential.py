@@ -9,12 +9,14 @@ are clipped where they stop it, so each takes kinetic energy. Friction that was 
 contact and creep take: its moments of rolling are spared that.
 
 The film of air (film/law.py) turns against omega_3, and presses on the face where its resultant lies, against the
-velocity there: of a contact that stands that is its law, and it takes energy whatever the contact does.
+velocity there: of a contact that stands that is its law. Squeezed air holds what it is given, up to the energy that
+such a film has, and loses the rest; it presses no longer where it would give more than it holds, whatever the contact
+does.
 """
 
 import numpy as np
 
-from ..film.forces import parts
+from ..film.forces import holds, parts
 from .compiled import kernel
 from .gap import column
 from .state import (
@@ -43,6 +45,7 @@ from .state import (
     SPARED,
     SPEED,
     SPRING,
+    SQUEEZED,
     STIFFNESS,
     TANGENTIAL,
     TURNING,
@@ -51,7 +54,7 @@ from .state import (
 )
 from .table import K1, K2, LENGTH1, LENGTH2
 
-film = kernel(parts)
+film, most_held = kernel(parts), kernel(holds)
 NEVER = 1e-30
 """Added to a precession rate, by which the drag is divided."""
 
@@ -183,8 +186,11 @@ def press(y, law, s, c, d0, d1, reach, h):
     if borne > 0:
         arm = reach - law[RADIUS] * tip / lift
         v, yields = y[5] - arm * (y[10] * d0 - y[9] * d1) / J, 1 / m + arm * arm / J
-        y[LOSSES + 5] -= borne * (v + borne * yields / 2)
+        borne = min(borne, (np.sqrt(v * v + 2 * yields * y[SQUEEZED]) - v) / yields)  # it gives what it holds
+        y[SQUEEZED] = max(0.0, y[SQUEEZED] - borne * (v + borne * yields / 2))
         y[5], y[9], y[10] = y[5] + borne / m, y[9] + arm * borne * d1, y[10] - arm * borne * d0
+    held = min(y[SQUEEZED], most_held(s, rate, law[NUMBER], law[AMBIENT], law[SLIP]))
+    y[LOSSES + 5], y[SQUEEZED] = y[LOSSES + 5] + y[SQUEEZED] - held, held
     y[LIFT] = (push + borne) / h
 
 

@@ -29,11 +29,13 @@ from .state import (
     LAST,
     LOSSES,
     MASS,
+    OWED,
     PART,
     RADIUS,
     SINE,
     SPEED,
     SPRING,
+    SQUEEZED,
     STIFFNESS,
     WEIGHT,
 )
@@ -127,9 +129,9 @@ def hold_waving(y, law, powers, spline, waves, h):
 
 @kernel
 def stored(y):
-    """Return the energy of the springs and what was lost so far."""
+    """Return the energy of the springs and of squeezed air, and what was lost so far."""
     springs = y[STIFFNESS] * y[SPRING] ** 2 + y[STIFFNESS + 1] * y[SPRING + 1] ** 2
-    return springs / 2 + y[LOSSES + 1] + y[LOSSES + 2] + y[LOSSES + 3] + y[LOSSES + 5]
+    return springs / 2 + y[SQUEEZED] + y[LOSSES + 1] + y[LOSSES + 2] + y[LOSSES + 3] + y[LOSSES + 5]
 
 
 @kernel
@@ -143,7 +145,8 @@ def kinetic(y, law):
 @kernel
 def put_back(y, law, waves, work):
     """Change the kinetic energy of the disk by a work, every velocity in proportion; what it has not the gap gives, and
-    what that has not, where a disk that lies all but flat comes to another wave, the velocities of the modes."""
+    what that has not, where a disk that lies all but flat comes to another wave, the velocities of the modes. What
+    none of them has is owed: all is at rest, and the motion ends."""
     energy = kinetic(y, law)
     change = max(work, -energy)
     scale = np.sqrt(1 + change / energy) if energy > 0 else 0.0
@@ -160,4 +163,4 @@ def put_back(y, law, waves, work):
     if moving > 0 and left > 0:
         waves.state[:, V] *= np.sqrt(max(0.0, 1 - left / moving))
         left -= min(left, moving)
-    y[LOSSES] -= left
+    y[LOSSES], y[OWED] = y[LOSSES] - left, y[OWED] + left

@@ -43,3 +43,15 @@ def parts(s, rate, turning, falling, inertia, number, ambient, slip):
     tip = (0.00189 * u + 0.00436 * u2) / (1.0 + 0.00778 * u2)
     fall, lever = falling / (square * (s + 0.5 * slip)), 4.0 / 3.0 + 5.0 / 12.0 * share
     return turning * drag * heavy * share, fall, lever, ambient * tip, ambient * lift
+
+
+def holds(s, rate, number, ambient, slip):
+    """Return the energy of the air that a film squeezes as it turns: s p pi R^3 times the mean of h (P ln P - P + 1).
+
+    P and h are over those around and in the middle. By the flow of mass, the work on the face is what this grows by and
+    int h^3 |grad p|^2/(12 mu) dA, which is lost: so no more than this comes back. Constants are those of `parts`.
+    """
+    lam = number * rate / (s * s + slip * s)
+    u = (1.0 + lam * lam) ** 0.25 - 1.0
+    share = u * (0.000558 + u * (0.000712 + u * 0.000269)) / (1.0 + u * u * (0.00916 + u * 0.000565))
+    return ambient * s * share
