@@ -13,8 +13,6 @@ from sonify.plan.predictions import END, SOUND, Prediction
 from sonify.scene import Scene, SceneError
 from sonify.sound.table import after_a_newton, contact_place
 
-LOUD = 3.0
-"""Seconds of its end that hold as much energy as all the sound of a table: of the glass plate, tests/test_plan.py."""
 BENT = 0.5
 """Deflection over thickness beyond which a plate also stretches: linear theory is left."""
 
@@ -49,7 +47,7 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     """
     if scene.imperfection:
         heard_so = with_table_heard(plan.predictions, scene)
-        plan = replace(plan, predictions=heard_so, modelled=(*plan.modelled, WAVY))
+        plan = replace(plan, predictions=heard_so, modelled=(*plan.modelled, WAVY), left_out=(*plan.left_out, UNTOLD))
     if scene.surface.kind == "rigid":
         return replace(plan, left_out=(*plan.left_out, RIGID)), None
     if scene.surface.kind == "infinite":
@@ -76,23 +74,19 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     )
     plan = replace(plan, predictions=with_table_heard(plan.predictions, scene))
     plan = replace(plan, decisions=(*plan.decisions, *told), modelled=(*plan.modelled, *MODELLED[scene.surface.kind]))
-    left_out = LEFT_OUT[told[0].choice != SOUNDS :]
+    left_out = (*LEFT_OUT[told[0].choice != SOUNDS :], UNTOLD)
     return replace(plan, left_out=(*plan.left_out, *left_out, *bending(every, scene))), modes
 
 
 def with_table_heard(predictions, scene: Scene) -> tuple[Prediction, ...]:
-    """Return the predictions with the error of samples of which most are the table's: the end that is cut off.
+    """Return the predictions that hold beside a table: not its samples, nor the end of a motion that waves shake.
 
-    Its modes are in tune. What shakes at every step is another noise at every accuracy; of a rough contact the sound is
-    that contact's.
+    Of a rough contact the sound is that contact's.
     """
     if scene.roughness:
         return predictions
-    early = next((p.error for p in predictions if p.name == END), 0.0)
-    shaken = acts_back(scene) or scene.imperfection
-    error, source = (2**0.5, SHAKEN) if shaken else ((early / LOUD) ** 0.5, CUT)
-    kept = [p for p in predictions if not shaken or p.name != END]  # the end of a motion that is shaken is chance, too
-    return tuple(replace(p, error=error, source=source) if p.name == SOUND else p for p in kept)
+    unknown = {SOUND, END} if acts_back(scene) or scene.imperfection else {SOUND}
+    return tuple(p for p in predictions if p.name not in unknown)
 
 
 def action(scene: Scene, modes: SurfaceModes) -> Decision:
@@ -144,8 +138,7 @@ WAVY = (
     "The table is wavy round the circle of the contact, which goes with the disk; the contact is where the gap between "
     "rim and waves is least."
 )
-SHAKEN = "a contact that is lost on moving waves is another noise at every step"
-CUT = "the table is loudest at the end, of which the last is cut off"
+UNTOLD = "How far the samples of a table's sound are from those of a finer run: that is not predicted."
 RIGID = "The sound of the table, which is rigid."
 SOUNDS = "it only sounds"
 UNDER = (
