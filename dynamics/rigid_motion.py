@@ -158,13 +158,14 @@ class RigidMotion:
         return float((self.path.x[-2] - r[-1] / slope) * self.disk.time_unit)
 
     def _tau(self, t):
-        tau = np.atleast_1d(np.asarray(t, dtype=float)) / self.disk.time_unit
-        if tau.ndim > 1:
-            raise ValueError(f"t must be a time or a row of times [s], not an array of shape {tau.shape}")
-        end = self.path.x[-1]
+        t = np.atleast_1d(np.asarray(t, dtype=float))
+        if t.ndim > 1:
+            raise ValueError(f"t must be a time or a row of times [s], not an array of shape {t.shape}")
+        tau, end = t / self.disk.time_unit, self.path.x[-1]
         if tau.size and not (tau.min() >= 0 and tau.max() <= end * (1 + 1e-14)):
             raise ValueError(f"t must lie within the motion, 0 to {end * self.disk.time_unit:.9g} s")
-        return np.minimum(tau, end)
+        piece = np.searchsorted(self.t[:-1], t, side="right") - 1
+        return np.clip(tau, self.path.x[piece], end)  # the quotient may round to before the piece in which t begins
 
     def _piece(self, tau):
         return np.clip(np.searchsorted(self.path.x, tau, side="right") - 1, 0, len(self.regime_of_piece) - 1)

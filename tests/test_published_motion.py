@@ -66,6 +66,13 @@ def test_times_and_loads_of_the_transitions(motion):
         assert loads == pytest.approx((want["Phi_before"], want["Phi_after"]), abs=1e-7)
 
 
+def test_at_a_jump_the_force_is_the_one_after_it(motion):
+    """A time in seconds, divided by its unit, may round to just before the instant it was made from."""
+    jumps = motion.jumps
+    assert len(jumps.t) > 100
+    np.testing.assert_allclose(motion.force(jumps.t), jumps.after, rtol=1e-9, atol=1e-9 * motion.disk.weight)
+
+
 def test_counts_of_slips(motion):
     slips = np.array([s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")])
     counts = [int(np.sum(slips < tau * motion.disk.time_unit)) for tau in (50, 100, 150, 200, 250)]
