@@ -22,13 +22,14 @@ LEVELS, WIDE, WORDS = 12, 300.0, 16
 @dataclass(frozen=True, kw_only=True)
 class Map:
     """Columns `of` over `x`, and `y` if there is one: `columns` by name, as lists with None where there is no value;
-    the names in `logs` have logarithmic scales."""
+    the names in `logs` have logarithmic scales, those in `units` a unit."""
 
     x: str
     y: str | None
     of: str
     columns: dict[str, list]
     logs: set[str]
+    units: dict[str, str]
 
     def points(self) -> dict[tuple, list]:
         """Return the values by place (x) or (x, y), what is None left out."""
@@ -50,6 +51,7 @@ def draw_map(what: Map, path):
     values = [value for found in points.values() for value in found]
     shared = max(map(len, points.values()))
     with figure_at(path, 1, 1, (8, 5.5)) as (figure, panel):
+        figure.subplots_adjust(left=0.13)
         where = {name: _scaled(panel, k, name, what) for k, name in enumerate(what.over)}
         places = np.array([[where[name][v] for name, v in zip(what.over, place, strict=True)] for place in points])
         known = np.array([bool(found) for found in points.values()])
@@ -68,7 +70,7 @@ def draw_map(what: Map, path):
 def _scaled(panel, k, name, what):
     """Scale and label an axis of the panel; return the coordinate of every value on it."""
     values, axis = list(dict.fromkeys(what.columns[name])), (panel.xaxis, panel.yaxis)[k]
-    axis.set_label_text(name)
+    axis.set_label_text(f"{name} [{what.units[name]}]" if name in what.units else name)
     if all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
         if name in what.logs:
             (panel.set_xscale, panel.set_yscale)[k]("log")
@@ -116,7 +118,12 @@ def _categories(panel, places, words):
         here = places[np.array(words) == name]
         flat = np.full(len(here), names.index(name))
         panel.plot(
-            here[:, 0], here[:, 1] if here.shape[1] == 2 else flat, mark, color=colour, ls="", label=fill(name, WORDS)
+            here[:, 0],
+            here[:, 1] if here.shape[1] == 2 else flat,
+            mark,
+            color=colour,
+            ls="",
+            label=fill(name.replace("_", " "), WORDS),
         )
     _legend(panel)
 

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from sonify.report.maps import Map, draw_map
 from sonify.scene_errors import InputError
+from sonify.scene_keys import keys as scene_keys
 from sonify.sweeps.axes import Samples, points_of
 from sonify.sweeps.table import NAME, read_table
 
@@ -28,7 +29,8 @@ def make_map(
     logs = {key for axis in axes if axis.log for key in axis.keys}
     out = Path(out or Path(path).with_name(f"{of}.png"))
     columns = {name: table[name].to_pylist() for name in (x, y, of) if name}
-    draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs), out)
+    units = {key.name: key.unit for key in scene_keys() if key.unit != "-"}
+    draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs, units=units), out)
     return out
 
 
