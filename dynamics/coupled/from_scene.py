@@ -38,15 +38,20 @@ def contact_law(scene: ContactScene) -> ContactLaw:
     return scene.contact.law_of(scene.disk, scene.material)
 
 
-def law_table(scene: ContactScene, kind: type[LawTable] = LawTable) -> LawTable:
-    """Return that law by table, with what the edge of the disk yields where the scene has it bend; threads share it."""
-    bends = scene.contact.body == "elastic"
-    return _tabulated(kind, contact_law(scene), getattr(scene, "edge", None) if bends else None)
+def law_table(scene: ContactScene, kind: type[LawTable] = LawTable, moves: float = 0.0) -> LawTable:
+    """Return that law by table, with what the edge of the disk yields where the scene has it bend, but for its modes
+    below `moves` [Hz]; threads share it."""
+    return _tabulated(kind, contact_law(scene), edge_of(scene), moves)
+
+
+def edge_of(scene: ContactScene):
+    """Return the `Edge` of the disk of a scene that has it bend, or None."""
+    return getattr(scene, "edge", None) if scene.contact.body == "elastic" else None
 
 
 @lru_cache(maxsize=16)
-def _tabulated(kind, law, edge):
-    return kind(law=law, edge=edge)
+def _tabulated(kind, law, edge, moves):
+    return kind(law=law, edge=edge, moves=moves)
 
 
 def last_inclination(scene: ContactScene) -> float:

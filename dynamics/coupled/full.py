@@ -14,6 +14,7 @@ import numpy as np
 
 from ..disk import LARGEST, Friction
 from ..film.law import Film
+from .bending import RIGID, Bending
 from .contact import LEAST_INCLINATION
 from .handover import inclination
 from .march import CARRIED, FLAT, GOES, UNSOLVED, UPRIGHT, march
@@ -66,7 +67,8 @@ class Compliant:
     [N m s] and a force [N s/m] per velocity.
 
     `profiles` of table and edge; `impedance` Z [N s/m] of the table; `modes` (`modal.SurfaceModes`)
-    with which it moves, or its `imperfection`, none unless given; the `film` of air; whether friction was `fitted` to
+    with which it moves, and those of the disk that move with them, `bending`, or its `imperfection`, none unless given;
+    the `film` of air; whether friction was `fitted` to
     a rough disk and holds what contact and creep take; `rate` of the steps [1/s].
     """
 
@@ -77,6 +79,7 @@ class Compliant:
     profiles: tuple[Profile, Profile] = (SMOOTH, SMOOTH)
     impedance: float = np.inf
     modes: Any = None
+    bending: Bending = RIGID
     imperfection: Imperfection | None = None
     film: Film | None = None
     fitted: bool = False
@@ -134,7 +137,7 @@ class Compliant:
         """Return the modes of the table as they carry a disk in the state y, which is raised onto them."""
         if self.imperfection is not None:
             return wavy(self.imperfection, y, self.constants)
-        waves = still(self.modes, 1 / self.rate)
+        waves = still(self.modes, 1 / self.rate, self.bending)
         settle(waves, self.modes, self, y)
         return waves
 

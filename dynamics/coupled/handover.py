@@ -8,6 +8,7 @@ from .profile import height
 from .resonance import inertias
 from .state import (
     AXIS,
+    BODY,
     CAUSES,
     EDGE,
     FORCE,
@@ -73,7 +74,7 @@ def inclination(y) -> np.ndarray:
 
 def energy(model, y) -> np.ndarray:
     """Return kinetic, potential and elastic energy [J] of states (n, SIZE), zero for the disk lying flat, with that of
-    the modes of the table and of squeezed air."""
+    the modes of table and disk and of squeezed air."""
     (J1, J2), L, n = inertias(model.table.law.disk), y[:, MOMENTUM : MOMENTUM + 3], y[:, AXIS : AXIS + 3]
     moving = model.table.law.disk.mass * np.sum(y[:, VELOCITY:AXIS] ** 2, axis=1)
     turning = np.sum(L * L, axis=1) / J1 + (1 / J2 - 1 / J1) * np.sum(L * n, axis=1) ** 2
@@ -81,7 +82,7 @@ def energy(model, y) -> np.ndarray:
     pressed = 0.8 * stiffness * np.maximum(0.0, -y[:, GAP]) ** 2.5
     springs = np.sum(y[:, STIFFNESS : STIFFNESS + 2] * y[:, SPRING : SPRING + 2] ** 2, axis=1)
     moved = (moving + turning + pressed + springs) / 2
-    return moved + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE]) + y[:, SURFACE] + y[:, SQUEEZED]
+    return moved + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE]) + y[:, SURFACE] + y[:, BODY] + y[:, SQUEEZED]
 
 
 def columns(model, y) -> np.ndarray:

@@ -3,11 +3,11 @@
 import numpy as np
 
 from ..film import forces
-from . import gap, normal, profile, state, table, tangential, waves, waving
+from . import bending, gap, normal, profile, state, table, tangential, waves, waving
 from .compiled import fingerprint, kernel, outermost
 from .gap import locate
 from .normal import step_normal
-from .state import ALOFT, BORNE, FORCE, GAP, LIFT, OWED, SINE, SLIDES, SURFACE, TANGENTIAL, TURNING, WEIGHT
+from .state import ALOFT, BODY, BORNE, FORCE, GAP, LIFT, OWED, SINE, SLIDES, SURFACE, TANGENTIAL, TURNING, WEIGHT
 from .tangential import step_tangential
 from .waves import FLAT_FOR, energy_of
 from .waving import hold_waving, soften, step_waving
@@ -28,7 +28,7 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
     flights, slips = events
     flying, sliding, flight, slip = flights[0, 0] == flights[0, 0], slips[0, 0] == slips[0, 0], 0, 0
     locate(y, start, per_unit, spline)
-    forces[:], scratch, waving = 0.0, np.zeros((7, 6)), waves.state.shape[0] > 0
+    forces[:], scratch, waving = 0.0, np.zeros((8, 6)), waves.state.shape[0] > 0
     part = every * len(rows) // len(forces)  # steps over which a force is meant
     behind, now, left, share = 0, 0, part, 1 / (2 * part)
     for row in range(len(rows)):
@@ -70,7 +70,7 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
                 return CARRIED, row, flight, slip
         if waving:
             soften(y, waves, spline)
-            y[SURFACE] = energy_of(waves)
+            y[SURFACE], y[BODY] = energy_of(waves)
         rows[row] = y
         if (y[SINE] < last and not waving) or y[8] <= 0:
             return (UPRIGHT if y[8] <= 0 else FLAT), row + 1, flight, slip
@@ -116,4 +116,4 @@ def _compiled(version):
     return march
 
 
-march = _compiled(fingerprint(forces, gap, normal, profile, state, table, tangential, waves, waving))
+march = _compiled(fingerprint(bending, forces, gap, normal, profile, state, table, tangential, waves, waving))

@@ -14,16 +14,17 @@ from ..motion import COLUMNS, Jumps, Outcome, Transition
 from ..rates import precession_rate
 from ..rigid_motion import HARMONICS, read_only
 from ..switching import ImpossibleContactError
+from .bending import MOVES, RIGID, bending_of
 from .choice import acts_back, first_force
 from .contact import LEAST_INCLINATION
-from .from_scene import last_inclination, law_table, step_rate
+from .from_scene import edge_of, last_inclination, law_table, step_rate
 from .full import ENDS, Compliant, ContactLoss
 from .handover import columns, energy, inclination, release
 from .march import CARRIED, FLAT, GOES, LIES, UNSOLVED, UPRIGHT
 from .record import Record, between
 from .resonance import mobility
 from .roughness import profiles
-from .state import CAUSES, EXCESS, LOSSES, SURFACE
+from .state import BODY, CAUSES, EXCESS, LOSSES, SURFACE
 from .table import InSeries
 
 FORCES_A_SECOND, STATES = 1e5, 4
@@ -41,9 +42,10 @@ OUTCOMES = {
     GOES: Outcome.TIME_LIMIT,
     CARRIED: Outcome.AIRBORNE,
 }
-ENERGY, TABLE = len(COLUMNS), len(COLUMNS) + 1 + len(CAUSES)
+ENERGY, TABLE, DISK = len(COLUMNS), len(COLUMNS) + 1 + len(CAUSES), len(COLUMNS) + 2 + len(CAUSES)
 LOST = slice(ENERGY + 1, TABLE)
-"""Kept of a state besides COLUMNS: its energy, what was lost to each of CAUSES, the energy of the table's modes [J]."""
+"""Kept of a state besides COLUMNS: its energy, what was lost to each of CAUSES, the energies of the modes of table and
+disk [J]."""
 
 
 class Losses(Sequence):
@@ -170,12 +172,16 @@ class CompliantMotion:
         return self._line(self._place(t))[:, ENERGY]
 
     def lost(self, t) -> np.ndarray:
-        """Return what was lost to each of CAUSES until t (k,) [s], (k, 6) [J]."""
+        """Return what was lost to each of CAUSES until t (k,) [s], (k, 7) [J]."""
         return self._line(self._place(t))[:, LOST]
 
     def table_energy(self, t) -> np.ndarray:
         """Return the energy of the modes of the table at t (k,) [s], (k,) [J]: 0 of a table that does not act back."""
         return self._line(self._place(t))[:, TABLE]
+
+    def bending_energy(self, t) -> np.ndarray:
+        """Return the energy of the elastic modes of the disk at t (k,) [s], (k,) [J]: 0 of those that do not move."""
+        return self._line(self._place(t))[:, DISK]
 
     def largest_regain(self) -> float:
         """Return by how much [J] the energy lost to any one cause ever falls, from any row to any later one."""
@@ -245,7 +251,7 @@ class CompliantMotion:
         return np.minimum(t / (STATES * self.dt), len(self.rows) - 1)
 
     def _line(self, x) -> np.ndarray:
-        """Return rows (k, 19) at places x (k,) by straight lines, on which a balance between rows holds as at them."""
+        """Return rows (k, 21) at places x (k,) by straight lines, on which a balance between rows holds as at them."""
         first = np.minimum(x.astype(int), len(self.rows) - 2)
         return self.rows[first] + (x - first)[:, None] * (self.rows[first + 1] - self.rows[first])
 
@@ -312,8 +318,9 @@ def solve(
 def compliant(scene, modes=None) -> Compliant:
     """Return the model of a scene, on a table that acts back by its modes where they are given."""
     dissipation, disk = getattr(scene, "dissipation", None), scene.disk
+    bends = modes is not None  # the disk then does so by its modes
     return Compliant(
-        table=law_table(scene, InSeries),
+        table=law_table(scene, InSeries, moves=MOVES * bends),
         friction=scene.friction,
         powers=tuple(power_laws(dissipation, disk)) if dissipation else (),
         viscous=(dissipation.viscous_moment, dissipation.viscous_force) if dissipation else (0.0, 0.0),
@@ -321,19 +328,20 @@ def compliant(scene, modes=None) -> Compliant:
         film=film_of(scene).film,
         fitted=scene.roughness is not None and scene.roughness.loss == "fitted",
         modes=modes,
+        bending=bending_of(edge_of(scene), scene.material.loss_factor) if bends else RIGID,
         imperfection=getattr(scene, "imperfection", None),
         rate=step_rate(scene),
     )
 
 
 def _kept(model, y) -> np.ndarray:
-    """Return what is kept of states y (k, SIZE), (k, 19); the precession is in (-pi, pi]."""
+    """Return what is kept of states y (k, SIZE), (k, 21); the precession is in (-pi, pi]."""
     lost = y[:, LOSSES : LOSSES + len(CAUSES)]
-    return np.column_stack([columns(model, y), energy(model, y), lost, y[:, SURFACE]])
+    return np.column_stack([columns(model, y), energy(model, y), lost, y[:, SURFACE], y[:, BODY]])
 
 
 def _unwound(rows, dt) -> np.ndarray:
-    """Return rows (k, 19), dt [s] apart, with the precession going on from the first of them at its rate."""
+    """Return rows (k, 21), dt [s] apart, with the precession going on from the first of them at its rate."""
     rate = precession_rate(rows)
     step = np.diff(rows[:, 0])
     step -= 2 * np.pi * np.rint((step - (rate[1:] + rate[:-1]) / 2 * dt) / (2 * np.pi))

@@ -29,7 +29,8 @@ class Contact:
     loss_factor: Annotated[float, Ge(0), Lt(1)] = 0.02
     """Loss of energy per radian over the energy of the contact's normal resonance."""
     body: Literal["elastic", "rigid"] = "elastic"
-    """Whether a solid disk bends as a whole at its contact, in series with the springs of the edge, or is rigid."""
+    """Whether a solid disk bends as a whole at its contact, in series with the springs of the edge, or is rigid; on a
+    table that acts back those of its modes move that are below 20 kHz."""
     young: Annotated[float, Ge(1), Le(1e15)] = 60e9
     """Young's modulus of the table where the disk touches it [Pa]; that of granite unless given."""
     poisson: Annotated[float, Gt(-1), Lt(0.5)] = 0.2

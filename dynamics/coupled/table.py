@@ -20,7 +20,8 @@ HALVINGS = 40
 
 class Edge(Protocol):
     """What the disk yields as a body at its edge, along radius, rim and axis: the flexibility (3, 3) [m/N] of all its
-    elastic modes; of the lowest of them w^2 (m,) [1/s^2] and shapes (m, 3) [kg^-1/2]. `modal.yielding_edge` finds it.
+    elastic modes; of the lowest of them w^2 (m,) [1/s^2], shapes (m, 3) [kg^-1/2], and `order` (m,), the waves round
+    the rim. `modal.yielding_edge` finds it.
     """
 
     @property
@@ -29,6 +30,8 @@ class Edge(Protocol):
     def squared(self) -> np.ndarray: ...
     @property
     def shapes(self) -> np.ndarray: ...
+    @property
+    def order(self) -> np.ndarray: ...
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -36,12 +39,14 @@ class LawTable:
     """The columns of a law over x = ln sin(beta); a and every spring grow as the cube root of the load.
 
     `damping` [N s/m] at the weight replaces the loss factor of the law where it is given. Without an `edge` that yields
-    in series with the springs the disk is rigid.
+    in series with the springs the disk is rigid; its modes below `moves` [Hz] are not in series along the vertical, for
+    they move by themselves (bending.py).
     """
 
     law: ContactLaw
     damping: float | None = None
     edge: Edge | None = None
+    moves: float = 0.0
 
     @cached_property
     def grid(self) -> np.ndarray:
@@ -113,6 +118,9 @@ class LawTable:
             yields = still + (shapes.swapaxes(1, 2) * more[:, None]) @ shapes
             below = square * (1 / kn + yields[:, 2, 2]) < W
             low, high = np.where(below, square, low), np.where(below, high, square)
+        moving = edge.squared < (2 * np.pi * self.moves) ** 2
+        apart = shapes[:, moving, 2] ** 2 / (edge.squared[moving] - square[:, None])
+        yields[:, 2, 2] -= apart.sum(axis=1)
         return CubicSpline(self.grid, yields)
 
 

@@ -1,8 +1,9 @@
-"""The modes of a table that deflects under the contact, and where along the rim it touches (compiled).
+"""The modes of table and disk, which deflect under the contact, and where along the rim these touch (compiled).
 
 The table rises by W = sum q_m w_m(x, y), w_m of modal mass 1. A mode q'' = -k q - c q' - N w~, with ~ for the mean of
 both ends of a step h, moves by the midpoint rule, whose k and c are such that it rings and decays at exactly its own
-rates whatever the step: its energy (q'^2 + k q^2)/2 changes by the work -N w~ dq less h c q'~^2.
+rates whatever the step: its energy (q'^2 + k q^2)/2 changes by the work -N w~ dq less h c q'~^2. So does a mode of the
+disk by which the rim is lowered by q w (bending.py).
 """
 
 from typing import NamedTuple
@@ -10,29 +11,28 @@ from typing import NamedTuple
 import numpy as np
 from scipy.interpolate import make_interp_spline
 
+from .bending import RIGID, Bending, read_rim, rim_shapes, ripple
 from .compiled import kernel
-from .state import AXIS, FORCE, HALF, J1, MOMENTUM, RADIUS, SPRING, SURFACE
+from .state import AXIS, BODY, FORCE, FREE, HALF, J1, MOMENTUM, NEXT, NOW, RADIUS, SPRING, SURFACE, Q, V
 
 SCANNED, OFTEN, SELDOM = 48, 16, 256
 """Places at which the whole rim is looked at, and after so many steps, where the table is bent or hardly is."""
 BENT = 1e-3
 """A table hardly is bent whose heights along the rim differ by less than this part of R sin(beta)."""
-Q, V, NOW, NEXT, FREE = range(5)
-"""Columns of the state of the modes: q, q', shapes at both ends of the step, what q would change by without a force."""
 STIFFNESS, DAMPING, EASE = range(3)
 """Columns of their constants: k, c, and 1/(1 + h c/2 + h^2 k/4)."""
 MOST = 4
-ANGLE, LEFT, STIFF, FLAT_FOR, COUNT, PLACES = range(6)
+ANGLE, LEFT, STIFF, FLAT_FOR, COUNT, TWIST, PLACES = range(7)
 """Of the contact: its direction, steps until the whole rim is looked at, stiffness K, steps for which the disk has lain
-flat, and the minima of the gap that are followed, at most MOST."""
+flat, how far the disk has turned about its axis [rad], and the minima of the gap that are followed, at most MOST."""
 
 
 class Waves(NamedTuple):
-    """m modes of a table, for the steps: splines of their shapes, constants, place of the origin, and their state.
+    """m modes, t of a table and then d of the disk, for the steps: shapes, constants, place of the origin, and state.
 
-    coefficients (a, b, m) over knots_x, knots_y [m]; constants (m, 3); place (2,) [m] in the frame of the splines, of
+    coefficients (a, b, t) over knots_x, knots_y [m]; constants (m, 3); place (2,) [m] in the frame of the splines, of
     the disk's centre if the modes go with it (`stays` = 0) as those do that are given by numbers, else of the origin
-    (1); state (m, 5); contact (PLACES + MOST,).
+    (1); state (m, 5); contact (PLACES + MOST,); `rim` (d, 4), the shapes of `Bending`.
     """
 
     coefficients: np.ndarray
@@ -43,10 +43,12 @@ class Waves(NamedTuple):
     stays: float
     state: np.ndarray
     contact: np.ndarray
+    rim: np.ndarray
 
 
-def still(modes=None, h: float = 1.0) -> Waves:
-    """Return the Waves of modes of a table (`modal.SurfaceModes`) at rest, for steps of h [s]; without any, none."""
+def still(modes=None, h: float = 1.0, body: Bending = RIGID) -> Waves:
+    """Return the Waves at rest of modes of a table (`modal.SurfaceModes`) and of the disk on it, for steps of h [s];
+    without a table, none."""
     if modes is None or not len(modes.frequency):
         none = np.zeros(0)
         return Waves(
@@ -58,16 +60,23 @@ def still(modes=None, h: float = 1.0) -> Waves:
             1.0,
             np.zeros((0, 5)),
             np.zeros(PLACES + MOST),
+            RIGID.shapes,
         )
-    decay = modes.decay_rate
-    root = -decay + 1j * np.sqrt((2 * np.pi * modes.frequency) ** 2 - decay**2 + 0j)
+    decay = np.append(modes.decay_rate, body.decay)
+    root = -decay + 1j * np.sqrt(np.append((2 * np.pi * modes.frequency) ** 2, body.squared) - decay**2 + 0j)
     midpoint = 2 / h * np.tanh(root * h / 2)
     k, c = np.abs(midpoint) ** 2, -2 * midpoint.real
     constants = np.column_stack([k, c, 1 / (1 + h * c / 2 + h * h * k / 4)])
     splines = np.ascontiguousarray(modes.coefficients), *(np.ascontiguousarray(knots) for knots in modes.knots)
     stays = float(modes.mass > 0)  # else they are given by numbers
     return Waves(
-        *splines, constants, np.array(modes.place, dtype=float), stays, np.zeros((len(k), 5)), np.zeros(PLACES + MOST)
+        *splines,
+        constants,
+        np.array(modes.place, dtype=float),
+        stays,
+        np.zeros((len(k), 5)),
+        np.zeros(PLACES + MOST),
+        body.shapes,
     )
 
 
@@ -130,7 +139,7 @@ def basis(knots, x, out):
 
 @kernel
 def read_shapes(waves, x, y, bx, by, into):
-    """Write the shapes at (x, y) [m] of the table into a column of the state of the modes."""
+    """Write the shapes of the table at (x, y) [m] into a column of the state of the modes."""
     i, j = basis(waves.knots_x, x + waves.place[0], bx), basis(waves.knots_y, y + waves.place[1], by)
     modes, state = waves.coefficients.shape[2], waves.state
     for m in range(modes):
@@ -162,29 +171,32 @@ def deflection(waves, x, y, bx, by, out):
 
 
 @kernel
-def look_round(waves, law, x, y, n0, n1, scratch):
+def look_round(waves, law, x, y, n0, n1, n2, scratch):
     """Note the directions, at most MOST, in which the rim has a minimum of its gap, of SCANNED."""
     bx, by, field, R = scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6], law[RADIUS]
+    bent = scratch[7]
     most, least, count = -np.inf, np.inf, 0
     before = now = 0.0
     for n in range(SCANNED + 2):
         c, s = np.cos(2 * np.pi * n / SCANNED), np.sin(2 * np.pi * n / SCANNED)
         reach = R - (n0 * c + n1 * s) * law[HALF]
         deflection(waves, x + reach * c, y + reach * s, bx, by, field)
-        most, least = max(most, field[0]), min(least, field[0])
-        value = field[0] + R * (n0 * c + n1 * s)
+        angle, down = 2 * np.pi * n / SCANNED, n0 * c + n1 * s
+        ripple(waves.rim, waves.state, angle - waves.contact[TWIST], down, n2, bent)
+        most, least = max(most, field[0] + bent[0]), min(least, field[0] + bent[0])
+        value = field[0] + bent[0] + R * down
         if n > 1 and now >= before and now > value and count < MOST:
             waves.contact[PLACES + count] = 2 * np.pi * (n - 1) / SCANNED
             count += 1
         before, now = now, value
     waves.contact[COUNT] = count
-    bent = most - least > BENT * R * np.sqrt(n0 * n0 + n1 * n1)
-    waves.contact[LEFT] = OFTEN if bent else SELDOM
+    bends = most - least > BENT * R * np.sqrt(n0 * n0 + n1 * n1)
+    waves.contact[LEFT] = OFTEN if bends else SELDOM
 
 
 @kernel
-def follow(waves, law, x, y, n0, n1, scratch):
-    """Find in which direction a disk with its axis along (n0, n1) at (x, y) touches, write the shapes there as NEXT.
+def follow(waves, law, x, y, n0, n1, n2, scratch):
+    """Find in which direction a disk with the axis (n0, n1, n2) at (x, y) touches, write the shapes there as NEXT.
 
     Each minimum of the gap is followed by a step of Newton's method from where it was; the lowest is the contact.
     """
@@ -192,7 +204,8 @@ def follow(waves, law, x, y, n0, n1, scratch):
     x, y = waves.stays * x, waves.stays * y
     waves.contact[LEFT] -= 1
     if waves.contact[LEFT] < 0:
-        look_round(waves, law, x, y, n0, n1, scratch)
+        look_round(waves, law, x, y, n0, n1, n2, scratch)
+    bent, twist = scratch[7], waves.contact[TWIST]
     best, found = -np.inf, waves.contact[ANGLE]
     for n in range(int(waves.contact[COUNT])):
         angle = waves.contact[PLACES + n]
@@ -200,18 +213,20 @@ def follow(waves, law, x, y, n0, n1, scratch):
         reach = R - (n0 * c + n1 * s) * law[HALF]
         deflection(waves, x + reach * c, y + reach * s, bx, by, field)
         down, side = R * (n0 * c + n1 * s), R * (n1 * c - n0 * s)  # of the rim, and its slope
-        slope = side + reach * (field[2] * c - field[1] * s)
+        ripple(waves.rim, waves.state, angle - twist, down / R, n2, bent)
+        slope = side + reach * (field[2] * c - field[1] * s) + bent[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
-        bend -= reach * (field[1] * c + field[2] * s)
+        bend += bent[2] - reach * (field[1] * c + field[2] * s)
         step = slope / max(down - bend, 0.1 * R * np.sqrt(n0 * n0 + n1 * n1) + 1e-300)
         step = min(max(step, -0.1), 0.1)
         waves.contact[PLACES + n] = angle + step
-        value = field[0] + down + step * slope / 2
+        value = field[0] + bent[0] + down + step * slope / 2
         if value > best:
             best, found = value, angle + step
     c, s = np.cos(found), np.sin(found)
     reach = R - (n0 * c + n1 * s) * law[HALF]
     read_shapes(waves, x + reach * c, y + reach * s, bx, by, NEXT)
+    read_rim(waves.rim, waves.state, found - twist, n0 * c + n1 * s, n2, NEXT)
     return found
 
 
@@ -237,26 +252,32 @@ def sums(waves, h):
 
 @kernel
 def move_modes(waves, N, h):
-    """Advance the modes by a step h under the contact force N; return what they lose."""
-    lost = 0.0
+    """Advance the modes by a step h under the contact force N; return what those of the table and of the disk lose."""
+    lost = every = 0.0
+    first = len(waves.state) - len(waves.rim)
     for m in range(waves.state.shape[0]):
         mean = (waves.state[m, NOW] + waves.state[m, NEXT]) / 2
         change = waves.state[m, FREE] - h * h / 2 * waves.constants[m, EASE] * mean * N
         waves.state[m, Q] += change
         waves.state[m, V] = 2 * change / h - waves.state[m, V]
         waves.state[m, NOW] = waves.state[m, NEXT]
-        lost += waves.constants[m, DAMPING] * change * change / h
-    return lost
+        every += waves.constants[m, DAMPING] * change * change / h
+        if m < first:
+            lost = every
+    return lost, every - lost
 
 
 @kernel
 def energy_of(waves):
-    """Return the energy [J] of the modes."""
-    energy = 0.0
+    """Return the energy [J] of the modes of the table and of those of the disk."""
+    energy = every = 0.0
+    first = len(waves.state) - len(waves.rim)
     for m in range(waves.state.shape[0]):
         q, v = waves.state[m, Q], waves.state[m, V]
-        energy += (v * v + waves.constants[m, STIFFNESS] * q * q) / 2
-    return energy
+        every += (v * v + waves.constants[m, STIFFNESS] * q * q) / 2
+        if m < first:
+            energy = every
+    return energy, every - energy
 
 
 def settle(waves: Waves, modes, model, y) -> None:
@@ -272,11 +293,12 @@ def settle(waves: Waves, modes, model, y) -> None:
     turning = (np.cross(y[MOMENTUM:SPRING], n)[:2] / law[J1]) @ np.array([-n[1], n[0]]) / s**2
     angle = start + 2 * np.pi * np.arange(SCANNED) / SCANNED
     east, north = (waves.stays * y[:2] + modes.place)[:, None] + reach * np.array([np.cos(angle), np.sin(angle)])
-    shapes, rate = modes.at(east, north), 1j * turning * np.fft.fftfreq(SCANNED, 1 / SCANNED)[:, None]
+    shapes = np.hstack([modes.at(east, north), rim_shapes(model.bending, angle, np.arctan2(s, n[2]))])
+    rate = 1j * turning * np.fft.fftfreq(SCANNED, 1 / SCANNED)[:, None]
     k, c = waves.constants[:, STIFFNESS], waves.constants[:, DAMPING]
     parts = -y[FORCE] * np.fft.fft(shapes, axis=0) / SCANNED / (k + c * rate + rate**2)
     waves.contact[ANGLE] = start
     waves.state[:, Q], waves.state[:, V] = parts.sum(axis=0).real, (rate * parts).sum(axis=0).real
     waves.state[:, NOW] = shapes[0]
-    y[SURFACE] = energy_of(waves)
+    y[SURFACE], y[BODY] = energy_of(waves)
     y[2] += waves.state[:, Q] @ shapes[0]

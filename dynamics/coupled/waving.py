@@ -15,12 +15,14 @@ it would take a little work, is left out.
 
 import numpy as np
 
+from .bending import twist_rate
 from .compiled import kernel
 from .contact import LEAST_INCLINATION
 from .gap import column, mean_force, place, root
 from .normal import CLOSE, MOST, turned
 from .state import (
     CELL,
+    EDGE,
     FORCE,
     GAP,
     HALF,
@@ -38,10 +40,11 @@ from .state import (
     SQUEEZED,
     STIFFNESS,
     WEIGHT,
+    V,
 )
 from .table import LOSS, K
 from .tangential import hold_at
-from .waves import ANGLE, STIFF, V, fall_free, follow, move_modes, sums
+from .waves import ANGLE, STIFF, TWIST, fall_free, follow, move_modes, sums
 
 JUMP = 0.3
 """Where the contact turns by more [rad] in a step it is another one: it did not roll there."""
@@ -70,8 +73,9 @@ def step_waving(y, law, start, per_unit, spline, waves, scratch, h):
     p0, p1, p2 = turned(n0, n1, n2, twist * L0, twist * L1, twist * L2)
     a0, a1, a2 = n0 + p0, n1 + p1, n2 + p2
     fall_free(waves, h)
-    before = waves.contact[ANGLE]
-    angle = follow(waves, law, y[0] + h * v0, y[1] + h * v1, a0, a1, scratch)
+    before, twisted = waves.contact[ANGLE], h * twist_rate(law, n0, n1, n2, L0, L1, L2)
+    waves.contact[TWIST] += twisted
+    angle = follow(waves, law, y[0] + h * v0, y[1] + h * v1, a0, a1, a2, scratch)
     D, E, P, S = sums(waves, h)
     e0, e1 = (np.cos(before) + np.cos(angle)) / 2, (np.sin(before) + np.sin(angle)) / 2
     c0, c1 = np.cos(angle) - np.cos(before), np.sin(angle) - np.sin(before)
@@ -102,7 +106,9 @@ def step_waving(y, law, start, per_unit, spline, waves, scratch, h):
     if left == 0:
         return False
     y[LOSSES] += (kept - N) * (gap - gap0)
-    y[LOSSES + 4] += move_modes(waves, N, h)
+    y[EDGE] += R * (np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1) - twisted)
+    table, body = move_modes(waves, N, h)
+    y[LOSSES + 4], y[LOSSES + 6] = y[LOSSES + 4] + table, y[LOSSES + 6] + body
     y[0], y[1], y[2] = y[0] + h * v0, y[1] + h * v1, y[2] + h * V2
     y[5], y[6], y[7], y[8] = 2 * V2 - v2, a0, a1, a2
     y[9], y[10], y[11] = 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2

@@ -27,12 +27,14 @@ class Edge:
     """What a free disk yields as a body at its bottom edge, in its own frame: along radius, rim and axis.
 
     `flexibility` (3, 3) [m/N] of all its elastic modes at rest; of the lowest m of them `squared` (m,) [1/s^2], their
-    angular frequencies, and `shapes` (m, 3) [kg^-1/2], their motion there at unit modal mass.
+    angular frequencies, `shapes` (m, 3) [kg^-1/2], their motion there at unit modal mass, and `order` (m,), their waves
+    round the rim.
     """
 
     flexibility: np.ndarray
     squared: np.ndarray
     shapes: np.ndarray
+    order: np.ndarray
 
 
 def yielding_edge(plate: Plate) -> Edge:
@@ -48,11 +50,13 @@ def _edge_of(plate):
     squared = np.concatenate([order.values for _, _, order in orders])
     shapes = np.concatenate([at_edge(disk, size, n, even, order.shapes) for n, even, order in orders])
     apart = shapes[:, None] * np.array([[1, 0, 1], [0, 1, 0]])  # of a pair one moves radius and axis, one the rim
+    around = np.concatenate([np.full(len(order.values), n) for n, _, order in orders])
     elastic = squared > 0
     return Edge(
         flexibility=regular_flexibility(disk, size)[0],
         squared=np.repeat(squared[elastic], 2),
         shapes=apart[elastic].reshape(-1, 3),
+        order=np.repeat(around[elastic], 2),
     )
 
 
