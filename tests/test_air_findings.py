@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from dynamics import Outcome, simulate
+from dynamics.coupled.state import CAUSES
 from dynamics.film.law import film_under
 from dynamics.film.reynolds import FilmMesh
 from dynamics.rates import precession_rate
 from sonify import load_scene
-from sonify.claims.air import air_negligible, carried_by_air, film_powers, friction_exponent, lifts, what_ends
+from sonify.claims.air import LOST_TO, air_negligible, carried_by_air, film_powers, friction_exponent, lifts, what_ends
 from sonify.plan.air import beyond_the_film, papers_law, with_air
 from sonify.plan.plan import plan_of
 
@@ -41,6 +42,11 @@ def test_air_ends_the_disk_on_glass(thorne, in_air):
     assert not air_negligible(in_air, film).holds
     assert carried_by_air(in_air, film).holds
     assert lifts(in_air, film)[-1] == pytest.approx(in_air.disk.weight, rel=0.5)
+
+
+def test_every_cause_of_loss_of_a_full_motion_has_its_name():
+    named = dict(zip(CAUSES, LOST_TO, strict=True))
+    assert "table" in named["table"] and "air" in named["film"] and "disk" in named["body"]
 
 
 def test_early_in_a_motion_in_a_vacuum_air_may_be_neglected():

@@ -31,6 +31,7 @@ LOST_TO = (
     "friction of rolling and pivoting",
     "the table",
     "the film of air",
+    "the modes of the disk",
 )
 """What a full motion knows the losses of, in the order of its causes."""
 FALLS_AS = 100 / 3
