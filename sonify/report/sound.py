@@ -1,6 +1,6 @@
 """SOUND -> PICTURES: spectrograms with the solved lines over them, and the causes of sound against hearing."""
 
-from itertools import cycle
+from itertools import cycle, pairwise
 
 import numpy as np
 from matplotlib import colormaps
@@ -22,6 +22,10 @@ STEM_STYLES = (
     ("#e69f00", (0, (3, 2))),
 )
 """Colours told apart by the colour-blind, with dashes told apart in grey print."""
+LOWEST_MODE = 250.0
+"""From here on [Hz] the band of the modes is drawn."""
+ROWS = 400
+"""Of an image: about the pixels of the height of a panel."""
 EDGES = 0.04
 """The share of a panel over which the lines of a table go."""
 LINE = 14
@@ -37,15 +41,16 @@ def draw_spectrogram(
     and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies [Hz] of the modes, over it, those of an
     elastic `table` at its right edge; where the contact is elastic, the times [s] and frequencies [Hz] of its
     resonance, the `carrier`."""
-    floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
+    floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(LOWEST_MODE, np.inf))]
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
             top.set(xlim=span)
             log_frequency(top, RATES)
             turning = level_image(top, low.during(*span), 1.0, floors[0])
             _rate_lines(top, time, rates, 1.0)
+            bottom.set(xlim=span, xlabel="time at the listener [s]")
+            log_frequency(bottom, (LOWEST_MODE / 1e3, high.frequency[-1] / 1e3))
             ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
-            bottom.set(ylim=(0, high.frequency[-1] / 1e3), xlim=span, xlabel="time at the listener [s]")
             _mode_lines(bottom, frequencies, span, 1e3, "modes of the disk, solved")
             if len(table):
                 _table_lines((top, bottom), table, span)
@@ -67,13 +72,14 @@ def draw_spectrogram(
 
 def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, tone=None):
     """Draw a sound in two bands, relative to full scale, with the rising tone that was heard, if any, over it."""
-    floors = [loudest_db(part, 1.0) - RANGE_DB for part in (low, high.band(RATES[1], np.inf))]
+    floors = [loudest_db(part, 1.0) - RANGE_DB for part in (low, high.band(LOWEST_MODE, np.inf))]
     with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
         log_frequency(axes[0], RATES)
+        log_frequency(axes[1], (LOWEST_MODE / 1e3, high.frequency[-1] / 1e3))
         axes[0].set(ylabel="frequency [Hz]", title="Contact rates")
         for panel, seen, unit, floor in zip(axes, (low, high), (1.0, 1e3), floors, strict=True):
+            panel.set(xlim=(0, duration))
             image = level_image(panel, seen, unit, floor, 1.0)
-            panel.set(xlim=(0, duration), ylim=(seen.frequency[[0, -1]] / unit if unit > 1 else RATES))
             if tone is not None:
                 left = np.geomspace(0.01, 8.0, 400)
                 options = {"color": "w", "lw": 1.0, "ls": "--", "label": "rising tone, fitted", "path_effects": EDGE}
@@ -102,11 +108,19 @@ def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
     axes.set_facecolor(colormaps["magma"](0))
     level, options = seen.level_db(reference), {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
     time, frequency = seen.time, seen.frequency / unit
-    if axes.get_yscale() == "log":
-        return axes.pcolormesh(time, frequency, level, shading="nearest", **options)
-    half = (np.diff(time[:2], append=time[0] + 1)[0] / 2, np.diff(frequency[:2])[0] / 2)
-    extent = (time[0] - half[0], time[-1] + half[0], frequency[0] - half[1], frequency[-1] + half[1])
-    return axes.imshow(level, origin="lower", aspect="auto", interpolation="nearest", extent=extent, **options)
+    half, (begin, end) = np.diff(time[:2], append=time[0] + 1)[0] / 2, axes.get_xlim()
+    left, right = (time[[0, -1]] + [-half, half] - begin) / (end - begin)
+    options |= {"origin": "lower", "aspect": "auto", "interpolation": "nearest", "transform": axes.transAxes}
+    return axes.imshow(_rows(level, frequency, axes), extent=(left, right, 0, 1), **options)
+
+
+def _rows(level, frequency, axes):
+    """The levels (f, t) on even heights of a panel: the loudest where a row holds several frequencies."""
+    heights = axes.yaxis.get_transform().transform(axes.get_ylim())
+    edges = np.linspace(*heights, ROWS + 1)
+    edges = axes.yaxis.get_transform().inverted().transform(edges)
+    between = np.searchsorted((frequency[1:] + frequency[:-1]) / 2, edges)
+    return np.stack([level[a : max(a, b) + 1].max(axis=0) for a, b in pairwise(between)])
 
 
 def draw_colours(path):
