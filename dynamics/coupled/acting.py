@@ -7,9 +7,9 @@ import numpy as np
 
 from ..dissipation import resistance
 from ..equations import law_of
-from ..film.acting import film_of
 from ..time_left import steady_power
 from .choice import steady_rate
+from .from_scene import contact_law
 from .march import LIES
 
 ACTS = 0.01
@@ -32,7 +32,7 @@ def acting(scene, modes) -> Acting:
     """Return the `Acting` of a scene on a table of these modes (`modal.SurfaceModes`), where surface.action = 'auto'.
 
     Asked of the steady motion, its centre where the disk is at the release, its force the weight. Two ways are
-    solved with an elastic contact that is smooth, and without a film of air.
+    solved with a smooth contact, elastic from there on.
     """
     beta, energy, power = shares(scene, modes)
     more = np.flatnonzero((energy > ACTS) | (power > ACTS))
@@ -48,15 +48,20 @@ def acting(scene, modes) -> Acting:
 
 def unsolved(scene) -> str:
     """Return why the table of a scene cannot act back, whatever its modes; nothing if it can."""
-    for wrong, why in (
-        (scene.surface.kind in ("rigid", "infinite"), "a table that acts back must have modes"),
-        (scene.contact.law == "rigid", "contact.law = 'rigid': a table that acts back needs an elastic contact"),
-        (scene.roughness, "roughness is not solved on such a table"),
-        (scene.imperfection, "imperfection is not solved on such a table"),
-    ):
-        if wrong:
-            return why
-    return "the film of air is not solved on such a table" if film_of(scene).film else ""
+    if scene.surface.kind in ("rigid", "infinite"):
+        return f"surface.kind = '{scene.surface.kind}': a table that acts back must have modes"
+    return "imperfection: a table is wavy or acts back" if scene.imperfection else no_one_contact(scene)
+
+
+def no_one_contact(scene) -> str:
+    """Return why the disk of a scene has no elastic contact at the least gap of a table; nothing if it has one."""
+    if scene.roughness:
+        return "roughness: the rim may stand on several waves, and heights are read along one path"
+    try:
+        contact_law(scene)
+    except ValueError as error:
+        return str(error)
+    return ""
 
 
 def shares(scene, modes):

@@ -26,7 +26,7 @@ class Changed:
 def hand_over(scene, inclination: float, alone: Callable, watch, modes) -> Motion:
     """Solve a scene by `alone(scene)` down to an inclination [rad], then on the modes of its table.
 
-    A motion that does not come so far is the one alone.
+    A motion that does not come so far is the one alone. A contact that is rigid there yields from then on.
     """
     short = replace(scene.numerics, final_inclination=inclination)
     first = alone(Changed(scene, numerics=short))
@@ -34,7 +34,8 @@ def hand_over(scene, inclination: float, alone: Callable, watch, modes) -> Motio
         return first
     t = float(first.t[-1])
     left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
-    parts = Changed(scene, numerics=left, surface=SimpleNamespace(action="motion"))
+    yields = replace(scene.contact, law="elastic")
+    parts = Changed(scene, numerics=left, contact=yields, surface=SimpleNamespace(action="motion"))
     state, force = first.at_and_force(t)
     then = solve(parts, lambda now, *rest: watch(t + now, *rest), modes, (state[0], force[0]))
     return HandedOver(first, then, then.outcome)
@@ -111,13 +112,19 @@ class HandedOver:
         offset[-1] = end[-1] + self.first.energy(self.handed_over)[0] - self.then.energy(0.0)[0]
         return offset
 
+    def _since(self, t) -> np.ndarray:
+        """Return the times t (k,) [s] in the second part, its end where they are that of the motion, rounded."""
+        return np.where(t <= self.t[-1], np.minimum(t - self.handed_over, self.then.t[-1]), t - self.handed_over)
+
     def _both(self, name, t):
         """Return what the method `name` of the part to which each time belongs says of it."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
         late = t >= self.handed_over
-        if late.all() or not late.any():
-            return getattr(self.then if late.any() else self.first, name)(t - self.handed_over * late)
-        early, later = getattr(self.first, name)(t[~late]), getattr(self.then, name)(t[late] - self.handed_over)
+        if late.all():
+            return getattr(self.then, name)(self._since(t))
+        if not late.any():
+            return getattr(self.first, name)(t)
+        early, later = getattr(self.first, name)(t[~late]), getattr(self.then, name)(self._since(t[late]))
         out = np.empty((len(t), *early.shape[1:]), dtype=np.result_type(early, later))
         out[~late], out[late] = early, later
         return out
@@ -150,7 +157,7 @@ class HandedOver:
     def table_energy(self, t) -> np.ndarray:
         """Return the energy of the modes of the table at t (k,) [s], (k,) [J], since it acts back."""
         late = np.atleast_1d(t) >= self.handed_over
-        return np.where(late, self.then.table_energy(np.maximum(np.atleast_1d(t) - self.handed_over, 0.0)), 0.0)
+        return np.where(late, self.then.table_energy(np.maximum(self._since(np.atleast_1d(t)), 0.0)), 0.0)
 
     def regime(self, t) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""

@@ -308,7 +308,7 @@ def solve(
         impulses=impulses.rows()[: STATES * (len(written) - 1) + 1],
         rows=written,
         slides=slides.rows(),
-        contact_losses=Losses(flights),
+        contact_losses=Losses(flights[flights[:, 0] < (len(written) - 1) * STATES * dt]),  # none of a disk that is flat
         excess=float(y[EXCESS]),
         outcome=OUTCOMES[piece.why],
     )

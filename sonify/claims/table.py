@@ -3,6 +3,7 @@
 import numpy as np
 
 from dynamics import Motion
+from dynamics.coupled.acting import ACTS
 from sonify.claims import two_ways
 from sonify.claims.motion import Finding
 from sonify.claims.sound import LAST, since_as_much
@@ -21,8 +22,6 @@ THIRD = 2 ** (1 / 6)
 """From the middle of a third octave to its ends."""
 ENDS = ("SETTLED", "FELL")
 """Outcomes with which the disk lies flat."""
-ACTS = 0.01
-"""The share of the energy of the disk with which the table begins to act back."""
 
 
 def table_findings(

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from dynamics import Motion
-from dynamics.coupled.acting import acting, unsolved
+from dynamics.coupled.acting import acting, no_one_contact, unsolved
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan.plan import ENERGY_SHARE, Decision, Plan
 from sonify.plan.predictions import END, SOUND, Prediction
@@ -26,18 +26,22 @@ def acts_back(scene: Scene) -> bool:
 def check_table(scene: Scene):
     """Raise SceneError, before any work, where the table cannot be solved."""
     surface = scene.surface
-    acts = "surface.action = 'motion'" if getattr(surface, "action", "") == "motion" else ""
-    for wrong, instead in (
-        (acts and surface.kind == "infinite", "surface.kind = 'infinite': a table that acts back must have modes"),
-        (acts and scene.imperfection, "imperfection: a table is wavy or acts back"),
-        (scene.contact.law == "rigid", "contact.law = 'rigid': such a table needs an elastic contact"),
-        (scene.roughness, "roughness: the rim may stand on several waves, and heights are read along one path"),
-        (scene.numerics.contact == "filter", "numerics.contact = 'filter': such a table needs 'full'"),
-    ):
-        if wrong and (acts or scene.imperfection):
-            raise SceneError(f"{acts or 'imperfection'} with {instead}")
+    if getattr(surface, "action", "") == "motion":
+        what, instead = "surface.action = 'motion'", unsolved(scene) or not_in_full(scene)
+    else:
+        what, instead = "imperfection", scene.imperfection and (no_one_contact(scene) or not_in_full(scene))
+    if instead:
+        raise SceneError(f"{what} with {instead}")
     if surface.kind == "mesh" and not Path(surface.file).is_file():
         raise SceneError(f"surface.file = {surface.file!r}: no such file")
+
+
+def not_in_full(scene: Scene) -> str:
+    """Return why the contact of a scene is not solved in full from the release on; nothing if it is."""
+    if scene.contact.law == "rigid":
+        return "contact.law = 'rigid': such a table needs an elastic contact"
+    filtered = scene.numerics.contact == "filter"
+    return "numerics.contact = 'filter': such a table needs 'full'" if filtered else ""
 
 
 def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
@@ -101,6 +105,7 @@ def action(scene: Scene, modes: SurfaceModes) -> Decision:
         reason = f"surface.action = 'auto': {found.reason}" + f", but {found.unsolved}" * bool(found.unsolved)
         if found.acts:
             chosen = f"it sounds, and moves with the disk from an inclination of {found.inclination:.2g} rad on"
+            chosen += ", on an elastic contact" * (scene.contact.law == "rigid")
     return Decision(subject="table", choice=chosen, reason=reason)
 
 
