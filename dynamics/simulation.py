@@ -171,8 +171,10 @@ def _motion(disk, system, path, outcome, name) -> RigidMotion:
     x = np.concatenate(path.times)
     lasting = np.diff(x) > 0
     most, start = max(block.shape[1] for block in path.coefficients), 0
-    c = np.zeros((most, len(lasting), len(path.coefficients[0][0, 0])))
-    for block in path.coefficients:
+    c = np.zeros((most, np.count_nonzero(lasting), len(path.coefficients[0][0, 0])))
+    ends = np.cumsum([len(block) for block in path.coefficients])
+    for block, keep in zip(path.coefficients, np.split(lasting, ends[:-1]), strict=True):
+        block = block if keep.all() else block[keep]
         c[most - block.shape[1] :, start : start + len(block)] = block[:, ::-1].swapaxes(0, 1)
         start += len(block)
     regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
@@ -184,7 +186,7 @@ def _motion(disk, system, path, outcome, name) -> RigidMotion:
         disk=disk,
         law=system.law,
         loads=system.loads,
-        path=PPoly(read_only(c if lasting.all() else c[:, lasting]), read_only(np.append(x[0], x[1:][lasting]))),
+        path=PPoly(read_only(c), read_only(np.append(x[0], x[1:][lasting]))),
         regimes=regimes,
         regime_of_piece=read_only(kinds[lasting]),
         transitions=tuple(crossings),

@@ -28,6 +28,7 @@ from sonify.result import Result
 from sonify.scene import Scene
 from sonify.sound.oscillators import compile_oscillators
 from sonify.sound.radiation import listener_of
+from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import sound_of
 from sonify.sound.wav import write_sound
 
@@ -93,6 +94,7 @@ def _elastic(scene, eigenmodes, stages):
         plan, modes = planned(scene, eigenmodes)
         found = with_table(with_air(plan, scene), scene)
     compile_oscillators()
+    compile_radiators()
     return found[0], modes, found[1]
 
 

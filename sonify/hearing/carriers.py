@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from statistics import median
 
 import numpy as np
 from scipy.signal import ShortTimeFFT
@@ -125,7 +126,7 @@ def _followed(seed, frames, inside, cents, level, left):
     found, missed = [seed], 0
     for i in frames:
         near = inside[i][left[inside[i]]]
-        near = near[np.abs(cents[near] - np.median(cents[found[-LAST:]])) < REACH]
+        near = near[np.abs(cents[near] - median(cents[found[-LAST:]].tolist())) < REACH]
         if len(near):
             found.append(near[np.argmax(level[near])])
             missed = 0

@@ -1,6 +1,7 @@
 """RESULT -> PAGE: one self-contained HTML file with the sound, the pictures, the checks and the findings."""
 
 from base64 import b64encode
+from functools import cache
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -65,6 +66,7 @@ def bundle() -> dict[str, str]:
     return held | {name: Markup(held[name].replace("</", "<\\/")) for name in ("script", "style")}
 
 
+@cache
 def templates() -> Environment:
     """Return the templates of all pages."""
     environment = Environment(loader=PackageLoader("sonify.report"), autoescape=True)

@@ -3,6 +3,7 @@
 from functools import cached_property
 
 import numpy as np
+from numba import njit
 from numpy.lib.stride_tricks import as_strided
 
 from sonify.sound.radiation import AZIMUTHS, Listener, heave_kernel, piston_strength, taps, tilt_kernel
@@ -93,17 +94,27 @@ def _three_taps(ringing, turns, sharpness, table):
     """
     where, out = turns % 1.0 * AZIMUTHS, np.empty((len(turns), len(ringing)))
     rows = table[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTHS, -1)  # (a, 3 m): as n, n + 1, n + 2 lie in memory
-    mean, slopes = rows.mean(axis=0), np.roll(rows, -1, axis=0) - rows
+    mean, slopes, tap = rows.mean(axis=0), np.roll(rows, -1, axis=0) - rows, np.empty((TOGETHER, rows.shape[1]))
     away, size = rows - mean, ringing.itemsize
     for first in range(0, len(where), TOGETHER):
         some = slice(first, first + TOGETHER)
-        low = where[some].astype(int) % AZIMUTHS
-        tap = slopes[low]
-        tap *= (where[some] % 1.0)[:, None]
-        tap += away[low]
-        tap *= sharpness[some, None]
-        tap += mean
+        now = tap[: len(where[some])]
+        _between(mean, away, slopes, where[some], sharpness[some], now)
         for one, samples in zip(out.T, ringing, strict=True):
-            three = as_strided(samples[first:], tap.shape, (samples.shape[1] * size, size))
-            np.einsum("nc,nc->n", tap, three, out=one[some])
+            three = as_strided(samples[first:], now.shape, (samples.shape[1] * size, size))
+            np.einsum("nc,nc->n", now, three, out=one[some])
     return out
+
+
+def compile_radiators():
+    """Compile what an ElasticFace needs, beside other work."""
+    _three_taps(np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTHS, 1, 3)))
+
+
+@njit(cache=True, nogil=True)
+def _between(mean, away, slopes, where, sharpness, tap):
+    """The rows of a table, mean + away, with these slopes at places (k,) between them, into tap (k, c)."""
+    for n in range(len(where)):
+        row, share = int(where[n]) % len(away), where[n] % 1.0
+        for c in range(len(mean)):
+            tap[n, c] = (slopes[row, c] * share + away[row, c]) * sharpness[n] + mean[c]

@@ -1,6 +1,7 @@
 """SOURCES: what turns the contact force into stems of pressure, block after block."""
 
 from copy import copy
+from functools import cached_property
 from typing import Protocol
 
 import numpy as np
@@ -75,7 +76,12 @@ class ElasticDisk:
         self._face = ElasticFace(modes, listener, scene.audio.sample_rate, reach)
         self._drive = modal_drive(modes, scene)
         self.ends = np.array([[np.nan, 0.0]] * 2 + [[np.nan, FADE_FALL]] * len(modes))
-        self.lasting, self.late = ring_down(modes, scene), reach
+        self.late = reach
+
+    @cached_property
+    def lasting(self) -> float:
+        """For how long [s] the modes are still heard."""
+        return ring_down(self._modes, self._scene)
 
     def channels(self, force, state):
         """Return cosine and sine of the listener's azimuth, and the force on each mode: (k, 2 + m)."""
