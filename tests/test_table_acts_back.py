@@ -29,8 +29,10 @@ from modal import surface_modes
 from sonify import SceneError, load_scene
 from sonify.claims import two_ways
 from sonify.claims.halt import halt
+from sonify.claims.table import radiated_power, waves_become_heat
 from sonify.plan.solvable import solvable, solve_motion
 from sonify.plan.table import action, acts_back
+from sonify.sound.radiation import Listener
 
 GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
 
@@ -234,9 +236,11 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     )
 
 
-def test_what_a_table_that_acts_back_takes(handed):
+def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     """The budget closes, and the halt is as much earlier as beside a table that is too heavy to move."""
     scene, _, motion = handed
+    others = two_ways.reruns(scene, motion.then)
+    monkeypatch.setattr(two_ways, "reruns", lambda *_: others)  # they need not be solved again
     found = {finding.key: finding for finding in two_ways.motion_findings(scene, motion)}
     t = np.linspace(motion.handed_over, motion.t[-1], 500)
     budget = two_ways.energy_budget(motion, t)
@@ -249,9 +253,31 @@ def test_what_a_table_that_acts_back_takes(handed):
     assert earlier.holds
     assert 0 < found["waves_make_the_halt"].value < 1
     assert ("loss_at_resonance" in found) == bool(motion.contact_losses)
+    assert others["half the step"].model.rate == 2 * motion.then.model.rate
+    beta = np.array([0.01])
+    soft, stiff = (m.model.table.law.stiffness(beta) for m in (motion.then, others["a contact twice as stiff"]))
+    assert stiff == pytest.approx(2 * soft, rel=1e-12)
+    for judge in (two_ways.waves_make_the_halt, two_ways.table_rings_at_the_halt, two_ways.disk_rings_at_the_halt):
+        one = found[judge.__name__]
+        assert one.margin >= max(abs(judge(scene, other).value - one.value) for other in others.values()) > 0
     assert two_ways.motion_findings(scene, motion.first) == []
     with pytest.raises(ValueError, match="does not act back"):
         two_ways.energy_budget(motion.first, t)
+
+
+def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
+    """A pressure that stays is power times time; the budget has it beside the losses, of which it is a part."""
+    _, _, motion = handed
+    listener, rate, pressure = Listener(distance=0.5, elevation=np.pi / 4), 48000, 0.2
+    samples = np.full(int((motion.t[-1] + listener.delay) * rate) + 1, pressure)
+    track = SimpleNamespace(read=lambda first: samples[first:])
+    sound = SimpleNamespace(sample_rate=rate, source_end=motion.t[-1], track=lambda name: track)
+    power = 2 * np.pi * 0.5**2 * pressure**2 / (listener.air.density * listener.air.sound_speed)
+    t = np.array([motion.handed_over, motion.t[-1]])
+    budget = two_ways.energy_budget(motion, t, radiated_power(sound, listener))
+    assert budget.sound == pytest.approx([0.0, power * np.ptp(t)], rel=1e-3)
+    share = waves_become_heat(motion, sound, listener)
+    assert share.value == pytest.approx(budget.sound[1] / budget.lost["table"][1], rel=1e-9)
 
 
 @pytest.mark.slow

@@ -6,7 +6,7 @@ tangential springs and the length of the ellipse are those under the weight, at 
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
 
@@ -100,6 +100,18 @@ class Compliant:
     def cubics(self) -> np.ndarray:
         """The table of the law (intervals, columns, 4), each cubic in the part of its interval."""
         return np.ascontiguousarray(self.table.spline.c.transpose(1, 2, 0) * STEP ** np.array([3, 2, 1, 0]))
+
+    def finer(self) -> "Compliant":
+        """Return the same in steps of half the length."""
+        return replace(self, rate=2 * self.rate)
+
+    def stiffer(self, factor: float = 2.0) -> "Compliant":
+        """Return the same on an elastic contact that is so many times as stiff, in finer steps where it needs them."""
+        law = self.table.law
+        body, table = (side._replace(young=factor * side.young) for side in (law.body, law.table))
+        law = replace(law, body=body, table=table)
+        rate = max(self.rate, float(rate_needed(law, np.array([LEAST_INCLINATION]))[0]))
+        return replace(self, table=replace(self.table, law=law), rate=rate)
 
     def run(
         self, y, every: int, stop: float, last: float = LEAST_INCLINATION, parts: int = 1, waves=None

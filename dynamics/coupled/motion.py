@@ -277,15 +277,30 @@ def solve(
         raise ValueError("surface.action = 'motion': simulate needs the surface_modes of the table")
     model = compliant(scene, surface_modes if acts_back(scene) else None)
     last = LIES if model.modes is not None or model.imperfection is not None else last_inclination(scene)
-    every = max(1, round(model.rate / FORCES_A_SECOND)) * STATES
     if begin is None:
         tilt = np.radians(scene.release.inclination_deg)
         begin = np.concatenate([[0.0, tilt, 0, 0, 0], scene.release.omega, [0, 0, 0]]), first_force(scene)
-    y, dt = release(model, *begin), every / STATES / model.rate
+    return followed(model, *begin, scene.numerics.time_limit, last, watch)
+
+
+def followed(
+    model: Compliant,
+    state,
+    force,
+    stop: float,
+    last: float,
+    watch: Callable[[float, float, str], None] = lambda t, inclination, doing: None,
+) -> CompliantMotion:
+    """Follow a disk from the COLUMNS (11,) and the force (3,) [N] on, to the time `stop` [s] or an inclination [rad].
+
+    Raises ImpossibleContactError where there is no first step.
+    """
+    every = max(1, round(model.rate / FORCES_A_SECOND)) * STATES
+    y, dt = release(model, state, force), every / STATES / model.rate
     waves = model.waves(y)
     kept, given = _kept(model, y[None]), np.zeros((1, 3))
     rows, impulses, slides, losses = Record(kept), Record(given), Record(np.empty((0, 2))), Record(np.empty((0, 3)))
-    for piece in model.run(y, every, max(scene.numerics.time_limit, 2 * STATES * dt), last, STATES, waves):
+    for piece in model.run(y, every, max(stop, 2 * STATES * dt), last, STATES, waves):
         given = given[-1] + np.cumsum(np.vstack([0 * given[-1:], piece.force * dt]), axis=0)
         kept = _unwound(np.vstack([kept[-1:], _kept(model, piece.state)]), STATES * dt)
         rows.append(kept[1:])

@@ -37,6 +37,7 @@ def table_findings(
     apart = scene.roughness is None or scene.contact.law == "rigid"  # else the contact's stem is the table's as well
     found += [table_is_louder(motion, sound, error)] if apart else []
     found += [radiation_takes_little(motion, sound, listener, error)]
+    found += [waves_become_heat(motion, sound, listener)] if two_ways.two_way(motion) else []
     if sound.table_energy is not None:  # an endless plate holds none
         found += [table_takes_little(motion, sound, error), table_takes_a_hundredth(motion, sound, error)]
     if motion.outcome.name not in ENDS:
@@ -157,17 +158,44 @@ def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0) ->
     )
 
 
-def radiation_takes_little(motion: Motion, sound: Sound, listener: Listener, error: float = 0.0) -> Finding:
-    """When what the table goes on to radiate is first more than the energy of the disk; 2 pi r^2 p^2/(rho c) all round.
+def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (e,) [s] of the last TAIL of a motion and the power (e,) [W] that its table radiates then.
 
-    Taken to be as loud in every direction as at the listener.
+    2 pi r^2 p^2/(rho c), as loud in every direction as at the listener.
     """
     air, rate = listener.air, sound.sample_rate
     first = int(max(sound.source_end - TAIL, 0.0) * rate)
     pressure = sound.track("table").read(first).astype(float)
     power = 2 * np.pi * listener.distance**2 * pressure**2 / (air.density * air.sound_speed)
-    still = np.cumsum(power[::-1])[::-1] / rate
-    value, margin = since_as_much(motion, (first + np.arange(len(still))) / rate - listener.delay, still, error)
+    return (first + np.arange(len(power))) / rate - listener.delay, power
+
+
+def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Finding:
+    """The energy that a table which acts back radiates, over what its modes lose, until the disk lies flat.
+
+    The sound is as loud all round as at the listener, which is right to a factor of two.
+    """
+    heard = radiated_power(sound, listener)
+    begin = max(heard[0][0], two_ways.two_way(motion)[1])
+    budget = two_ways.energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
+    lost = budget.lost["table"][-1]
+    share = float(budget.sound[-1] / lost) if lost > 0 else 0.0
+    return Finding(
+        key="waves_become_heat",
+        claim="What the waves of the table take becomes heat in it, and little of it sound",
+        value=share,
+        unit="of what the modes of the table lose until the end is radiated",
+        at_most=0.5,
+        margin=share,
+        source="balance of energy of a table that acts back",
+    )
+
+
+def radiation_takes_little(motion: Motion, sound: Sound, listener: Listener, error: float = 0.0) -> Finding:
+    """When what the table goes on to radiate is first more than the energy of the disk."""
+    t, power = radiated_power(sound, listener)
+    still = np.cumsum(power[::-1])[::-1] / sound.sample_rate
+    value, margin = since_as_much(motion, t, still, error)
     return Finding(
         key="radiation_takes_little",
         claim="The energy of the disk is enough for the sound of the table",

@@ -1,5 +1,10 @@
-"""TWO WAYS: what a table that acts back takes, where it breaks the contact, and how much earlier the disk lies flat."""
+"""TWO WAYS: what a table that acts back takes, where it breaks the contact, and how much earlier the disk lies flat.
 
+Each finding is judged again on the end of the motion in steps of half the length, and on a contact twice as stiff: what
+it differs by is its margin.
+"""
+
+from collections.abc import Callable
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -9,14 +14,12 @@ from dynamics import Motion
 from dynamics.coupled.acting import ACTS, acting
 from dynamics.coupled.handover import release
 from dynamics.coupled.march import LIES
-from dynamics.coupled.motion import STATES
+from dynamics.coupled.motion import STATES, CompliantMotion, followed
 from dynamics.coupled.state import CAUSES
 from dynamics.rates import precession_rate
 from sonify.claims.motion import Finding
 from sonify.scene import Scene
 
-CHAOS = 0.01
-"""By how much [s] the halt moves with step, stiffness and phase, tests/test_table_acts_back.py."""
 LAST = 0.1
 """The part of the energy at which the halt begins."""
 EVERY = 20
@@ -26,13 +29,16 @@ NEAR = 0.2
 
 
 class Budget(NamedTuple):
-    """Energy [J] at times t (k,) [s] of the whole motion: of the disk and of the modes of the table, and what was lost
-    since the first of the times to each of CAUSES, every row (k,)."""
+    """Energy [J] at times t (k,) [s] of the whole motion: of the disk, a part of that in its `bending` modes, and of
+    the modes of the table; what was lost since the first of the times to each of CAUSES, and what part of the loss in
+    the table went off as `sound`; every row (k,)."""
 
     t: np.ndarray
     disk: np.ndarray
+    bending: np.ndarray
     table: np.ndarray
     lost: dict[str, np.ndarray]
+    sound: np.ndarray
 
 
 def two_way(motion: Motion):
@@ -42,15 +48,20 @@ def two_way(motion: Motion):
     return None if model is None or model.modes is None else (part, begin)
 
 
-def energy_budget(motion: Motion, t) -> Budget:
-    """Return the `Budget` at times t (k,) [s] at which the table acts back. Raises ValueError at others."""
+def energy_budget(motion: Motion, t, heard=None) -> Budget:
+    """Return the `Budget` at times t (k,) [s] at which the table acts back; without what is `heard` of the table, times
+    (e,) [s] and power [W], as `sonify.claims.table.radiated_power` has it, its sound is 0. Raises ValueError at others.
+    """
     found = two_way(motion)
     if found is None:
         raise ValueError("energy_budget: the table of this motion does not act back")
     part, begin = found
-    now = np.asarray(t, dtype=float) - begin
-    table, lost = part.table_energy(now), part.lost(now)
-    return Budget(t, part.energy(now) - table, table, dict(zip(CAUSES, (lost - lost[0]).T, strict=True)))
+    now = np.minimum(np.asarray(t, dtype=float) - begin, part.t[-1])
+    table, lost, sound = part.table_energy(now), part.lost(now), np.zeros(len(now))
+    if heard is not None:
+        sound = np.interp(t, heard[0], np.cumsum(heard[1]) * np.gradient(heard[0]))
+    causes = dict(zip(CAUSES, (lost - lost[0]).T, strict=True))
+    return Budget(t, part.energy(now) - table, part.bending_energy(now), table, causes, sound - sound[0])
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
@@ -58,18 +69,42 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     found = two_way(motion)
     if found is None or motion.outcome.name not in ("SETTLED", "FELL"):
         return []
-    losses = [loss_at_resonance(motion)] if motion.contact_losses else []
-    return [halt_comes_earlier(scene, motion), waves_make_the_halt(motion), table_rings_at_the_halt(motion), *losses]
+    others = reruns(scene, found[0])
+    judges = [halt_comes_earlier, waves_make_the_halt, table_rings_at_the_halt, disk_rings_at_the_halt]
+    judges += [loss_at_resonance] if motion.contact_losses else []
+    return [varied(judge, scene, motion, others) for judge in judges]
+
+
+def reruns(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMotion]:
+    """Return the motion from where the table begins to act back on, with half the step and with a stiffer contact."""
+    start, stop = begins(scene, part), scene.numerics.time_limit
+    state, force = part.at([start])[0], part.force([start])[0]
+    models = {"half the step": part.model.finer(), "a contact twice as stiff": part.model.stiffer()}
+    return {name: followed(model, state, force, stop - start, LIES) for name, model in models.items()}
+
+
+def varied(judge: Callable[[Scene, Motion], Finding], scene: Scene, motion: Motion, others) -> Finding:
+    """Return what `judge` finds, give or take what it finds of the `others`, motions by name."""
+    found = judge(scene, motion)
+    values = {name: judge(scene, other).value for name, other in others.items()}
+    told = ", ".join(f"{value:.3g} with {name}" for name, value in values.items())
+    margin = max([found.margin, *(abs(value - found.value) for value in values.values())])
+    return replace(found, unit=f"{found.unit}; {told}", margin=margin)
+
+
+def begins(scene: Scene, part: CompliantMotion) -> float:
+    """Return when [s] in a motion on a table its modes begin to act back, `dynamics.coupled.acting`; 0 if before it."""
+    acts = part.rows[:, 1] < acting(scene, part.model.modes).inclination
+    return float(acts.argmax() * STATES * part.dt)
 
 
 def halt_comes_earlier(scene: Scene, motion: Motion) -> Finding:
     """By how much earlier [s] the disk lies flat than the same disk, on the same contact, on a table without modes.
 
-    That one goes on from where the table begins to act back, `dynamics.coupled.acting`, and holds ACTS of the energy.
+    That one goes on from where the table begins to act back, and holds ACTS of the energy.
     """
     part, _ = two_way(motion)
-    acts = part.rows[:, 1] < acting(scene, part.model.modes).inclination
-    start = float(acts.argmax() * STATES * part.dt)
+    start = begins(scene, part)
     alone, below = replace(part.model, modes=None), max(part.rows[-1, 1], LIES)
     y = release(alone, part.at([start])[0], part.force([start])[0])
     *_, last = alone.run(y, EVERY, max(scene.numerics.time_limit - start, 1e-3), below)
@@ -79,14 +114,14 @@ def halt_comes_earlier(scene: Scene, motion: Motion) -> Finding:
         value=start + last.t[-1] - part.t[-1],
         unit="s earlier than on a table that does not act back",
         at_least=0.05,
-        margin=CHAOS + ACTS * last.t[-1],
+        margin=ACTS * last.t[-1],
         source="section 8: the vibrations will result in an abrupt halt",
     )
 
 
-def waves_make_the_halt(motion: Motion) -> Finding:
+def waves_make_the_halt(scene: Scene, motion: Motion) -> Finding:
     """The share of the modes of the table in what the disk and its contact lose in the last LAST of the energy."""
-    budget = _last(motion)
+    budget = _last(scene, motion)
     shares = {name: lost[-1] for name, lost in budget.lost.items()}
     shares["table"] += budget.table[-1] - budget.table[0]
     whole = sum(shares.values())
@@ -97,14 +132,13 @@ def waves_make_the_halt(motion: Motion) -> Finding:
         value=shares["table"] / whole,
         unit=f"of the last {LAST:.0%} of the energy; {told}",
         at_least=0.5,
-        margin=0.05,
         source="section 8: contact that is lost and regained ends the motion",
     )
 
 
-def table_rings_at_the_halt(motion: Motion) -> Finding:
+def table_rings_at_the_halt(scene: Scene, motion: Motion) -> Finding:
     """The share of the modes of the table in the energy of disk and table, when they hold most."""
-    t = _times(motion)
+    t = _times(scene, motion)
     budget = energy_budget(motion, t)
     most = budget.table.argmax()
     return Finding(
@@ -117,30 +151,50 @@ def table_rings_at_the_halt(motion: Motion) -> Finding:
     )
 
 
-def loss_at_resonance(motion: Motion) -> Finding:
-    """n Omega/w at the first loss of contact, of the mode of the table that is nearest to 1 there."""
+def disk_rings_at_the_halt(scene: Scene, motion: Motion) -> Finding:
+    """The greatest energy of the elastic modes of the disk over that with which the last LAST of the energy begins."""
+    budget = _last(scene, motion)
+    return Finding(
+        key="disk_rings_at_the_halt",
+        claim="The vibrations of the disk, and not those of the table alone, have a part in the halt",
+        value=budget.bending.max() / (budget.disk[0] + budget.table[0]),
+        unit=f"of the last {LAST:.0%} of the energy is the most that its elastic modes hold",
+        at_least=0.1,
+        source="abstract: the vibrations of disk and surface",
+    )
+
+
+def loss_at_resonance(scene: Scene, motion: Motion) -> Finding:
+    """n Omega/w at the first loss of contact, of the mode of the table that is nearest to 1 there; 0 without a loss."""
+    if not motion.contact_losses:
+        return _at_resonance(0.0, "contact is kept")
     first, modes = motion.contact_losses[0].t, two_way(motion)[0].model.modes
     around = np.linspace(max(first - 0.002, 0.0), first, 20)
     rate = np.abs(np.median(precession_rate(motion.at(around)))) / (2 * np.pi)
     x = (modes.order * rate / modes.frequency)[modes.order > 0]
+    told = f"{motion.t[-1] - first:.2g} s before the end and {rate:.3g} Hz; {len(motion.contact_losses)} losses in all"
+    return _at_resonance(float(x[np.abs(x - 1).argmin()]) if len(x) else 0.0, told)
+
+
+def _at_resonance(x, told) -> Finding:
     return Finding(
         key="loss_at_resonance",
         claim="Contact is first lost where its precession passes the waves of a mode",
-        value=float(x[np.abs(x - 1).argmin()]) if len(x) else 0.0,
-        unit=f"n times the precession over the frequency of the nearest mode, at {first:.4g} s and {rate:.3g} Hz; "
-        f"{len(motion.contact_losses)} losses in all",
+        value=x,
+        unit=f"n times the precession over the frequency of the nearest mode, {told}",
         at_least=1 - NEAR,
         at_most=1 + NEAR,
         source="section 8: the vibrations will result in a loss of contact",
     )
 
 
-def _times(motion, count=4000):
-    return np.linspace(two_way(motion)[1], motion.t[-1], count)
+def _times(scene, motion, count=4000):
+    part, begin = two_way(motion)
+    return np.linspace(begin + begins(scene, part), motion.t[-1], count)
 
 
-def _last(motion) -> Budget:
+def _last(scene, motion) -> Budget:
     """The budget from where LAST of the energy with which the table begins to act back is left."""
-    budget = energy_budget(motion, _times(motion))
+    budget = energy_budget(motion, _times(scene, motion))
     whole = budget.disk + budget.table
     return energy_budget(motion, budget.t[np.argmax(whole < LAST * whole[0]) :])

@@ -29,7 +29,8 @@ def check_table(scene: Scene):
     if getattr(surface, "action", "") == "motion":
         what, instead = "surface.action = 'motion'", unsolved(scene) or not_in_full(scene)
     else:
-        what, instead = "imperfection", scene.imperfection and (no_one_contact(scene) or not_in_full(scene))
+        what, wavy = "imperfection", scene.imperfection is not None
+        instead = (no_one_contact(scene) or not_in_full(scene)) if wavy else ""
     if instead:
         raise SceneError(f"{what} with {instead}")
     if surface.kind == "mesh" and not Path(surface.file).is_file():
