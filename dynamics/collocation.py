@@ -10,7 +10,7 @@ import math
 
 import numpy as np
 
-from .guards import GRIP, LIFT_OFF
+from .guards import GRIP, LIFT_OFF, guard_of
 from .hybrid import Arc, StalledError, Step
 from .implicit_steps import LENGTH, ORDER, SHORTEST, STEP, STEPS, integrate, step_from_rest
 from .regime import STOP_SPEED, V1, V2, Flow, R, describe
@@ -20,6 +20,7 @@ from .trace import compiled, machine
 
 REST = 1e-13
 """Slip speed over r at which a slow slide is at rest: there it is too slow for a last step along its tangent."""
+REVERSAL = guard_of("nutation reverses")
 
 
 class Polar(Flow):
@@ -48,9 +49,10 @@ class Polar(Flow):
 
 
 def polar(branch):
-    """Return the compiled flow of a slow slide, the names of its guards, and the numbers of grip and lift-off."""
+    """Return the compiled flow of a slow slide, the names of its guards, and the numbers of grip, lift-off and the
+    reversal of nutation, -1 where there is none."""
     flow, names = compiled(branch, Polar)
-    return flow, names, names.index(GRIP), names.index(LIFT_OFF)
+    return flow, names, names.index(GRIP), names.index(LIFT_OFF), names.index(REVERSAL) if REVERSAL in names else -1
 
 
 def grazing_step(y, nu, regime, law, loads) -> Step | None:
@@ -59,7 +61,7 @@ def grazing_step(y, nu, regime, law, loads) -> Step | None:
     None where the slip comes back to rest before it has the speed that ends a slide: then there is no slide to follow.
     Raises StalledError where no length down to SHORTEST converges.
     """
-    (flow, names, grip, _), parameters = prepared(polar, regime, law, loads, 0.0)
+    (flow, names, grip, *_), parameters = prepared(polar, regime, law, loads, 0.0)
     rest, dt = np.array([*y[:V1], 0.0, nu, *y[V2 + 1 :]]), LENGTH * y[R]
     others = [i for i in range(len(names)) if i != grip]
     while dt > SHORTEST * y[R]:
@@ -74,11 +76,17 @@ def grazing_step(y, nu, regime, law, loads) -> Step | None:
 def advance(y, regime, law, loads, r_end, span) -> Arc | None:
     """Integrate a stiff slide until a guard falls, for `span`, until it is stiff no more, or for MOST_STEPS steps.
 
-    None where it is not stiff, or no length down to SHORTEST converges. Safe to call from several threads at once.
+    It goes on through plain reversals of the nutation. None where it is not stiff, or no length down to SHORTEST
+    converges. Safe to call from several threads at once.
     """
     (flow, names, *of), parameters = prepared(polar, regime, law, loads, r_end)
     start = np.array([*y[:V1], math.hypot(y[V1], y[V2]), math.atan2(y[V2], y[V1]), *y[V2 + 1 :]])
-    times, powers, end, fired = machine(integrate, STEPS)(
+    times, powers, end, fired, turns = machine(integrate, STEPS)(
         flow, start, parameters, len(names), *of, law.mu_dynamic, span
     )
-    return Arc(times, powers, end.tolist(), names[fired] if fired >= 0 else None) if len(times) else None
+    guard, passed = names[fired] if fired >= 0 else None, []
+    for steps in turns.tolist():
+        sense, *others = regime.senses
+        regime = regime._replace(senses=(-sense, *others))
+        passed.append((steps, REVERSAL, regime))
+    return Arc(times, powers, end.tolist(), guard, tuple(passed)) if len(times) else None

@@ -17,12 +17,17 @@ class StalledError(ArithmeticError):
 
 
 class Arc(NamedTuple):
-    """A stretch of one regime: ends of its n pieces, Taylor coefficients (n, order + 1, k), end state, guard fired."""
+    """A stretch of one regime: ends of its n pieces, Taylor coefficients (n, order + 1, k), end state, guard fired.
+
+    `passed` are the changes of regime that an integrator decides itself and goes on: the number of pieces before each,
+    the guard, and the regime after it.
+    """
 
     times: np.ndarray
     coefficients: np.ndarray
     end: list
     guard: str | None
+    passed: tuple[tuple[int, str, Any], ...] = ()
 
 
 class Step(NamedTuple):
@@ -74,12 +79,21 @@ class Path:
     regimes: list = field(default_factory=list)
     crossings: list = field(default_factory=list)
 
-    def extend(self, times, coefficients, regime) -> None:
-        """Append pieces that end at `times` (n,), counted from the present end."""
-        self.times.append(self.t + times)
+    def extend(self, times, coefficients, regime, passed=()) -> Any:
+        """Append pieces that end at `times` (n,), counted from the present end; return the regime of the last.
+
+        `passed` are the changes of regime on the way, as in `Arc`.
+        """
+        times, done = self.t + times, 0
+        for pieces, guard, after in passed:
+            self.regimes.append((regime, pieces - done))
+            self.crossings.append(Crossing(float(times[pieces - 1]), regime, after, guard))
+            regime, done = after, pieces
+        self.times.append(times)
         self.coefficients.append(coefficients)
-        self.regimes.append((regime, len(times)))
-        self.t = float(self.times[-1][-1])
+        self.regimes.append((regime, len(times) - done))
+        self.t = float(times[-1])
+        return regime
 
 
 MOST_AT_ONCE = 100
@@ -109,8 +123,7 @@ def _follow(system, path, regime, y, span, watch) -> str | None:
     while path.t < span:
         start = path.t
         arc = system.advance(y, regime, span - path.t)
-        path.extend(arc.times, arc.coefficients, regime)
-        y = arc.end
+        regime, y = path.extend(arc.times, arc.coefficients, regime, arc.passed), arc.end
         watch(path.t, y)
         if arc.guard is None:
             continue

@@ -9,6 +9,7 @@ from numba import njit, types
 from numpy.polynomial.chebyshev import cheb2poly, chebint, chebpts1, chebvander
 
 from . import slow_slide
+from .equations import Law
 from .regime import DISSIPATED, STOP_SPEED, V1, V2, W1, R
 from .runge_kutta import GUARDS, HALVINGS, at, fall_between
 from .trace import FLOW, ROW
@@ -39,7 +40,11 @@ TILT = 1e-7
 """Of the difference quotient for Newton's method, which mends its error."""
 STAY = 1.5
 """A stiff slide is left where it is so many times beyond that."""
-MOST_STEPS, SIZE = 20, DISSIPATED + 1
+MOST_STEPS, SIZE = 40, DISSIPATED + 1
+SENSE = len(Law._fields)
+"""Place of the sense of nutation among the constants of a flow (symbolic.py)."""
+PLAIN = 1e-6
+"""Rate of nutation over r, of either sign, below which a reversal is not decided here."""
 
 
 is_slow = njit(cache=True, error_model="numpy")(slow_slide.is_slow)
@@ -217,9 +222,24 @@ def first_fall(flow, p, c, count, before, guards):
     return place, fired
 
 
+@njit(cache=True, error_model="numpy")
+def reverses(flow, p, y, slope, before, count, turn):
+    """Reverse the nutation, at rest in y, for the flow's constants p; tell whether it plainly goes on so, and alone.
+
+    Filled are the `slope` and the guards `before`, of which none but the number `turn` is at zero.
+    """
+    y[W1], p[SENSE] = 0.0, -p[SENSE]
+    flow(y, p, slope, before)
+    for i in range(count):
+        if i != turn and not before[i] > 0:
+            return False
+    return p[SENSE] * slope[W1] > PLAIN
+
+
 CALL, ROWS, INDEX, NUMBER = types.FunctionType(FLOW), types.float64[:, ::1], types.int64, types.float64
 STEP = types.Tuple((ROWS, NUMBER))(CALL, ROW, ROW, NUMBER, ROWS)
-STEPS = types.Tuple((ROW, types.float64[:, :, ::1], ROW, INDEX))(CALL, ROW, ROW, *[INDEX] * 3, NUMBER, NUMBER)
+FOUND = types.Tuple((ROW, types.float64[:, :, ::1], ROW, INDEX, INDEX[::1]))
+STEPS = FOUND(CALL, ROW, ROW, *[INDEX] * 4, NUMBER, NUMBER)
 """The types of `step_from_rest` and of `integrate`."""
 
 
@@ -231,18 +251,19 @@ def step_from_rest(flow, y, p, dt, guards):
     return (in_plane(c, states, rates, dt, 1.0) if error < 1 else c), error
 
 
-def integrate(flow, y, p, count, grip, load, mu, span):
+def integrate(flow, y, p, count, grip, load, turn, mu, span):
     """Integrate a slow slide from y (SIZE,) until a guard falls, for `span`, while it is slow, or for MOST_STEPS steps.
 
-    `grip` and `load` are the numbers of these among the `count` guards, the load being Phi. Returns the ends of the
-    steps (n,), their Taylor coefficients (n, ORDER + 1, SIZE) and the last state (SIZE,), with the slip along a_1, a_2,
-    and the number of the guard, -1 for none. Where no step is short enough, the steps before it; there may be none, as
-    where the slide is not slow.
+    `grip`, `load` and `turn` are the numbers of these among the `count` guards, the load being Phi; where the last, the
+    reversal of nutation, falls plainly, the slide goes on in the other sense. Returns the ends of the steps (n,), their
+    Taylor coefficients (n, ORDER + 1, SIZE) and the last state (SIZE,), with the slip along a_1, a_2, the number of the
+    guard, -1 for none, and how many steps were before each reversal. Where no step is short enough, the steps before
+    it; there may be none, as where the slide is not slow.
     """
     times, coefficients = np.empty(MOST_STEPS), np.empty((MOST_STEPS, ORDER + 1, SIZE))
     slope, states, rates = np.empty(SIZE), np.empty((ORDER, SIZE)), np.empty((ORDER, SIZE))
-    before, guards = np.empty(GUARDS), np.empty((ORDER + 1, GUARDS))
-    t, n, fired = 0.0, 0, -1
+    before, guards, turns = np.empty(GUARDS), np.empty((ORDER + 1, GUARDS)), np.empty(MOST_STEPS, np.int64)
+    t, n, fired, turned, p = 0.0, 0, -1, 0, p.copy()
     flow(y, p, slope, before)
     slow = is_slow(y[V1], change_of_square(y, slope), mu * before[load])
     length = first_length(flow, p, y, slope)
@@ -257,10 +278,13 @@ def integrate(flow, y, p, count, grip, load, mu, span):
         coefficients[n] = in_plane(c, states, rates, dt, place)
         t = span if fired < 0 and dt == span - t else t + place * dt
         times[n], n = t, n + 1
-        length = min(max(GROWTH, error ** (-1 / 3)) * length, LONGEST)
+        length, stay = min(max(GROWTH, error ** (-1 / 3)) * length, LONGEST), STAY
         at(c, place, y)
+        if fired == turn >= 0 and reverses(flow, p, y, slope, before, count, turn):
+            turns[turned], turned, fired = n, turned + 1, -1
+            length, stay = first_length(flow, p, y, slope), 1.0
         flow(y, p, slope, before)
-        slow = is_slow(y[V1] / STAY, change_of_square(y, slope) / STAY**2, mu * before[load])
+        slow = is_slow(y[V1] / stay, change_of_square(y, slope) / stay**2, mu * before[load])
         if fired < 0 and not slow and before[grip] < STOP_SPEED:  # it stops too fast to be slow, and has no guard left
             fired = grip
-    return times[:n].copy(), coefficients[:n].copy(), cartesian(y), fired
+    return times[:n].copy(), coefficients[:n].copy(), cartesian(y), fired, turns[:turned].copy()

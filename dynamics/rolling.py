@@ -61,7 +61,7 @@ class RollingDisk:
             raise StalledError(f"{describe(y)}: every step is too short in {regime}")
         arc.coefficients[:, 0, PRECESSION:] += offset
         end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], offset)]
-        return Arc(arc.times, arc.coefficients, end, arc.guard)
+        return arc._replace(end=end)
 
     def _is_stiff(self, y, regime) -> bool:
         if not (regime.sliding and self.law.mu_dynamic > 0):
