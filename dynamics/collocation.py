@@ -11,15 +11,12 @@ import math
 import numpy as np
 
 from .guards import GRIP, LIFT_OFF, guard_of
-from .hybrid import Arc, StalledError, Step
-from .implicit_steps import LENGTH, ORDER, SHORTEST, STEP, STEPS, integrate, step_from_rest
-from .regime import STOP_SPEED, V1, V2, Flow, R, describe
-from .runge_kutta import GUARDS
+from .hybrid import Arc, StalledError
+from .implicit_steps import MOST_STEPS, REST, STEPS, integrate
+from .regime import V1, V2, Flow, R, describe
 from .symbolic import prepared
 from .trace import compiled, machine
 
-REST = 1e-13
-"""Slip speed over r at which a slow slide is at rest: there it is too slow for a last step along its tangent."""
 REVERSAL = guard_of("nutation reverses")
 
 
@@ -55,38 +52,38 @@ def polar(branch):
     return flow, names, names.index(GRIP), names.index(LIFT_OFF), names.index(REVERSAL) if REVERSAL in names else -1
 
 
-def grazing_step(y, nu, regime, law, loads) -> Step | None:
-    """Return the first step of a slide from rest along nu, of a length on which every guard stays positive.
-
-    None where the slip comes back to rest before it has the speed that ends a slide: then there is no slide to follow.
-    Raises StalledError where no length down to SHORTEST converges.
-    """
-    (flow, names, grip, *_), parameters = prepared(polar, regime, law, loads, 0.0)
-    rest, dt = np.array([*y[:V1], 0.0, nu, *y[V2 + 1 :]]), LENGTH * y[R]
-    others = [i for i in range(len(names)) if i != grip]
-    while dt > SHORTEST * y[R]:
-        guards = np.ones((ORDER + 1, GUARDS))
-        powers, error = machine(step_from_rest, STEP)(flow, rest, parameters, dt, guards)
-        if error < 1 and guards[:, others].min() > 0 and guards[:, grip].min() > -REST:
-            return Step(regime, dt, powers, is_sure=True) if guards[-1, grip] > STOP_SPEED else None
-        dt /= 2
-    raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")
-
-
 def advance(y, regime, law, loads, r_end, span) -> Arc | None:
     """Integrate a stiff slide until a guard falls, for `span`, until it is stiff no more, or for MOST_STEPS steps.
 
     It goes on through plain reversals of the nutation. None where it is not stiff, or no length down to SHORTEST
     converges. Safe to call from several threads at once.
     """
+    speed, direction = math.hypot(y[V1], y[V2]), math.atan2(y[V2], y[V1])
+    arc = _integrated(y, speed, direction, regime, law, loads, r_end, span, MOST_STEPS)
+    return arc if len(arc.times) else None
+
+
+def graze(y, nu, regime, law, loads, r_end, most) -> Arc | None:
+    """Integrate a slide that starts from rest along nu without a push, as `advance` does, for at most `most` steps.
+
+    None where the slip comes back to rest before it has the speed that ends a slide: then there is no slide to follow.
+    Raises StalledError where no length down to SHORTEST converges.
+    """
+    arc = _integrated(y, 0.0, nu, regime, law, loads, r_end, math.inf, most)
+    if not len(arc.times) and arc.guard is None:
+        raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")
+    return arc if len(arc.times) else None
+
+
+def _integrated(y, speed, direction, regime, law, loads, r_end, span, most):
     (flow, names, *of), parameters = prepared(polar, regime, law, loads, r_end)
-    start = np.array([*y[:V1], math.hypot(y[V1], y[V2]), math.atan2(y[V2], y[V1]), *y[V2 + 1 :]])
+    start = np.array([*y[:V1], speed, direction, *y[V2 + 1 :]])
     times, powers, end, fired, turns = machine(integrate, STEPS)(
-        flow, start, parameters, len(names), *of, law.mu_dynamic, span
+        flow, start, parameters, len(names), *of, law.mu_dynamic, span, most
     )
     guard, passed = names[fired] if fired >= 0 else None, []
     for steps in turns.tolist():
         sense, *others = regime.senses
         regime = regime._replace(senses=(-sense, *others))
         passed.append((steps, REVERSAL, regime))
-    return Arc(times, powers, end.tolist(), guard, tuple(passed)) if len(times) else None
+    return Arc(times, powers, end.tolist(), guard, tuple(passed))

@@ -29,17 +29,22 @@ class Arc(NamedTuple):
     guard: str | None
     passed: tuple[tuple[int, str, Any], ...] = ()
 
+    def until(self, span: float) -> "Arc":
+        """Return the part of it before `span`."""
+        if self.times[-1] <= span:
+            return self
+        n = int(np.searchsorted(self.times, span))
+        last = Step(None, span - (self.times[n - 1] if n else 0.0), self.coefficients[n])
+        passed = tuple(change for change in self.passed if change[0] <= n)
+        return Arc(np.append(self.times[:n], span), self.coefficients[: n + 1], last.end, None, passed)
+
 
 class Step(NamedTuple):
-    """A short step taken in closed form within a regime: its duration and Taylor coefficients (order + 1, k).
-
-    `is_sure`: every guard is known to stay positive along it.
-    """
+    """A short step taken in closed form within a regime: its duration and Taylor coefficients (order + 1, k)."""
 
     regime: Any
     duration: float
     coefficients: np.ndarray
-    is_sure: bool = False
 
     @property
     def end(self) -> list:
@@ -52,12 +57,16 @@ class Step(NamedTuple):
 
 
 class Switch(NamedTuple):
-    """What follows an event: the regime, the state and the closed steps to it; or how the motion `ended`."""
+    """What follows an event: the regime, the state and the closed steps to it; or how the motion `ended`.
+
+    `ahead` is the flow from there, where it had to be integrated to know.
+    """
 
     regime: Any
     state: list
     steps: tuple[Step, ...] = ()
     ended: str | None = None
+    ahead: Arc | None = None
 
 
 class Crossing(NamedTuple):
@@ -108,39 +117,40 @@ def drive(system, y, span, watch=lambda t, y: None) -> tuple[Path, str | None]:
     StalledError after the first instant as STALLED.
     """
     path = Path()
-    regime, y = _take(path, system.begin(y))
+    start = system.begin(y)
+    _take(path, start)
     try:
-        return path, _follow(system, path, regime, y, span, watch)
+        return path, _follow(system, path, start, span, watch)
     except StalledError:
         if not path.t:
             raise
         return path, STALLED
 
 
-def _follow(system, path, regime, y, span, watch) -> str | None:
-    """Extend the path from y in `regime` to its end; return what ended it."""
+def _follow(system, path, switch, span, watch) -> str | None:
+    """Extend the path from what `switch` leads to, to its end; return what ended it."""
     at_once = 0
     while path.t < span:
-        start = path.t
-        arc = system.advance(y, regime, span - path.t)
+        start, regime, y = path.t, switch.regime, switch.state
+        arc = switch.ahead.until(span - start) if switch.ahead else system.advance(y, regime, span - start)
         regime, y = path.extend(arc.times, arc.coefficients, regime, arc.passed), arc.end
         watch(path.t, y)
         if arc.guard is None:
+            switch = Switch(regime, y)
             continue
-        before, switch = regime, system.switch(y, regime, arc.guard)
-        now = path.t + sum(step.duration for step in switch.steps if step.regime == before)
-        regime, y = _take(path, switch)
+        switch = system.switch(y, regime, arc.guard)
+        now = path.t + sum(step.duration for step in switch.steps if step.regime == regime)
+        _take(path, switch)
         if switch.ended:
             return switch.ended
-        path.crossings.append(Crossing(now, before, regime, arc.guard))
+        path.crossings.append(Crossing(now, regime, switch.regime, arc.guard))
         at_once = at_once + 1 if path.t == start else 0
         if at_once > MOST_AT_ONCE:
             return CASCADE
     return None
 
 
-def _take(path, switch):
-    """Append the closed steps of a switch; return its regime and state."""
+def _take(path, switch) -> None:
+    """Append the closed steps of a switch."""
     for step in switch.steps:
         path.extend(np.array([step.duration]), step.coefficients[None], step.regime)
-    return switch.regime, switch.state

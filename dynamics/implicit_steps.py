@@ -43,6 +43,8 @@ STAY = 1.5
 MOST_STEPS, SIZE = 40, DISSIPATED + 1
 SENSE = len(Law._fields)
 """Place of the sense of nutation among the constants of a flow (symbolic.py)."""
+REST = 1e-13
+"""Slip speed over r at which a slow slide is at rest: there it is too slow for a last step along its tangent."""
 PLAIN = 1e-6
 """Rate of nutation over r, of either sign, below which a reversal is not decided here."""
 
@@ -236,48 +238,52 @@ def reverses(flow, p, y, slope, before, count, turn):
     return p[SENSE] * slope[W1] > PLAIN
 
 
-CALL, ROWS, INDEX, NUMBER = types.FunctionType(FLOW), types.float64[:, ::1], types.int64, types.float64
-STEP = types.Tuple((ROWS, NUMBER))(CALL, ROW, ROW, NUMBER, ROWS)
+@njit(cache=True, error_model="numpy")
+def starts(before, guards, count, grip):
+    """Tell whether a step from rest leads into the slide: what is at zero `before` it is positive at its first node."""
+    leads = True
+    for i in range(count):
+        leads &= before[i] > 0 or guards[0, i] > (-REST if i == grip else 0.0)
+    return leads
+
+
+CALL, INDEX, NUMBER = types.FunctionType(FLOW), types.int64, types.float64
 FOUND = types.Tuple((ROW, types.float64[:, :, ::1], ROW, INDEX, INDEX[::1]))
-STEPS = FOUND(CALL, ROW, ROW, *[INDEX] * 4, NUMBER, NUMBER)
-"""The types of `step_from_rest` and of `integrate`."""
+STEPS = FOUND(CALL, ROW, ROW, *[INDEX] * 4, NUMBER, NUMBER, INDEX)
+"""The type of `integrate`."""
 
 
-def step_from_rest(flow, y, p, dt, guards):
-    """Return a step from rest as powers (ORDER + 1, SIZE) of time, and its error; see `collocate`."""
-    slope, states, rates = np.empty(SIZE), np.empty((ORDER, SIZE)), np.empty((ORDER, SIZE))
-    flow(y, p, slope, guards[0])
-    c, error = collocate(flow, p, y, slope, dt, states, rates, guards)
-    return (in_plane(c, states, rates, dt, 1.0) if error < 1 else c), error
-
-
-def integrate(flow, y, p, count, grip, load, turn, mu, span):
-    """Integrate a slow slide from y (SIZE,) until a guard falls, for `span`, while it is slow, or for MOST_STEPS steps.
+def integrate(flow, y, p, count, grip, load, turn, mu, span, most):
+    """Integrate a slow slide from y (SIZE,) until a guard falls, for `span`, while it is slow, or for `most` steps.
 
     `grip`, `load` and `turn` are the numbers of these among the `count` guards, the load being Phi; where the last, the
     reversal of nutation, falls plainly, the slide goes on in the other sense. Returns the ends of the steps (n,), their
     Taylor coefficients (n, ORDER + 1, SIZE) and the last state (SIZE,), with the slip along a_1, a_2, the number of the
     guard, -1 for none, and how many steps were before each reversal. Where no step is short enough, the steps before
-    it; there may be none, as where the slide is not slow.
+    it; there may be none, as where the slide is not slow, or starts at rest and never has the speed that ends a slide,
+    whose guard is the grip then.
     """
-    times, coefficients = np.empty(MOST_STEPS), np.empty((MOST_STEPS, ORDER + 1, SIZE))
+    times, coefficients = np.empty(most), np.empty((most, ORDER + 1, SIZE))
     slope, states, rates = np.empty(SIZE), np.empty((ORDER, SIZE)), np.empty((ORDER, SIZE))
-    before, guards, turns = np.empty(GUARDS), np.empty((ORDER + 1, GUARDS)), np.empty(MOST_STEPS, np.int64)
+    before, guards, turns = np.empty(GUARDS), np.empty((ORDER + 1, GUARDS)), np.empty(most, np.int64)
     t, n, fired, turned, p = 0.0, 0, -1, 0, p.copy()
     flow(y, p, slope, before)
-    slow = is_slow(y[V1], change_of_square(y, slope), mu * before[load])
-    length = first_length(flow, p, y, slope)
-    while n < MOST_STEPS and t < span and fired < 0 and slow and length >= SHORTEST:
+    rests = y[V1] == 0
+    slow = rests or is_slow(y[V1], change_of_square(y, slope), mu * before[load])
+    length = LENGTH if rests else first_length(flow, p, y, slope)
+    while n < most and t < span and fired < 0 and slow and length >= SHORTEST:
         dt = min(length * y[R], span - t)
         c, error = collocate(flow, p, y, slope, dt, states, rates, guards)
-        scale = 0.8 * error ** (-1 / ORDER) if error < np.inf else SHRINK
-        if not error < 1:
-            length *= scale
+        if not error < 1 or (rests and not starts(before, guards, count, grip)):
+            length *= 0.8 * error ** (-1 / ORDER) if 1 <= error < np.inf else SHRINK
             continue
         place, fired = first_fall(flow, p, c, count, before, guards)
+        if rests and not np.max(guards[:, grip]) > STOP_SPEED:
+            fired = grip
+            break
         coefficients[n] = in_plane(c, states, rates, dt, place)
         t = span if fired < 0 and dt == span - t else t + place * dt
-        times[n], n = t, n + 1
+        times[n], n, rests = t, n + 1, False
         length, stay = min(max(GROWTH, error ** (-1 / 3)) * length, LONGEST), STAY
         at(c, place, y)
         if fired == turn >= 0 and reverses(flow, p, y, slope, before, count, turn):

@@ -9,7 +9,7 @@ from .dissipation import OwnLaw, Resistance
 from .equations import Law
 from .first_root import first_fall
 from .guards import AXES, LIFT_OFF, STOP_SPEED, Kind, guard_of
-from .hybrid import Arc, StalledError, Switch
+from .hybrid import Arc, StalledError, Step, Switch
 from .regime import FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 from .slow_slide import is_stiff
 from .switching import GRAZING, ImpossibleContactError, follow, slide_to_rest
@@ -48,8 +48,7 @@ class RollingDisk:
 
         Raises StalledError where steps of no reasonable length suffice.
         """
-        turned = math.remainder(y[PRECESSION], 2 * math.pi)
-        local, offset = [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
+        local, offset = restarted(y)
         within, arc = (local, regime, self.law, self.loads, self.r_end, span), None
         if self._is_stiff(y, regime):
             self.announce("slow slide")
@@ -59,14 +58,22 @@ class RollingDisk:
         arc = arc or self.integrate(*within, self.tolerance)
         if arc.guard is None and len(arc.times) >= MANY and arc.times[-1] < min(CRAWL * y[R] * len(arc.times), span):
             raise StalledError(f"{describe(y)}: every step is too short in {regime}")
-        arc.coefficients[:, 0, PRECESSION:] += offset
-        end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], offset)]
-        return arc._replace(end=end)
+        return shifted(arc, offset)
+
+    def _graze(self, y, nu, regime) -> Arc | None:
+        """Integrate a slide from rest along nu, with hardly a push; only its first step where it is not stiff."""
+        from .collocation import MOST_STEPS, graze  # numba loads slowly
+
+        local, offset = restarted(y)
+        most = MOST_STEPS if self._is_stiff(y, regime) else 1
+        arc = graze(local, nu, regime, self.law, self.loads, self.r_end, most)
+        return arc and shifted(arc, offset)
 
     def _is_stiff(self, y, regime) -> bool:
         if not (regime.sliding and self.law.mu_dynamic > 0):
             return False
-        return self._is_grazing or is_stiff(y, self._contact(y, regime), self.law)
+        rests = y[V1] == y[V2] == 0
+        return self._is_grazing or rests or is_stiff(y, self._contact(y, regime), self.law)
 
     @property
     def _is_grazing(self) -> bool:
@@ -105,12 +112,11 @@ class RollingDisk:
         return then._replace(steps=(last, *then.steps))
 
     def _follow(self, y, at_zero, fired=(), senses=(1.0, 1.0, 1.0)) -> Switch:
-        regime, step = follow(y, self.law, self.loads, frozenset(at_zero), frozenset(fired), senses)
+        at_zero, fired = frozenset(at_zero), frozenset(fired)
+        regime, step = follow(y, self.law, self.loads, at_zero, fired, senses, self._graze)
         if regime is None:
             return Switch(None, y, ended=LIFT_OFF)
-        if step is None:
-            return Switch(regime, y)
-        return Switch(regime, step.end, (step,)) if step.is_sure else self._through(step, at_zero)
+        return self._through(step, at_zero) if isinstance(step, Step) else Switch(regime, y, ahead=step)
 
     def _through(self, step, at_zero) -> Switch:
         """Take the first step of a slide, up to a turning that reverses within it: its guard would be below zero."""
@@ -133,6 +139,18 @@ class RollingDisk:
             held |= {0}
         then = self._follow(y, held, senses=senses)
         return then._replace(steps=(step, *then.steps))
+
+
+def restarted(y):
+    """Return state y with precession and quadratures near zero, and what they have lost."""
+    turned = math.remainder(y[PRECESSION], 2 * math.pi)
+    return [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
+
+
+def shifted(arc, offset):
+    """Return an arc with `offset` added to precession and quadratures."""
+    arc.coefficients[:, 0, PRECESSION:] += offset
+    return arc._replace(end=[*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], offset)])
 
 
 def at_rest(y, i):

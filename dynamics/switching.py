@@ -11,7 +11,7 @@ from itertools import product
 import numpy as np
 
 from .equations import UNLOADED, Law, separation
-from .hybrid import StalledError, Step
+from .hybrid import Arc, StalledError, Step
 from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 from .slip_direction import slip_push
 
@@ -31,10 +31,11 @@ class ImpossibleContactError(ValueError):
     or they are undefined at the release."""
 
 
-def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0)) -> tuple[Regime, Step | None]:
-    """Return the regime that can follow from state y, and the first step where it leaves rest without a push.
+def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, Step | Arc | None]:
+    """Return the regime that can follow from state y, and the first step, or more, where it leaves rest.
 
     `at_zero` names what is zero now: 0 the slip, i the surface omega.a_i; `fired` which of these can no longer stay so.
+    `graze(y, nu, regime)` integrates a slide that leaves rest along nu more gently than GRAZING, or is None.
     Both are None where the disk leaves the plane. Raises ImpossibleContactError where it presses on it, but no regime
     is consistent.
     """
@@ -42,7 +43,7 @@ def follow(y, law: Law, loads, at_zero, fired=frozenset(), senses=(1.0, 1.0, 1.0
         for regime in _candidates(y, law, at_zero, leaving, senses):
             branch = Branch.of(regime, law, loads)
             if regime.sliding and 0 in at_zero:
-                step = _slide_from_rest(y, regime, branch, law, at_zero)
+                step = _slide_from_rest(y, regime, branch, law, at_zero, graze)
                 if step:
                     return regime, step
             elif _consistent(y, contact := FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero):
@@ -136,16 +137,14 @@ def _slip_directions(y, regime, branch, law):
     yield from (nu for speed, nu in speeds if speed > -ROUND_OFF)
 
 
-def _slide_from_rest(y, regime, branch, law, at_zero) -> Step | None:
+def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | None:
     """Take the first step of a slide in the limit of no start-up speed, or None where `regime` contradicts itself."""
     for nu in _slip_directions(y, regime, branch, law):
         first = _along(y, nu, regime, branch, law)
         if _consistent(y, first, regime, law, at_zero):
             push = math.hypot(first.du1, first.du2)
             if push < GRAZING * law.mu_dynamic * first.Phi:
-                from .collocation import grazing_step  # numba loads slowly
-
-                step = grazing_step(y, nu, regime, law, branch.loads)
+                step = graze(y, nu, regime)
             else:
                 step = _trapezoidal_step(y, nu, first, regime, branch, law)
             if step:
