@@ -57,6 +57,30 @@ def test_where_impacts_pile_up_time_stands_still_and_the_end_has_a_name():
     assert [event.t for event in path.crossings][:40] == pytest.approx(impacts(40), rel=1e-14)
 
 
+class AheadBall(Ball):
+    """The ball that has flown on before it is asked to, through an impact that it passes by itself."""
+
+    def switch(self, y, regime, guard):
+        after = super().switch(y, regime, guard)
+        first = self.advance(after.state, regime, np.inf)
+        second = self.advance(super().switch(first.end, regime, first.guard).state, regime, np.inf)
+        times = np.append(first.times, first.times + second.times)
+        series = np.concatenate([first.coefficients, second.coefficients])
+        return after._replace(ahead=Arc(times, series, second.end, second.guard, ((1, "impact", regime),)))
+
+
+@pytest.mark.parametrize("span", [2.0, 3.0, 4.0, 4.2])
+def test_what_is_integrated_ahead_is_the_path_that_is_integrated_in_turn(span):
+    path, ended = drive(AheadBall(), [HEIGHT, 0.0], span)
+    plain, _ = drive(Ball(), [HEIGHT, 0.0], span)
+    assert ended is None
+    assert path.t == span
+    assert np.concatenate(path.times) == pytest.approx(np.concatenate(plain.times), rel=1e-14)
+    assert np.concatenate(path.coefficients) == pytest.approx(np.concatenate(plain.coefficients), abs=1e-14)
+    assert [event.t for event in path.crossings] == pytest.approx([event.t for event in plain.crossings], rel=1e-14)
+    assert sum(n for _, n in path.regimes) == sum(map(len, path.coefficients))
+
+
 HALF_ANGLE, SLOPE = 0.3, 0.08
 """Half the angle between two spokes of the wheel, and the slope it walks down [rad]."""
 
