@@ -92,12 +92,13 @@ MODELLED = (
     "The film of air between disk and table (Reynolds' equation on the wedge): it slows the precession, damps the "
     "fall, and lifts the disk; friction acts on what it leaves of the contact force.",
     "Heave and tilt of the rigid disk radiate through the film as it is at each instant: open, its rim gives back what "
-    "the face takes; closed, the face alone sounds. The modes are damped, detuned and muffled by it.",
+    "the face takes, and its second harmonic, some 17 dB below the tilt; closed, the face alone sounds. The modes are "
+    "damped, detuned and muffled by it.",
 )
 LEFT_OUT = (
     "The disk that the air carries, after its contact is lost.",
     "Memory of the film's air from one instant to the next; pressure of the film as a direct driver of the modes.",
-    "The second harmonic of the flow at the rim: 18 dB below the tilt at 100 turns a second, and less before.",
+    "Inertia of the air in the second harmonic of the rim: 3 dB less of it at S = 3. Higher harmonics, 50 dB down.",
     "The phase at which a mode radiates through the film, and the azimuth: a mean is taken. Modes above k R = 1.5, 2.2 "
     "kHz for a disk of 75 mm, sound as above a closed film, of which the film only damps and detunes them.",
     "The film in a steep position, where the disk is no baffle: above 0.3 rad its sound is wrong by several dB; later "

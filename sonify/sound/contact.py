@@ -130,7 +130,7 @@ class AddedByContact:
         for t, force in _forces(added):
             state = self._states(t)
             driven = [source.channels(force, state) for source in self._moved]
-            driven[0][:, :2] -= self._moved[0].channels(0 * force, state)[:, :2]  # the weight of the rigid disk
+            driven[0][:, :3] -= self._moved[0].channels(0 * force, state)[:, :3]  # the rigid disk without a force
             stems = [radiate(_smooth(t, channels)) for radiate, channels in zip(radiated, driven, strict=True)]
             yield np.hstack(stems).sum(axis=1, keepdims=True)
 

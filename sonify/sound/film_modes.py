@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import pairwise
 from math import pi
 
 import numpy as np
+from numba import njit
 from scipy.interpolate import BarycentricInterpolator, CubicSpline
 
 from modal import Modes
@@ -13,8 +13,9 @@ from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import Knots, OscillatorBank
 from sonify.sound.radiation import directions, listener_of, position, rayleigh
 
-GAPS = np.geomspace(2.5e-3, 4e-6, 12)
-"""Mean gaps [m] at which the film is solved; a wider one acts as the first, a closer one as the last."""
+GAPS, MORE = np.geomspace(2.5e-3, 4e-6, 12), 2
+"""Mean gaps [m] at which the film is solved, down to the least one of a motion and so many more; a wider one acts as
+the first, a closer one as the last."""
 CELLS, NEAREST, ORDERS, VIEWS = 6, 5.0, 4, 16
 """Of the film's mesh, of the waves of the flow round its rim, and of the azimuths that hear it."""
 SMALL = 1.5
@@ -41,12 +42,12 @@ class Filmed:
     decay_rate: np.ndarray
     gain: np.ndarray
 
-    def heard(self, gap) -> np.ndarray:
-        """Return the gain (k, m) at logarithms of gaps (k,)."""
-        return np.column_stack([np.interp(gap, self.gap[::-1], column[::-1]) for column in self.gain.T])
+    def heard(self, ringing, gap) -> np.ndarray:
+        """Return accelerations `ringing` (s, k, m), which are overwritten, as heard at logarithms of gaps (k,)."""
+        return _times(ringing, np.interp(gap, self.gap[::-1], np.arange(len(self.gap))[::-1]), self.gain)
 
-    def tuned(self, gap: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return frequency and decay rate (m,) at the logarithm of one gap."""
+    def tuned(self, gap) -> tuple[np.ndarray, np.ndarray]:
+        """Return frequency and decay rate (..., m) at logarithms of gaps (...)."""
         frequency, added = self._curves
         return frequency(gap), self.decay_rate + np.maximum(np.exp(added(gap)) - LEAST, 0.0)
 
@@ -55,8 +56,9 @@ class Filmed:
         return [CubicSpline(self.gap[::-1], t[::-1]) for t in (self.frequency, np.log(self.added + LEAST))]
 
 
-def filmed(modes: Modes, scene) -> Filmed:
-    """Return the modes of a scene under its film, whose contact is at the patch of the modes.
+def filmed(modes: Modes, scene, least: float = 0.0) -> Filmed:
+    """Return the modes of a scene under its film, whose contact is at the patch of the modes, for gaps not below
+    `least` [m].
 
     Of modal mass 1, lambda^2 + (2 d + D) lambda + w^2 = 0, D = -12 mu R^4/g^3 int p w dA at the rate Im lambda,
     as it is foreseen from the wider gaps. The air is isothermal, has inertia, and the rim is free of pressure.
@@ -67,7 +69,8 @@ def filmed(modes: Modes, scene) -> Filmed:
     shapes = [below(modes, i, mesh.points, R) for i in range(len(modes))]
     natural = 2 * pi * modes.frequency
     rate, before, found, flows = natural, natural, [], []
-    for g in GAPS:
+    gaps = GAPS[: max(np.count_nonzero(least < GAPS) + MORE, 4)]
+    for g in gaps:
         ahead = rate * rate / before
         answers = [
             mesh.linear([w], [w], 12 * air.viscosity * r * R**2 / (air.pressure * g**2), layered(g, r, air), ORDERS)[0]
@@ -81,7 +84,7 @@ def filmed(modes: Modes, scene) -> Filmed:
         flows.append([a.rim for a in answers])
     frequency, added = np.swapaxes(found, 0, 1)
     gain = loudness(modes, scene, np.array(flows))
-    return Filmed(gap=np.log(GAPS), frequency=frequency, added=added, decay_rate=modes.decay_rate, gain=gain)
+    return Filmed(gap=np.log(gaps), frequency=frequency, added=added, decay_rate=modes.decay_rate, gain=gain)
 
 
 def heights(thickness: float, radius: float) -> tuple[float, float, float, float]:
@@ -115,17 +118,17 @@ def loudness(modes: Modes, scene, flows) -> np.ndarray:
     wave[..., 1] *= a1
     raised = replace(modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3))
     closed, top = (directions(m, listener, count=VIEWS) for m in (modes, raised))
-    R, angle = scene.disk.radius, 2 * pi * np.arange(64) / 64
+    R, angle, views = scene.disk.radius, 2 * pi * np.arange(64) / 64, 2 * pi * np.arange(VIEWS) / VIEWS
     turn = np.exp(1j * np.outer(np.append(np.arange(ORDERS + 1), np.arange(-ORDERS, 0)), angle + pi))
-    flow = flows * np.select([order == 0, order == 1], [b0, b1], b1) @ turn * R / (2 * pi)
+    waves = np.select([order == 0, order == 1], [b0, b1], b1)[:, None] * turn * R / (2 * pi)
     ring, weight = R * np.column_stack([np.cos(angle), np.sin(angle)]), np.full(64, R * angle[1])
-    k, out = 2 * pi * modes.frequency / listener.air.sound_speed, []
-    far = k * R > SMALL
-    for shape in flow:
-        views = 2 * pi * np.arange(VIEWS) / VIEWS
-        rim = [rayleigh(shape, ring, weight, k, position(listener, a), listener.air.density) for a in views]
-        out.append(np.sqrt(np.mean(np.abs(top + rim) ** 2, axis=0) / np.mean(np.abs(closed) ** 2, axis=0)))
-    return np.where(far, 1.0, out)
+    k = 2 * pi * modes.frequency / listener.air.sound_speed
+    sides = [position(listener, a) for a in views]
+    every = np.tile(waves, (len(k), 1)), ring, weight, np.repeat(k, len(waves))  # each wave at each mode's frequency
+    each = np.array([rayleigh(*every, side, listener.air.density) for side in sides])
+    rim = np.einsum("amn,vmn->avm", flows, each.reshape(VIEWS, len(k), -1))
+    level = np.mean(np.abs(top + rim) ** 2, axis=1) / np.mean(np.abs(closed) ** 2, axis=0)
+    return np.where(k * R > SMALL, 1.0, np.sqrt(level))
 
 
 class Tuned:
@@ -133,58 +136,78 @@ class Tuned:
     where they change.
 
     `settled` (m,) is the force that has long been there when the first block begins, `gap` the logarithm of the gap.
+    At a change velocity and the displacement from where the force holds it at rest stay as they are. The film gives way
+    to what is slow, so that the rest is not stiffened and does not ring.
     """
 
     def __init__(self, table: Filmed, sample_rate: float, settled, gap: float):
-        self._table, self._rate, self._banks = table, sample_rate, {}
-        self._level = self._level_of(np.array([gap]))[0]
-        smooth, jumps = self._bank(self._level)
+        self._table, self._rate = table, sample_rate
+        self._tuned = table.tuned(table.gap[0] - STEP * np.arange(self._level_of(table.gap[-1]) + 1))
+        self._bank = _rows_of(OscillatorBank(*self._tuned, sample_rate))
+        self._level = self._level_of(gap)
+        smooth, jumps = (self._at(self._level) for _ in range(2))
         smooth.settle(settled)
         jumps.settle(0 * settled)
-        self._states = [smooth.state.copy(), jumps.state.copy()]
+        self._states = [smooth.state, jumps.state]
 
     def advance(self, force: ContactForce, gap) -> np.ndarray:
         """Return the accelerations (2, k, m) in the block of a ContactForce, at logarithms of the gap (k + 1,)."""
         level, none = self._level_of(gap[:-1]), 0 * force.bend
-        cuts = [0, *(np.flatnonzero(np.diff(level)) + 1), len(level)]
+        bank, out = self._at(level[force.knots[0]]), np.empty((2, len(level), force.smooth.shape[1]))
         every = (
             (force.smooth, Knots(*force.knots, none, force.bend)),
             (force.steps, Knots(*force.knots, force.jump, none)),
         )
-        out = np.empty((2, len(level), force.smooth.shape[1]))
-        for first, last in pairwise(cuts):
-            self._retune(level[first], [g[first] for g, _ in every])
-            for i, (bank, (g, knots)) in enumerate(zip(self._bank(self._level), every, strict=True)):
-                bank.state = self._states[i]
-                bank.advance(g[first : last + 1], _between(knots, first, last), out[i, first:last])
-                self._states[i] = bank.state
+        for (g, knots), state, ringing in zip(every, self._states, out, strict=True):
+            g = np.ascontiguousarray(g, dtype=float)
+            kicks = np.ascontiguousarray(bank.kicks(knots))
+            _follow(level, self._level, self._bank, g, knots.interval, kicks, state, ringing)
+        self._level = level[-1]
         return out
 
     def _level_of(self, gap):
         inside = np.clip(gap, self._table.gap[-1], self._table.gap[0])
         return np.round((self._table.gap[0] - inside) / STEP).astype(int)
 
-    def _bank(self, level):
-        if level not in self._banks:
-            tuned = self._table.tuned(self._table.gap[0] - level * STEP)
-            self._banks[level] = [OscillatorBank(*tuned, self._rate) for _ in range(2)]
-        return self._banks[level]
-
-    def _retune(self, level, forces):
-        """Go over to another level: velocity and the displacement from where the force holds it at rest stay as they
-        are. The film gives way to what is slow, so that the rest is not stiffened and does not ring."""
-        if level != self._level:
-            pairs = zip(self._bank(self._level), self._bank(level), self._states, forces, strict=True)
-            self._states = [new.taken(old.known(state, g) + resting(old, new, g), g) for old, new, state, g in pairs]
-            self._level = level
+    def _at(self, level):
+        return OscillatorBank(*(t[level] for t in self._tuned), self._rate)
 
 
-def resting(old: OscillatorBank, new: OscillatorBank, g) -> np.ndarray:
-    """Return how far apart two banks have displacement and velocity at rest under the force g (m,), (2, m)."""
-    return np.array([g / new.omega**2 - g / old.omega**2, 0 * g])
+def _rows_of(bank: OscillatorBank) -> np.ndarray:
+    """A bank (l, m) as (l, 15, m): its step, the state from what stays, (q - g/w^2, q') less `late` g, and back."""
+    late = bank.late - [bank.omega**-2.0, 0 * bank.omega]
+    return np.ascontiguousarray(np.concatenate([bank.step, *bank.rows, *bank.back, late]).swapaxes(0, 1))
 
 
-def _between(knots: Knots, first: int, last: int) -> Knots:
-    """The knots in the intervals from sample `first` to `last`."""
-    some = (knots.interval >= first) & (knots.interval < last)
-    return Knots(knots.interval[some] - first, *(part[some] for part in knots[1:]))
+@njit(cache=True)
+def _times(ringing, where, gain):
+    """Multiply (s, k, m) by the rows of a table (a, m) at places `where` (k,) among them, linear between."""
+    for n in range(len(where)):
+        low = min(int(where[n]), len(gain) - 2)
+        for m in range(gain.shape[1]):
+            factor = gain[low, m] + (where[n] - low) * (gain[low + 1, m] - gain[low, m])
+            for s in range(len(ringing)):
+                ringing[s, n, m] *= factor
+    return ringing
+
+
+@njit(cache=True)
+def _follow(level, now, bank, g, interval, kicks, state, out):
+    """Step the oscillators through the samples g (k + 1, m) at the levels (k,), the last one having been `now`; the
+    kicks come at the ends of the intervals (j,)."""
+    knot = 0
+    for n in range(len(out)):
+        old, new = bank[now], bank[level[n]]
+        for m in range(out.shape[1]):
+            u, first, second = g[n, m], state[0, m], state[1, m]
+            if level[n] != now:
+                q = old[9, m] * first + old[10, m] * second + (old[13, m] - new[13, m]) * u
+                v = old[11, m] * first + old[12, m] * second + (old[14, m] - new[14, m]) * u
+                first, second = new[5, m] * q + new[6, m] * v, new[7, m] * q + new[8, m] * v
+            out[n, m] = new[0, m] * u + first
+            state[0, m] = new[1, m] * u + (new[2, m] * first + second)
+            state[1, m] = new[3, m] * u + new[4, m] * first
+        while knot < len(interval) and interval[knot] == n:
+            state += kicks[:, knot]
+            knot += 1
+        now = level[n]

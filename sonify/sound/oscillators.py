@@ -98,7 +98,7 @@ class OscillatorBank:
         knots = knots or no_knots(g.shape[1])
         out = np.empty((len(g) - 1, len(self.omega))) if out is None else out
         stops = np.append(knots.interval + 1, len(out))
-        _advance(g, int(len(g[0]) > 1), self.state, self.step, stops, self._kicks(knots), out)
+        _advance(g, int(len(g[0]) > 1), self.state, self.step, stops, self.kicks(knots), out)
         return out
 
     def _hold(self):
@@ -113,29 +113,29 @@ class OscillatorBank:
         early, self.late = np.array([step - ramp / self.h, s - step / self.h]), np.array([ramp, step]) / self.h
         C = np.array([-(self.omega**2), -2 * self.decay])
         trace, det = 2 * c, np.exp(-2 * self.decay * self.h)
-        self._rows = np.array([C, np.einsum("im,ijm->jm", C, A) - trace * C])
-        into = self._observed(np.einsum("ijm,jm->im", A, self.late) + early)
-        through = 1 + np.einsum("im,im->m", C, self.late)
+        self.rows = np.array([C, np.einsum("i...,ij...->j...", C, A) - trace * C])
+        (a, b), (c, d) = self.rows
+        self.back = np.array([[d, -b], [-c, a]]) / (a * d - b * c)
+        into = self._observed(np.einsum("ij...,j...->i...", A, self.late) + early)
+        through = 1 + np.einsum("i...,i...->...", C, self.late)
         self.step = np.ascontiguousarray([through, into[0], trace, into[1], -det])
 
     def known(self, state, g) -> np.ndarray:
         """Return displacement and velocity (2, m) in a state (2, m) before a sample of the force g (m,)."""
-        (a, b), (c, d) = self._rows
-        first, second = state
-        return np.array([d * first - b * second, a * second - c * first]) / (a * d - b * c) + self.late * g
+        return np.einsum("ij...,j...->i...", self.back, state) + self.late * g
 
     def taken(self, x, g) -> np.ndarray:
         """Return the state (2, m) that has displacement and velocity x (2, m) before a sample of the force g (m,)."""
         return self._observed(x - self.late * g)
 
     def _observed(self, x):
-        return np.einsum("wim,i...m->w...m", self._rows, x)
+        return np.einsum("wi...,i...->w...", self.rows, x)
 
-    def _kicks(self, knots):
-        """What knots add to the state at the next sample, beyond the line between the samples around them: (2, j,
-        m)."""
+    def kicks(self, knots):
+        """Return what knots add to the state at the next sample, beyond the line between the samples around them,
+        (2, j, m); of a bank (j, m) every knot has its own row."""
         if not len(knots.interval):
-            return np.zeros((2, 0, len(self.omega)))
+            return np.zeros((2, 0, self.omega.shape[-1]))
         since, until = np.maximum(knots.since[:, None], 1e-6 * self.h), np.maximum(knots.until[:, None], 1e-6 * self.h)
         step, ramp = responses(self.omega, self.decay, until)
         rate = free_response(self.omega, self.decay, until)[1]
@@ -143,7 +143,7 @@ class OscillatorBank:
         rise, turn = knots.bend / since, knots.bend / since + knots.bend / until
         q = step * knots.jump + early_ramp * rise - ramp * turn
         v = rate * knots.jump + early_step * rise - step * turn
-        return self._observed(np.stack([q, v]) - self.late[:, None] * knots.jump)
+        return self._observed(np.stack([q, v]) - self.late.reshape(2, -1, self.omega.shape[-1]) * knots.jump)
 
 
 @njit(cache=True)

@@ -23,29 +23,30 @@ class RigidFace:
         self._strength = piston_strength(disk.radius, listener.distance, listener.air.density)
 
     def from_rest(self, first):
-        """Return advance(force) -> pressure (k, 2) [Pa] of the blocks that follow on accelerations `first` (2,)."""
+        """Return advance(accelerations (k + 1, 2), knots, jump (j, 2)) -> pressure (k, 2) [Pa] of the blocks of a
+        ContactForce that follow on accelerations `first` (2,)."""
         past, late = np.tile(first, (2 * self.reach, 1)), np.zeros((0, 2))
 
-        def advance(force):
+        def advance(samples, knots, jump):
             nonlocal past, late
-            source = np.vstack([past, force.samples[:-1]])
-            out = self._radiated(force, source)
+            count = len(samples) - 1
+            source = np.vstack([past, samples[:-1]])
+            out = self._radiated(source, knots, jump)
             out[: len(late)] += late
-            count = len(force.t) - 1
             past, late = source[count:], out[count:]
             return self._strength * out[:count]
 
         return advance
 
-    def _radiated(self, force, source):
+    def _radiated(self, source, knots, jump):
         """Samples through the kernels, plus what a jump between samples adds to that, (k + 2 reach + 1, 2)."""
-        count, after = len(force.t) - 1, np.arange(2 * self.reach + 1)
+        count, after = len(source) - 2 * self.reach, np.arange(2 * self.reach + 1)
         out = np.zeros((count + len(after), 2))
-        interval, _, until = force.knots
+        interval, _, until = knots
         for i in (0, 1):
             out[:count, i] = np.convolve(source[:, i], self._taps[i], "valid")
             sharp = self._steps[i](until[:, None] + (after - self.reach) * self.h) - np.cumsum(self._taps[i])
-            np.add.at(out[:, i], interval[:, None] + 1 + after, force.jump[:, [i]] * sharp)
+            np.add.at(out[:, i], interval[:, None] + 1 + after, jump[:, [i]] * sharp)
         return out
 
 

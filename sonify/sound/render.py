@@ -59,7 +59,7 @@ class Renderer:
         rigid = RigidDisk(self.scene, self._rigid, self.listener.azimuth)
         elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
         tables = table_sources(self.scene, self.table, self.listener)
-        rigid, elastic = with_film(self.scene, self.motion, rigid, elastic)
+        rigid, elastic = with_film(self.scene, self.motion, rigid, elastic, self.listener)
         return with_contact(self.scene, self.motion, rigid, elastic, *tables) + tables
 
     def _at_both_ears(self, turn):

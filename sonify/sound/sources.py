@@ -61,7 +61,8 @@ class RigidDisk:
 
     def from_rest(self, first, note):
         """Return what radiates the blocks that follow on accelerations `first` (2,)."""
-        return self._face.from_rest(first)
+        radiate = self._face.from_rest(first)
+        return lambda force: radiate(force.samples, force.knots, force.jump)
 
 
 class ElasticDisk:
@@ -131,9 +132,9 @@ class Both:
 
 def at_both_ears(source: Source, other: Source, turn: float) -> Source:
     """Return a source with one more column: the sum of its stems for the `other` ear, `turn` [rad] further on."""
-    if not isinstance(source, ElasticDisk):
+    if not hasattr(source, "beside"):
         return Both(source, other)
-    both = copy(source)  # the response of the modes, which takes longest, is the same
+    both = copy(source)  # what takes longest, as the response of the modes, is the same
     both.beside = turn
     return both
 
