@@ -83,6 +83,7 @@ def serve():
     gc.disable()  # it would look through all of matplotlib some ten times a picture
     for module in MODULES:
         import_module(f"sonify.report.{module}")
+    gc.freeze()  # and what is loaded now stays
     with suppress(EOFError, BrokenPipeError):
         while True:
             pickle.dump(_reply(pickle.load(ask)), answer)
