@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -22,6 +23,7 @@ from sonify.plan.predictions import SOUND
 from sonify.plan.solvable import planned, solvable, solve_motion
 from sonify.plan.table import acts_back, with_table
 from sonify.progress import Stages, beside
+from sonify.report.painter import painter
 from sonify.report.pictures import Pictures
 from sonify.report.write import run_record, told_by_the_page, write_record
 from sonify.result import Result
@@ -135,6 +137,6 @@ def run(
     scene, stages = solvable(scene, accuracy), stages or Stages()
     with claimed(out or Path("outputs") / scene.name) as folder:
         pictures = Pictures()
-        result = solve(scene, stages=stages, begin=pictures.begin)
+        result = solve(scene, stages=stages, eigenmodes=partial(painter().call, eigenmodes), begin=pictures.begin)
         stages.answer(result)
         return write(result, folder, stages, pictures)

@@ -1,4 +1,5 @@
-"""A process beside this one, in which matplotlib loads and pictures are drawn while a sound is rendered."""
+"""A process beside this one, in which matplotlib loads and pictures are drawn while a sound is rendered; and modes are
+solved while a motion is."""
 
 import atexit
 import gc
@@ -13,6 +14,7 @@ from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
 from subprocess import PIPE, Popen
+from typing import Any
 
 MODULES = ("motion", "sound", "mode_shapes")
 """Of this package: they draw, and load slowly."""
@@ -31,23 +33,32 @@ class Painter:
     def __init__(self):
         self._waiting = ThreadPoolExecutor(1, "painter")
         self._process = self._waiting.submit(_started)
+        self._loaded = False
 
     def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
         """Return the future of `drawn`; the pictures come one after the other. A thread calls `data`."""
-        return self._waiting.submit(self._ask, module, name, data)
+        return self._waiting.submit(lambda: self._ask(drawn, module, name, data()))
 
-    def _ask(self, module, name, data):
-        work = module, name, data()
+    def call(self, function: Callable, *arguments, **options) -> Any:
+        """Return what `function`, of a module, returns: called there once a picture has been drawn there, else here,
+        where it need not wait until that process is ready."""
+        if not self._loaded:
+            return function(*arguments, **options)
+        return self._waiting.submit(self._ask, function, *arguments, **options).result()
+
+    def _ask(self, function, *arguments, **options):
+        work = function, arguments, options
         try:
             process = self._process.result()
             pickle.dump(work, process.stdin)
             process.stdin.flush()
-            png, error = pickle.load(process.stdout)
+            answer, error = pickle.load(process.stdout)
         except (OSError, EOFError, pickle.UnpicklingError):  # there is none, or it is dead
-            return drawn(*work)
+            return function(*arguments, **options)
         if error:
             raise error
-        return png
+        self._loaded = True
+        return answer
 
     def close(self):
         """End the process."""
@@ -93,7 +104,8 @@ def serve():
 
 
 def _reply(work):
+    function, arguments, options = work
     try:
-        return drawn(*work), None
+        return function(*arguments, **options), None
     except Exception as error:
         return None, error
