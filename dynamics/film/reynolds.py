@@ -8,6 +8,7 @@ tests/test_film_solved.py.
 """
 
 from collections.abc import Callable, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from skfem import Basis, BilinearForm, ElementQuad2, LinearForm, MeshQuad
 
 TOLERANCE, MOST_STEPS = 1e-9, 30
 """Of Newton's method for the compressible film."""
+SYMMETRIC = {"SymmetricMode": True}
 LARGEST_FALL = 0.7
 """Part of a pressure that a step of it takes away at most: behind the contact it comes near to nothing."""
 
@@ -82,6 +84,20 @@ class FilmMesh:
         p[:, inner] = [factors.solve(-row[inner]) for row in loads.astype(complex)]
         rim = -(matrix @ p.T + loads.T).T @ self._waves(orders)
         return [Response(*answer) for answer in zip(p, p @ works.T, rim, strict=True)]
+
+    def at_rim(self, mobility, storage, velocities, orders: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return what flows out at the rim, int q W ds for the waves W = cos n theta, n <= `orders`, then sin n theta.
+
+        The film is div(m grad p) = V + storage p. For each of `velocities` V (v, e, q) with nothing at the rim, (w, v);
+        and what less for a pressure there that is one of the waves, (w, w).
+        """
+        matrix, inner, waves = self._stiffness(mobility, storage), self._inner, self._waves(orders)
+        waves = np.hstack([waves.real[:, : orders + 1], -waves.imag[:, 1 : orders + 1]])
+        p = waves.astype(complex)
+        p[inner] -= splu(matrix[inner][:, inner].tocsc(), "MMD_AT_PLUS_A", 0.0, options=SYMMETRIC).solve(
+            (matrix @ p)[inner]
+        )
+        return -p.T @ self._loads(velocities).T, p.T @ (matrix @ p)
 
     def turning(self, Lam: float, guess=None, falling: float = 0.0) -> np.ndarray:
         """Return the pressure (n,) over that around of a gap that turns steadily, Lam = 12 mu Omega/(p_a beta^2).

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import chain, repeat
+from itertools import chain, pairwise, repeat
 from math import ceil, pi
 
 import numpy as np
@@ -16,9 +16,11 @@ from dynamics.coupled.profile import Profile
 from dynamics.coupled.resonance import rate_needed
 from dynamics.coupled.roughness import profiles
 from dynamics.coupled.table import LawTable
+from dynamics.film.acting import film_of
 from dynamics.rigid_motion import RigidMotion
 from sonify.sound.force import HALF_WIDTH, STRIDE, ContactForce
 from sonify.sound.sources import held_back
+from sonify.sound.vibrating import VibratingDisk
 
 FINEST = 96e3
 """The heights are read at least so often [1/s]: what the ellipse leaves of them is slower."""
@@ -159,43 +161,53 @@ def _smooth(t, channels):
 
 class WithContact:
     """The disk in a motion that holds the vibration on its contact already: of each stem what is above `crossover` [Hz]
-    is the contact's."""
+    is the contact's; of the rigid disk it is heard as `vibrating` radiates it, where that is another source."""
 
-    def __init__(self, rigid, elastic, crossover: float, sample_rate: int):
-        self._disk, self._bounds = (rigid, elastic), len(rigid.ends)
-        self.names, self.ends = (*rigid.names, *elastic.names, "contact"), np.vstack([rigid.ends, elastic.ends])
+    def __init__(self, rigid, elastic, vibrating, crossover: float, sample_rate: int):
+        self._disk = rigid, elastic, *([] if vibrating is rigid else [vibrating])
+        self._own, cuts = len(rigid.names), np.cumsum([0, *(len(source.ends) for source in self._disk)])
+        self._parts = [slice(*pair) for pair in pairwise(cuts)]
+        self.names, self.ends = (*rigid.names, *elastic.names, "contact"), np.vstack([s.ends for s in self._disk])
         self._weight = low_pass(max(round(sample_rate / (2 * crossover)), 1))
-        self.lasting, self.late = max(rigid.lasting, elastic.lasting), rigid.late + len(self._weight) // 2
+        self.lasting = max(rigid.lasting, elastic.lasting)
+        self._ahead = max(source.late for source in self._disk)
+        self.late = self._ahead + len(self._weight) // 2
 
     def channels(self, force, state):
-        """Return what drives the disk, (k, 4 + m)."""
+        """Return what drives the disk, (k, c)."""
         return np.hstack([source.channels(force, state) for source in self._disk])
 
     def from_rest(self, first, note):
-        """Return what radiates the blocks that follow on `first` (4 + m,): stems (k, 5) [Pa]."""
-        parts = slice(self._bounds), slice(self._bounds, None)
-        radiate = [source.from_rest(first[part], note) for source, part in zip(self._disk, parts, strict=True)]
+        """Return what radiates the blocks that follow on `first` (c,): stems (k, 5) [Pa]."""
+        radiate = [
+            held_back(source.from_rest(first[part], note), self._ahead - source.late)
+            for source, part in zip(self._disk, self._parts, strict=True)
+        ]
         half, past = len(self._weight) // 2, None
 
         def advance(force):
             nonlocal past
-            new = np.hstack([one(force.channels(part)) for one, part in zip(radiate, parts, strict=True)])
+            new = np.hstack([one(force.channels(part)) for one, part in zip(radiate, self._parts, strict=True)])
             past = np.vstack([np.repeat(new[:1], 2 * half, axis=0) if past is None else past, new])
             slow = oaconvolve(past, self._weight[:, None], "valid", axes=0)
             middle, past = past[half : len(past) - half], past[len(new) :]
-            return np.column_stack([slow, (middle - slow).sum(axis=1)])
+            fast = middle - slow
+            if len(self._disk) > 2:
+                slow, fast = slow[:, :-1], fast[:, self._own :]
+            return np.column_stack([slow, fast.sum(axis=1)])
 
         return advance
 
 
-def with_contact(scene, motion, rigid, elastic, *below) -> list:
+def with_contact(scene, motion, listener, rigid, elastic, *below) -> list:
     """Return the sources of a disk: with its contact, where that is elastic, added to a rigid motion or already in it.
 
     What the contact adds to the force of a rigid motion moves the tables `below`, too.
     """
     if scene.contact.law == "rigid":
         return [rigid, elastic]
+    vibrating = VibratingDisk(scene, listener) if film_of(scene).film else rigid
     if isinstance(motion, RigidMotion):
-        return [rigid, elastic, AddedByContact(scene, motion, rigid, elastic, *below)]
+        return [rigid, elastic, AddedByContact(scene, motion, vibrating, elastic, *below)]
     lowest = float(law_table(scene).carrier(motion.state[:1, 1], scene.disk.weight, 0.0).frequency[0])
-    return [WithContact(rigid, elastic, lowest / 2, scene.audio.sample_rate)]
+    return [WithContact(rigid, elastic, vibrating, lowest / 2, scene.audio.sample_rate)]

@@ -60,7 +60,7 @@ class Renderer:
         elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
         tables = table_sources(self.scene, self.table, self.listener)
         rigid, elastic = with_film(self.scene, self.motion, rigid, elastic, self.listener)
-        return with_contact(self.scene, self.motion, rigid, elastic, *tables) + tables
+        return with_contact(self.scene, self.motion, self.listener, rigid, elastic, *tables) + tables
 
     def _at_both_ears(self, turn):
         other = copy(self)
