@@ -13,11 +13,14 @@ from dynamics.coupled.from_scene import law_table
 from dynamics.coupled.roughness import shift_of_contact
 from dynamics.coupled.softening import softened
 from dynamics.coupled.table import InSeries, LawTable
+from dynamics.film.acting import film_of
 from sonify.claims.motion import Finding, median
 from sonify.hearing.noise_band import NoiseBand, middle, noise_band
 from sonify.hearing.recording import Heard
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
+from sonify.sound.radiation import listener_of
+from sonify.sound.vibrating import VibratingDisk
 
 PLACES = 96
 """Instants of the motion at which its vibration is predicted."""
@@ -165,8 +168,11 @@ def carrier_rises(heard: NoiseBand) -> Finding:
 
 
 def carrier_is_contact(scene, motion, expected: Vibration, heard: NoiseBand) -> Finding:
-    """The frequency of the carrier heard over the middle of the spectrum that is expected of N', median."""
-    f = np.arange(500.0, 20e3, 10.0)
+    """The frequency of the carrier heard over the middle of the spectrum that is expected of N', as it is radiated
+    where a film is under the disk, median."""
+    f, loud = np.arange(500.0, 20e3, 10.0), lambda inclination, frequency: 1.0
+    if film_of(scene).film:
+        loud = VibratingDisk(scene, listener_of(scene)).loudness
     shown = np.flatnonzero(np.isfinite(heard.frequency))[:: max(np.isfinite(heard.frequency).sum() // READINGS, 1)]
     ratios = []
     for i in shown:
@@ -174,7 +180,11 @@ def carrier_is_contact(scene, motion, expected: Vibration, heard: NoiseBand) -> 
         inclination, load, *rest = course(motion, np.minimum(t, expected.t[-1]))
         places = zip(inclination, load * np.interp(t, expected.t, expected.softer), *rest, strict=True)
         power = np.mean(
-            [predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r) for b, N, V, r in places], 0
+            [
+                loud(b, f) * predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r)
+                for b, N, V, r in places
+            ],
+            axis=0,
         )
         ratios.append(heard.frequency[i] / middle(f, power, f[power.argmax()]))
     ratio, error = median(np.array(ratios))

@@ -37,9 +37,10 @@ class VibratingDisk:
         self.late = 2 * self._hop + self._ahead
         scale = scene.air.density * self._disk.radius
         pressure = scale * radiated(self._disk, scene.air).at(listener.distance / self._disk.radius, listener.elevation)
+        self._number, self._pressure = self._disk.radius / scene.air.sound_speed, CubicSpline(np.log(GAPS), pressure)
         heaved, tilted, rolled = (pressure[:, :, some, i] for i, some in enumerate((EVEN, EVEN, ORDERS + ODD)))
         turn = 2 * pi * np.arange(self._size // 2 + 1) / self._size
-        inside = np.clip(turn * rate * self._disk.radius / scene.air.sound_speed, NUMBERS[0], NUMBERS[-1])
+        inside = np.clip(turn * rate * self._number, *NUMBERS[[0, -1]])
         heard = CubicSpline(NUMBERS, np.concatenate([heaved, tilted, rolled], axis=2), axis=1)(inside)
         self._by_gap, self._filters = CubicSpline(np.log(GAPS), heard * np.exp(-1j * turn * self._ahead)[:, None]), {}
 
@@ -47,10 +48,21 @@ class VibratingDisk:
         """Return the acceleration of the centre, and of the rim by tilting about either axis [m/s^2]; cosine and sine
         of the listener's azimuth, from where the gap is widest; the logarithm of the mean gap over the radius: (k, 6),
         the first three linear in the force."""
-        turn = in_patch_frame(force, state[:, 1]) @ rigid_acceleration(np.eye(3), self._disk)[:, 3:]
         azimuth = self._azimuth + listener_azimuth(state, turning_with_body=False)
-        rim, gap = self._disk.radius * turn[:, 1::-1] * [1, -1], log_gap(state, self._disk) - np.log(self._disk.radius)
-        return np.column_stack([force[:, 2] / self._disk.mass, rim, np.cos(azimuth), np.sin(azimuth), gap])
+        gap = log_gap(state, self._disk) - np.log(self._disk.radius)
+        return np.column_stack([self._moved(force, state[:, 1]), np.cos(azimuth), np.sin(azimuth), gap])
+
+    def _moved(self, force, inclination):
+        turn = in_patch_frame(force, inclination) @ rigid_acceleration(np.eye(3), self._disk)[:, 3:]
+        return np.column_stack([force[:, 2] / self._disk.mass, self._disk.radius * turn[:, 1::-1] * [1, -1]])
+
+    def loudness(self, inclination: float, frequency) -> np.ndarray:
+        """Return the mean square (k,) [Pa^2/N^2] round the disk of what a vibration of the normal force radiates at
+        frequencies (k,) [Hz]."""
+        gap = np.log(np.clip(np.sin(inclination), *GAPS[[0, -1]]))
+        waves = self._pressure(gap) @ self._moved(np.array([[0.0, 0.0, 1.0]]), np.array([inclination]))[0]
+        inside = np.clip(2 * pi * np.asarray(frequency) * self._number, *NUMBERS[[0, -1]])
+        return np.abs(CubicSpline(NUMBERS, waves)(inside)) ** 2 @ np.where(np.arange(2 * ORDERS + 1) == 0, 1.0, 0.5)
 
     def from_rest(self, first, note):
         """Return what radiates the blocks that follow on stillness, (k, 1) [Pa]."""
