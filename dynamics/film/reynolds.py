@@ -8,7 +8,6 @@ tests/test_film_solved.py.
 """
 
 from collections.abc import Callable, Sequence
-from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +17,6 @@ from skfem import Basis, BilinearForm, ElementQuad2, LinearForm, MeshQuad
 
 TOLERANCE, MOST_STEPS = 1e-9, 30
 """Of Newton's method for the compressible film."""
-SYMMETRIC = {"SymmetricMode": True}
 LARGEST_FALL = 0.7
 """Part of a pressure that a step of it takes away at most: behind the contact it comes near to nothing."""
 
@@ -94,9 +92,7 @@ class FilmMesh:
         matrix, inner, waves = self._stiffness(mobility, storage), self._inner, self._waves(orders)
         waves = np.hstack([waves.real[:, : orders + 1], -waves.imag[:, 1 : orders + 1]])
         p = waves.astype(complex)
-        p[inner] -= splu(matrix[inner][:, inner].tocsc(), "MMD_AT_PLUS_A", 0.0, options=SYMMETRIC).solve(
-            (matrix @ p)[inner]
-        )
+        p[inner] -= splu(matrix[inner][:, inner].tocsc()).solve((matrix @ p)[inner])
         return -p.T @ self._loads(velocities).T, p.T @ (matrix @ p)
 
     def turning(self, Lam: float, guess=None, falling: float = 0.0) -> np.ndarray:

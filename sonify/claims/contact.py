@@ -170,9 +170,7 @@ def carrier_rises(heard: NoiseBand) -> Finding:
 def carrier_is_contact(scene, motion, expected: Vibration, heard: NoiseBand) -> Finding:
     """The frequency of the carrier heard over the middle of the spectrum that is expected of N', as it is radiated
     where a film is under the disk, median."""
-    f, loud = np.arange(500.0, 20e3, 10.0), lambda inclination, frequency: 1.0
-    if film_of(scene).film:
-        loud = VibratingDisk(scene, listener_of(scene)).loudness
+    f, disk = np.arange(500.0, 20e3, 10.0), VibratingDisk(scene, listener_of(scene)) if film_of(scene).film else None
     shown = np.flatnonzero(np.isfinite(heard.frequency))[:: max(np.isfinite(heard.frequency).sum() // READINGS, 1)]
     ratios = []
     for i in shown:
@@ -181,7 +179,8 @@ def carrier_is_contact(scene, motion, expected: Vibration, heard: NoiseBand) -> 
         places = zip(inclination, load * np.interp(t, expected.t, expected.softer), *rest, strict=True)
         power = np.mean(
             [
-                loud(b, f) * predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r)
+                (disk.loudness(b, f) if disk else 1.0)
+                * predicted_spectrum(expected.table, scene.roughness, b, N, V, f, rolls=r)
                 for b, N, V, r in places
             ],
             axis=0,
