@@ -226,6 +226,22 @@ def test_a_disk_that_goes_over_the_edge_is_said_to():
     assert off_since(load_scene("glass-plate"), motion) is None
 
 
+def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
+    """The wooden table is 0.4 m wide in y: with its place 0.14 m from the middle the contact circle reaches the edge
+    when its centre has gone 0.06 m less the radius."""
+    t = np.array([0.0, 4.0])
+    scene = load_scene("wood-table").replace("surface.place=[0.0, 0.14]")
+
+    def at(t):
+        state = np.zeros((len(t), 11))
+        state[:, 0], state[:, 4] = 50 * t, 0.01 * t
+        return state
+
+    motion = SimpleNamespace(t=t, at=at)
+    assert off_since(scene, motion) == pytest.approx((0.06 - scene.disk.radius) / 0.01, abs=0.13)
+    assert off_since(load_scene("wood-table"), motion) is None
+
+
 def test_the_edge_of_a_plate_ends_the_motion():
     """Slower than it could roll in a circle the disk runs outwards; until then it goes as on a wide plate."""
     wide = load_scene("glass-plate").replace("numerics.time_limit=1.0")

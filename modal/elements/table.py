@@ -80,15 +80,19 @@ def check_place(top, place, reach, name):
     """ValueError unless the middle and the contact circle of the disk lie on the top face at the release."""
     angle = np.linspace(0, 2 * pi, 33)
     points = place + reach * np.column_stack([np.append(np.cos(angle), 0), np.append(np.sin(angle), 0)])
-    sides = [cross(top[:, i] - top[:, i - 1], points[:, None] - top[:, i - 1]) for i in range(3)]
-    turn = np.sign(cross(top[:, 1] - top[:, 0], top[:, 2] - top[:, 0]))
-    within = (np.array(sides) * turn > -1e-12).all(axis=0).any(axis=1)
-    if not within.all():
+    if not on_top(top, points).all():
         low, high = top.min(axis=(0, 1)), top.max(axis=(0, 1))
         raise ValueError(
             f"surface.place = {place.tolist()}: a disk of radius {reach:g} m there is not on the top face of {name!r}, "
             f"which is {low[0]:g} to {high[0]:g} m wide in x, {low[1]:g} to {high[1]:g} m in y"
         )
+
+
+def on_top(top, points):
+    """Whether points (k, 2) [m] are on the triangles of a top face, (k,)."""
+    sides = [cross(top[:, i] - top[:, i - 1], points[:, None] - top[:, i - 1]) for i in range(3)]
+    turn = np.sign(cross(top[:, 1] - top[:, 0], top[:, 2] - top[:, 0]))
+    return (np.array(sides) * turn > -1e-12).all(axis=0).any(axis=1)
 
 
 def cross(a, b):

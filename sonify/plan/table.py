@@ -131,13 +131,21 @@ def bending(modes: SurfaceModes, scene: Scene) -> list[str]:
 
 
 def off_since(scene: Scene, motion: Motion) -> float | None:
-    """Return when [s] the contact first is beyond the edge of a plate; None if never."""
-    if scene.surface.kind != "plate":
+    """Return when [s] the contact first is beyond the edge of a plate or a mesh; None if never."""
+    surface, t = scene.surface, np.linspace(0.0, motion.t[-1], 4096)
+    if surface.kind not in ("plate", "mesh"):
         return None
-    t = np.linspace(0.0, motion.t[-1], 4096)
-    place = contact_place(motion.at(t), scene.disk) + scene.surface.place
-    off = np.hypot(*place.T) > scene.surface.radius
+    place = contact_place(motion.at(t), scene.disk) + surface.place
+    off = np.hypot(*place.T) > surface.radius if surface.kind == "plate" else off_mesh(surface.file, place)
     return float(t[off.argmax()]) if off.any() else None
+
+
+def off_mesh(file: str, place) -> np.ndarray:
+    """Return whether places (k, 2) [m] are beyond the top face of the mesh in a file, (k,)."""
+    from modal.elements.table import on_top, top_triangles  # load slowly
+    from modal.mesh.read import read_checked
+
+    return ~on_top(top_triangles(read_checked(file)[0], file), place)
 
 
 WAVY = (
