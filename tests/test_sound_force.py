@@ -3,12 +3,15 @@
 Source: `Motion.force` and `Motion.jumps`. Oracle: the motion itself at instants that are no samples; the weight.
 """
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from arithmetic import gamma
 
 from dynamics import simulate
-from sonify.sound.force import HALF_WIDTH, ForceSampler
+from dynamics.rates import precession_rate
+from sonify.sound.force import HALF_WIDTH, ForceSampler, last_rate
 
 RATE = 48000
 
@@ -112,6 +115,16 @@ def test_a_motion_that_is_cut_off_keeps_its_last_force(cut_off):
 def test_before_the_motion_the_force_is_its_first(motion):
     force = ForceSampler(motion, RATE, start=-0.01).block(0, 100)
     assert np.abs(force.samples - motion.force([0.0])[0]).max() < 1e-11
+
+
+def test_a_disk_that_stands_still_at_its_last_instant_is_not_silent(motion):
+    """On waves it may; its end is as short as that of a disk that turns half as fast as a steady one, 2/(chi
+    sqrt(beta)). A rigid motion ends with its own rate."""
+    assert last_rate(motion) == abs(precession_rate(motion.at(motion.t[-1:]))[0])
+    state = np.zeros((1, 11))
+    state[0, 1] = 1e-5
+    still = SimpleNamespace(t=np.array([0.0, 1.0]), at=lambda t: state, disk=motion.disk)
+    assert last_rate(still) == pytest.approx(1 / (motion.disk.time_unit * 1e-5**0.5), rel=1e-9)
 
 
 def test_channels_may_turn_with_the_attitude(motion):

@@ -6,11 +6,13 @@ of the states, the closed form of a driven oscillator, an independent program fo
 
 import json
 from dataclasses import replace
+from io import BytesIO
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PIL import Image
 from scipy.interpolate import CubicSpline
 
 from dynamics import Motion, Outcome
@@ -32,6 +34,8 @@ from sonify.claims.halt import halt
 from sonify.claims.table import radiated_power, waves_become_heat
 from sonify.plan.solvable import solvable, solve_motion
 from sonify.plan.table import action, acts_back
+from sonify.report import in_words, pictures
+from sonify.report.painter import drawn
 from sonify.sound.radiation import Listener
 
 GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
@@ -293,7 +297,7 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
 
 def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
     """A pressure that stays is power times time; the budget has it beside the losses, of which it is a part."""
-    _, _, motion = handed
+    scene, _, motion = handed
     listener, rate, pressure = Listener(distance=0.5, elevation=np.pi / 4), 48000, 0.2
     samples = np.full(int((motion.t[-1] + listener.delay) * rate) + 1, pressure)
     track = SimpleNamespace(read=lambda first: samples[first:])
@@ -304,6 +308,14 @@ def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
     assert budget.sound == pytest.approx([0.0, power * np.ptp(t)], rel=1e-3)
     share = waves_become_heat(motion, sound, listener)
     assert share.value == pytest.approx(budget.sound[1] / budget.lost["table"][1], rel=1e-9)
+    shown = pictures._energy(SimpleNamespace(scene=scene, motion=motion, sound=sound))
+    assert shown["lost"]["sound of the table"][-1] == pytest.approx(budget.sound[1], rel=1e-3)
+    assert shown["held"]["disk"][0] == pytest.approx(motion.energy(t[:1])[0], rel=0.01)
+    with Image.open(BytesIO(drawn("motion", "draw_energy", shown))) as image:
+        assert image.size == (1210, 506)
+    assert pictures._left_out("energy", SimpleNamespace(motion=motion.first))
+    told = in_words.energy(SimpleNamespace(motion=motion))
+    assert all(cause in told for cause in budget.lost)
 
 
 @pytest.mark.slow

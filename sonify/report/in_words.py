@@ -6,6 +6,7 @@ import numpy as np
 
 from dynamics.film.acting import film_of
 from dynamics.rates import nutation_frequency, precession_rate
+from sonify.claims.two_ways import energy_budget, two_way
 from sonify.hearing.loudness import level_db
 
 if TYPE_CHECKING:
@@ -52,6 +53,14 @@ def motion(result: "Result") -> str:
     )
 
 
+def energy(result: "Result") -> str:
+    """Return what the picture of the energies shows: what the greatest losses are, and what sounds."""
+    begin, end = two_way(result.motion)[1], result.motion.t[-1]
+    lost = energy_budget(result.motion, np.array([begin, end])).lost
+    told = [f"{name} {energy[-1]:.2g} J" for name, energy in sorted(lost.items(), key=lambda item: -item[1][-1])]
+    return f"Energies of disk and table over the last {end - begin:.2g} s, and what was lost to {', '.join(told)}."
+
+
 def modes(result: "Result") -> str:
     """Return what the picture of the modes shows."""
     found = result.modes
@@ -76,5 +85,11 @@ def not_from(result: "Result") -> list[str]:
     return told or ["Nothing that is left out reaches its bar in this run."]
 
 
-PICTURES = {"spectrogram.png": spectrogram, "stems.png": stems, "motion.png": motion, "modes.png": modes}
+PICTURES = {
+    "spectrogram.png": spectrogram,
+    "stems.png": stems,
+    "motion.png": motion,
+    "energy.png": energy,
+    "modes.png": modes,
+}
 """File -> what it shows, a function of the result."""

@@ -1,4 +1,4 @@
-"""MOTION -> PICTURE: the paper's figures 3 to 6."""
+"""MOTION -> PICTURES: the paper's figures 3 to 6, and where the energy goes on a table that acts back."""
 
 import numpy as np
 
@@ -37,3 +37,22 @@ def draw_motion(path, curves, weight: float, paper: tuple[float, float] | None =
         axes[2, 0].set(xlabel="x/R", aspect="equal", adjustable="datalim")
         lowest, highest = np.percentile(curves[5][1], [1, 99])
         axes[2, 1].set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
+
+
+STYLES = "-", "--", ":", "-.", (0, (5, 1)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)), (0, (3, 1))
+LEAST = 1e-6
+"""Energies are shown down to this part of the greatest."""
+
+
+def draw_energy(path, left, held: dict, lost: dict):
+    """Draw the energies [J] that are `held`, and what was `lost` since, by name (k,), at times `left` [s]."""
+    with figure_at(path, 1, 2, (11, 4.6)) as (_, axes):
+        for panel, curves, title in zip(axes, (held, lost), ("What holds energy", "What took energy"), strict=True):
+            most = max(curve.max() for curve in curves.values())
+            shown = {name: curve for name, curve in curves.items() if curve.max() > LEAST * most}
+            for (name, curve), style in zip(shown.items(), STYLES, strict=False):
+                panel.plot(left, curve, ls=style, lw=1.2, label=name)
+            panel.set(xscale="log", yscale="log", xlim=(left[0], left[-1]), ylim=(LEAST * most, 2 * most))
+            panel.set(xlabel="time left until the disk lies flat [s]", ylabel="energy [J]", title=title)
+            panel.grid(alpha=0.3)
+            panel.legend(loc="best", fontsize=8, framealpha=1)

@@ -23,6 +23,7 @@ PICTURES = {
     "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
     "stems.png": "What can be heard: each cause of sound against the threshold of hearing.",
     "motion.png": "Figures 3 to 6 of the paper.",
+    "energy.png": "Where the energy is and goes while the table acts back.",
     "modes.png": "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines; "
     "below, those of the table, if it has any.",
 }

@@ -14,6 +14,8 @@ from sonify.claims.contact import carrier_line
 from sonify.claims.motion import FIGURE_4
 from sonify.claims.paper import of_the_paper
 from sonify.claims.sound import LAST
+from sonify.claims.table import radiated_power
+from sonify.claims.two_ways import energy_budget, two_way
 from sonify.files import whole
 from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
@@ -21,6 +23,7 @@ from sonify.plan.supports import over_the_run
 from sonify.progress import beside
 from sonify.report.captions import table_caption
 from sonify.report.painter import drawn, painter
+from sonify.sound.radiation import listener_of
 
 if TYPE_CHECKING:
     from PIL.Image import Image
@@ -28,6 +31,8 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 
+NEAREST = 1e-4
+"""The energies of a table that acts back are drawn up to this part of the time before the end."""
 MOST_TABLE = 10
 """Modes of the table that are drawn, the lowest."""
 
@@ -70,6 +75,8 @@ def _sounds(sound):
 
 
 def _left_out(name, found):
+    if name == "energy":
+        return not two_way(found.motion)
     return name == "stems" and found.plan.accuracy == "draft"
 
 
@@ -126,6 +133,15 @@ def _motion(found):
     return {"curves": curves, "weight": weight, "paper": FIGURE_4 if of_the_paper(found.scene) else None}
 
 
+def _energy(found):
+    """The budget of a table that acts back, at times that come the closer the nearer the end is."""
+    end, begin = found.motion.t[-1], two_way(found.motion)[1]
+    left = np.geomspace(end - begin, NEAREST * (end - begin), 2000)
+    budget = energy_budget(found.motion, end - left, radiated_power(found.sound, listener_of(found.scene)))
+    held = {"disk": budget.disk, "modes of the table": budget.table, "modes of the disk": budget.bending}
+    return {"left": left, "held": held, "lost": budget.lost | {"sound of the table": budget.sound}}
+
+
 def _modes(found):
     """The modes of a draft are seen from above only."""
     steps = over_the_run(found.scene, found.motion, found.plan.highest_mode)
@@ -148,6 +164,7 @@ PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
     "spectrogram": ("sound", "sound", "draw_spectrogram", _spectrogram),
     "stems": ("sound", "sound", "draw_stems", _stems),
     "motion": ("motion", "motion", "draw_motion", _motion),
+    "energy": ("sound", "motion", "draw_energy", _energy),
     "modes": ("motion", "mode_shapes", "draw_modes", _modes),
 }
 """By name: what has to be known, module and function that draw it, and what they are given to draw."""

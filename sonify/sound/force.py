@@ -62,6 +62,14 @@ def in_newton(force, state):
     return force
 
 
+def last_rate(motion) -> float:
+    """Return how fast [rad/s] the contact goes round at the end of a motion, at least as half the steady motion there:
+    a disk that rattles on a table which acts back may stand still at its last instant."""
+    state = motion.at(motion.t[-1:])
+    steady = 2 / (motion.disk.time_unit * np.sqrt(np.sin(state[0, 1])))
+    return max(abs(precession_rate(state)[0]), steady / 2)
+
+
 class ForceSampler:
     """Samples channels(force (k, 3) [N], state (k, 11)) -> (k, c) of a motion at start + n / sample_rate [s].
 
@@ -85,7 +93,7 @@ class ForceSampler:
         self.calm, self.read = calm, 0
         self.end = float(motion.t[-1])
         if motion.outcome.name == "SETTLED":
-            fade = FADE_TURNS * 2 * np.pi / abs(precession_rate(motion.at([self.end]))[0])
+            fade = FADE_TURNS * 2 * np.pi / last_rate(motion)
         span = np.min(fade, where=np.greater(fade, 0), initial=self.end)
         last = self._read(self.end - span * np.linspace(0, 1, 32 * FADE_TURNS))[1]
         mean = np.where(np.greater(fade, 0), last.mean(axis=0), last[0])
