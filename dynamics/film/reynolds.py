@@ -44,15 +44,18 @@ class FilmMesh:
     The mesh ends where the contact is as near as exp(-nearest) of the radius.
 
     `points` (e, q) are the places x + i y at which velocities and shapes are given, `area` (e, q) their weights in an
-    integral over the face. At the rim the pressure is that of the air around.
+    integral over the face. At the rim the pressure is that of the air around. Of what is even (1) or odd (-1) in y, the
+    `parity`, half the mesh is enough, where the gap is even.
     """
 
-    def __init__(self, cells: int = 16, height: Callable = wedge, nearest: float = 7.0):
+    def __init__(self, cells: int = 16, height: Callable = wedge, nearest: float = 7.0, parity: int = 0):
         across, along = nearest * np.linspace(0, 1, cells + 1) ** 2, np.linspace(-nearest, nearest, 2 * cells + 1)
+        along, self.parity = along[cells:] if parity else along, parity
         self.basis = Basis(MeshQuad.init_tensor(across, along), ElementQuad2())
         a, b = np.asarray(self.basis.global_coordinates())
         t, dX, dY = np.exp(a) + 1j * np.sinh(b), np.exp(a), np.cosh(b)
-        self.points, self.area = 2 / t - 1, 4 / np.abs(t) ** 4 * dX * dY * self.basis.dx
+        self._dx = (2 if parity else 1) * self.basis.dx
+        self.points, self.area = 2 / t - 1, 4 / np.abs(t) ** 4 * dX * dY * self._dx
         around = 1j * self.points * np.conj(-2 / t**2)
         self._metric = {"first": dY / dX, "second": dX / dY}
         self._around = {"first": around.real * dY, "second": around.imag * dX}
@@ -60,10 +63,21 @@ class FilmMesh:
         self.height = height(self.points.real, self.points.imag)
         each = [shape[0] for shape in self.basis.basis]
         self._shapes = np.array([np.hstack([*s.grad, np.asarray(s)]) for s in each], complex).swapaxes(0, 1).copy()
-        row = np.repeat(self.basis.element_dofs.T[:, :, None], len(each), axis=2)
-        self._at = row.ravel(), row.swapaxes(1, 2).ravel()
         a, b = self.basis.doflocs
-        self.nodes, self._inner = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1, np.flatnonzero(a > 1e-9)
+        self.nodes = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1
+        self._inner = np.flatnonzero((a > 1e-9) & ((b > 1e-9) | (parity != -1)))
+        self._prepare()
+
+    def _prepare(self):
+        """Where in a sparse matrix of inner nodes the pairs (e, i, j) of the elements belong; those of others after it."""
+        count, place = len(self._inner), np.full(self.basis.N, -1)
+        place[self._inner] = np.arange(count)
+        row, column = (place[self.basis.element_dofs.T][at] for at in (np.s_[:, :, None], np.s_[:, None, :]))
+        key, self._slot = np.unique(
+            np.where((row < 0) | (column < 0), count**2, column * count + row), return_inverse=True
+        )
+        key = key[key < count**2]
+        self._sparse = key % count, np.searchsorted(key, count * np.arange(count + 1))
 
     def linear(
         self, velocities, shapes, sigma: float = 0.0, inertia: complex = 0.0, orders: int = 3, slip: float = 0.0
@@ -75,12 +89,13 @@ class FilmMesh:
         `slip`, the mean free path over g, adds 6 slip h^2 to it, as Maxwell found.
         """
         mobility = mobility_of(self.height, inertia) + 6 * slip * self.height**2
-        matrix = self._stiffness(mobility, 1j * sigma * self.height)
+        pairs, matrix = self._stiffness(mobility, 1j * sigma * self.height)
         loads, works = (self._loads(some) for some in (velocities, shapes))
-        inner, p = self._inner, np.zeros(loads.shape, complex)
-        factors = splu(matrix[inner][:, inner].tocsc())
-        p[:, inner] = [factors.solve(-row[inner]) for row in loads.astype(complex)]
-        rim = -(matrix @ p.T + loads.T).T @ self._waves(orders)
+        inner, dofs, p = self._inner, self.basis.element_dofs, np.zeros(loads.shape, complex)
+        factors, rest = splu(matrix), loads.astype(complex)
+        p[:, inner] = [factors.solve(-row[inner]) for row in rest]
+        np.add.at(rest.T, dofs.T, pairs @ p.T[dofs.T])
+        rim = -rest @ self._waves(orders)
         return [Response(*answer) for answer in zip(p, p @ works.T, rim, strict=True)]
 
     def at_rim(self, mobility, storage, velocities, orders: int) -> tuple[np.ndarray, np.ndarray]:
@@ -122,16 +137,18 @@ class FilmMesh:
     def _waves(self, orders):
         """exp(-i n theta) on the rim, continued inwards as z^n, at the nodes, (n, 2 k + 1)."""
         n = np.concatenate([np.arange(orders + 1), np.arange(-orders, 0)])
-        z = self.nodes[:, None]
-        return np.where(n > 0, np.conj(z) ** np.abs(n), z ** np.abs(n))
+        z, other = self.nodes[:, None] ** np.abs(n), np.conj(self.nodes)[:, None] ** np.abs(n)
+        waves, mirrored = np.where(n > 0, other, z), np.where(n > 0, z, other)
+        return (waves + self.parity * mirrored) / 2 if self.parity else waves
 
     def _stiffness(self, mobility, storage):
-        """int m grad p . grad q + i sigma h p q dA of all pairs in an element at once: by the form of scikit-fem it
-        takes longer than the solution."""
+        """int m grad p . grad q + i sigma h p q dA of all pairs (e, i, j) in the elements, and the matrix of the inner
+        nodes: by a form of scikit-fem, pair after pair, it takes longer than the solution."""
         first, second = self._metric.values()
-        fields = np.hstack([mobility * first, mobility * second, storage * self._measure]) * np.tile(self.basis.dx, 3)
-        pairs = (self._shapes * fields[:, None]) @ self._shapes.swapaxes(1, 2)
-        return csc_array((pairs.ravel(), self._at), shape=(self.basis.N, self.basis.N))
+        fields = np.hstack([mobility * first, mobility * second, storage * self._measure]) * np.tile(self._dx, 3)
+        pairs, (row, start) = (self._shapes * fields[:, None]) @ self._shapes.swapaxes(1, 2), self._sparse
+        summed = [np.bincount(self._slot.ravel(), part.ravel())[: len(row)] for part in (pairs.real, pairs.imag)]
+        return pairs, csc_array((summed[0] + 1j * summed[1], row, start))
 
     def _loads(self, shapes):
         """int q W dA of shapes W (s, e, q), (s, n)."""

@@ -18,6 +18,8 @@ GAPS, MORE = np.geomspace(2.5e-3, 4e-6, 12), 2
 the first, a closer one as the last."""
 CELLS, NEAREST, ORDERS, VIEWS = 6, 5.0, 4, 16
 """Of the film's mesh, of the waves of the flow round its rim, and of the azimuths that hear it."""
+NOTHING = 1e-4
+"""Share of a mode that is even or odd about the contact which is left out: its pressure goes with the square."""
 SMALL = 1.5
 """Above this number k R a mode is heard as above a closed film: the flow out of the rim is not known there."""
 LEAST = 1e-3
@@ -65,26 +67,38 @@ def filmed(modes: Modes, scene, least: float = 0.0) -> Filmed:
     """
     from dynamics.film.reynolds import FilmMesh  # scikit-fem loads slowly
 
-    air, R, mesh = scene.air, scene.disk.radius, FilmMesh(CELLS, nearest=NEAREST)
-    shapes = [below(modes, i, mesh.points, R) for i in range(len(modes))]
+    air, R, halves = scene.air, scene.disk.radius, [FilmMesh(CELLS, nearest=NEAREST, parity=p) for p in (1, -1)]
+    shapes = [_by_parity(modes, i, halves, R) for i in range(len(modes))]
     natural = 2 * pi * modes.frequency
     rate, before, found, flows = natural, natural, [], []
     gaps = GAPS[: max(np.count_nonzero(least < GAPS) + MORE, 4)]
     for g in gaps:
         ahead = rate * rate / before
-        answers = [
-            mesh.linear([w], [w], 12 * air.viscosity * r * R**2 / (air.pressure * g**2), layered(g, r, air), ORDERS)[0]
-            for w, r in zip(shapes, ahead, strict=True)
-        ]
-        drag = -12 * air.viscosity * R**4 / g**3 * np.array([a.works[0] for a in answers]) / 2 + modes.decay_rate
+        works, rim = zip(*(_answer(parts, g, r, R, air) for parts, r in zip(shapes, ahead, strict=True)), strict=True)
+        drag = -12 * air.viscosity * R**4 / g**3 * np.array(works) / 2 + modes.decay_rate
         root = np.sqrt(drag**2 - natural**2)
         damped = -drag + np.where(root.imag < 0, -root, root)
         before, rate = rate, np.clip(damped.imag, 0.05 * natural, 2 * pi * HIGHEST * scene.audio.sample_rate)
         found.append((rate / (2 * pi), np.maximum(-damped.real - modes.decay_rate, 0.0)))
-        flows.append([a.rim for a in answers])
+        flows.append(rim)
     frequency, added = np.swapaxes(found, 0, 1)
     gain = loudness(modes, scene, np.array(flows))
     return Filmed(gap=np.log(gaps), frequency=frequency, added=added, decay_rate=modes.decay_rate, gain=gain)
+
+
+def _by_parity(modes, i, halves, radius):
+    """The even and the odd part of the bottom face of a mode that it has, each with the half of the film's mesh."""
+    here, there = below(modes, i, np.array([halves[0].points, halves[0].points.conj()]), radius)
+    parts = [(mesh, (here + mesh.parity * there) / 2) for mesh in halves]
+    least = NOTHING * max(np.abs(part).max() for _, part in parts)
+    return [(mesh, part) for mesh, part in parts if np.abs(part).max() > least]
+
+
+def _answer(parts, g, rate, radius, air):
+    """The work of the film's pressure on a mode that goes with its velocity, and the orders of the flow at the rim."""
+    numbers = 12 * air.viscosity * rate * radius**2 / (air.pressure * g**2), layered(g, rate, air), ORDERS
+    answers = [mesh.linear([w], [w], *numbers)[0] for mesh, w in parts]
+    return sum(a.works[0] for a in answers), sum(a.rim for a in answers)
 
 
 def heights(thickness: float, radius: float) -> tuple[float, float, float, float]:
