@@ -69,7 +69,7 @@ class FilmMesh:
         self._prepare()
 
     def _prepare(self):
-        """Where in a sparse matrix of inner nodes the pairs (e, i, j) of the elements belong; those of others after it."""
+        """Where in a sparse matrix of inner nodes the pairs (e, i, j) of the elements belong; others after it."""
         count, place = len(self._inner), np.full(self.basis.N, -1)
         place[self._inner] = np.arange(count)
         row, column = (place[self.basis.element_dofs.T][at] for at in (np.s_[:, :, None], np.s_[:, None, :]))
