@@ -2,11 +2,13 @@
 
 from dataclasses import dataclass
 from math import inf
+from typing import Any
 
 import numpy as np
 
 from dynamics import Disk, Motion
 from modal import Modes
+from sonify.claims.motion import judging
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
@@ -43,105 +45,87 @@ class Check:
         return f"{self.expected:g} ± {self.tolerance:g}"
 
 
-def energy_balance(motion: Motion) -> Check:
+def check(name: str, source: str, **bars: Any):
+    """Make a function that returns a value return the Check of it."""
+    return judging(Check, name=name, source=source, **bars)
+
+
+@check(
+    "energy and dissipated energy add up",
+    "dE/dt is the power of friction and resisting moments, (3.2), (3.3)",
+    expected=0.0,
+    tolerance=1e-8,
+)
+def energy_balance(motion: Motion):
     """Energy plus dissipated energy stays what it was, relative to what there was."""
     total = motion.energy(motion.t) + motion.state[:, 10]
-    return Check(
-        key="energy_balance",
-        name="energy and dissipated energy add up",
-        value=float(np.abs(total / total[0] - 1).max()),
-        expected=0.0,
-        tolerance=1e-8,
-        source="dE/dt is the power of friction and resisting moments, (3.2), (3.3)",
-    )
+    return np.abs(total / total[0] - 1).max()
 
 
-def dissipation_never_falls(motion: Motion) -> Check:
+@check(
+    "dissipated energy never falls",
+    "no power of (3.2), (3.3) is ever negative; a step of a draft is exact to 1e-12",
+    expected=0.0,
+    tolerance=1e-12,
+)
+def dissipation_never_falls(motion: Motion):
     """By how much the dissipated energy falls at most, between any two instants, relative to the energy at first."""
-    return Check(
-        key="dissipation_never_falls",
-        name="dissipated energy never falls",
-        value=motion.largest_regain() / float(motion.energy(0.0)[0]),
-        expected=0.0,
-        tolerance=1e-12,
-        source="no power of (3.2), (3.3) is ever negative; a step of a draft is exact to 1e-12",
-    )
+    return motion.largest_regain() / float(motion.energy(0.0)[0])
 
 
-def friction_cone(motion: Motion) -> Check:
+@check(
+    "the friction force stays on its cone",
+    "|F| <= mu_s N rolling, |F| = mu_d N sliding, section 3",
+    expected=0.0,
+    tolerance=1e-6,
+)
+def friction_cone(motion: Motion):
     """By how much |F|/N exceeds the static coefficient while rolling, or misses the dynamic one while sliding."""
-    return Check(
-        key="friction_cone",
-        name="the friction force stays on its cone",
-        value=motion.friction_excess(),
-        expected=0.0,
-        tolerance=1e-6,
-        source="|F| <= mu_s N rolling, |F| = mu_d N sliding, section 3",
-    )
+    return motion.friction_excess()
 
 
-def pushing_contact(motion: Motion) -> Check:
+@check("the table never pulls", "Phi > 0 while there is contact, section 4", expected=0.0, tolerance=0.0)
+def pushing_contact(motion: Motion):
     """The share of the motion in which the normal force pulls, or is zero other than in a noted loss of contact."""
     force = motion.force(motion.t)[:-1, 2]
     pulls = force <= 0 if not motion.contact_losses else force < 0
-    return Check(
-        key="pushing_contact",
-        name="the table never pulls",
-        value=float(np.sum(np.diff(motion.t)[pulls]) / motion.t[-1]),
-        expected=0.0,
-        tolerance=0.0,
-        source="Phi > 0 while there is contact, section 4",
-    )
+    return np.sum(np.diff(motion.t)[pulls]) / motion.t[-1]
 
 
-def mode_residuals(modes: Modes) -> Check:
+@check("the modes solve their eigenvalue problem", "K phi = w^2 M phi", expected=0.0, tolerance=1e-6)
+def mode_residuals(modes: Modes):
     """The largest |phi - w^2 K^-1 M phi| / |phi| of the modes."""
-    return Check(
-        key="mode_residuals",
-        name="the modes solve their eigenvalue problem",
-        value=float(modes.residual.max(initial=0.0)),
-        expected=0.0,
-        tolerance=1e-6,
-        source="K phi = w^2 M phi",
-    )
+    return modes.residual.max(initial=0.0)
 
 
-def mode_errors(modes: Modes) -> Check:
+@check(
+    "no frequency may be wrong by as much as itself",
+    "distance between two meshes or bases",
+    expected=1.0,
+    tolerance=0.0,
+    one_sided=True,
+)
+def mode_errors(modes: Modes):
     """The largest estimated relative error of a frequency."""
-    return Check(
-        key="mode_errors",
-        name="no frequency may be wrong by as much as itself",
-        value=float(modes.error.max(initial=0.0)),
-        expected=1.0,
-        tolerance=0.0,
-        source="distance between two meshes or bases",
-        one_sided=True,
-    )
+    return modes.error.max(initial=0.0)
 
 
-def discrete_mass(modes: Modes, disk: Disk) -> Check:
+@check("the elastic model weighs what the disk weighs", "mass of the scene", expected=1.0, tolerance=1e-3)
+def discrete_mass(modes: Modes, disk: Disk):
     """The mass of the elastic model over that of the disk."""
-    return Check(
-        key="discrete_mass",
-        name="the elastic model weighs what the disk weighs",
-        value=modes.mass / disk.mass,
-        expected=1.0,
-        tolerance=1e-3,
-        source="mass of the scene",
-    )
+    return modes.mass / disk.mass
 
 
-def no_sample_clipped(sound: Sound) -> Check:
+@check(
+    "no sample of sound.wav is clipped, all are finite",
+    "a PCM file holds -1 to 1",
+    expected=1.0,
+    tolerance=0.0,
+    one_sided=True,
+)
+def no_sample_clipped(sound: Sound):
     """The peak of sound.wav over full scale, which is finite only if every sample of the pressure is."""
-    return Check(
-        key="no_sample_clipped",
-        name="no sample of sound.wav is clipped, all are finite",
-        value=sound.peak / sound.full_scale if sound.finite else inf,
-        expected=1.0,
-        tolerance=0.0,
-        source="a PCM file holds -1 to 1",
-        one_sided=True,
-    )
+    return sound.peak / sound.full_scale if sound.finite else inf
 
 
 def motion_checks(scene: Scene, motion: Motion) -> list[Check]:

@@ -1,7 +1,11 @@
 """FINDINGS: every claim of the paper as a function of what was solved; a "no" is a result, not a failure."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import wraps
+from inspect import signature
 from math import inf
+from typing import Any
 
 import numpy as np
 
@@ -71,94 +75,91 @@ class Finding:
         return " and ".join(f"{word} {bound:g}" for word, bound in bounds.items() if np.isfinite(bound))
 
 
-def repeated_slips(motion: Motion) -> Finding:
+def finding(claim: str, unit: str, source: str, **bars: float):
+    """Make a function that returns a value, or value and margin, return the Finding of it."""
+    return judging(Finding, claim=claim, unit=unit, source=source, **bars)
+
+
+def judging(kind: type, **about: Any):
+    """Make a function return what it found as a Finding or Check of that `kind`, whose key is its name."""
+
+    def decorator(function: Callable) -> Callable:
+        @wraps(function)
+        def judge(*arguments, **options):
+            found = np.array(function(*arguments, **options), dtype=float, ndmin=1).tolist()
+            return kind(key=function.__name__, **dict(zip(("value", "margin"), found, strict=False)), **about)
+
+        judge.__dict__["__signature__"] = signature(function).replace(return_annotation=kind)  # hangs_on reads it
+        return judge
+
+    return decorator
+
+
+@finding("The disk goes from rolling to sliding again and again", "transitions", "section 1 of the paper", at_least=2.0)
+def repeated_slips(motion: Motion):
     """The number of changes from rolling to sliding; one more or less at the end is a matter of digits."""
-    return Finding(
-        key="repeated_slips",
-        claim="The disk goes from rolling to sliding again and again",
-        value=float(len(slips(motion))),
-        unit="transitions",
-        at_least=2.0,
-        margin=1.0,
-        source="section 1 of the paper",
-    )
+    return len(slips(motion)), 1.0
 
 
-def contact_kept(motion: Motion) -> Finding:
+@finding("The normal force is never zero", "least normal force / weight", "section 7, figure 4 (a)", at_least=1e-9)
+def contact_kept(motion: Motion):
     """The least normal force over the weight, on two points a piece, the last instant included."""
     load = motion.force(halves(motion))[:, 2] / motion.disk.weight
-    return Finding(
-        key="contact_kept",
-        claim="The normal force is never zero",
-        value=0.0 if motion.contact_losses else float(load.min()),
-        unit="least normal force / weight",
-        at_least=1e-9,
-        margin=float(load[::2].min() - load.min()),
-        source="section 7, figure 4 (a)",
-    )
+    return 0.0 if motion.contact_losses else float(load.min()), load[::2].min() - load.min()
 
 
-def load_frequency_rises(motion: Motion) -> Finding:
+@finding(
+    "The frequency of the normal force rises as the disk declines",
+    "last tenth of the peaks / first tenth",
+    "section 7, figure 4 (b)",
+    at_least=1.5,
+)
+def load_frequency_rises(motion: Motion):
     """The frequency of the normal force late in the motion over that early in it."""
     frequency = nutation_frequency(motion)[1]
     tenth = max(len(frequency) // 10, 1)
     (early, about), (late, on) = (median(part) for part in (frequency[:tenth], frequency[-tenth:]))
-    return Finding(
-        key="load_frequency_rises",
-        claim="The frequency of the normal force rises as the disk declines",
-        value=late / early,
-        unit="last tenth of the peaks / first tenth",
-        at_least=1.5,
-        margin=late / early * float(np.hypot(about / early, on / late)),
-        source="section 7, figure 4 (b)",
-    )
+    return late / early, late / early * float(np.hypot(about / early, on / late))
 
 
-def load_frequency_reached(motion: Motion) -> Finding:
+@finding(
+    "The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
+    "chi from the release until it does",
+    "figure 4 (b), read in quadruple precision; footnote 3",
+    at_most=FIGURE_4[1],
+    tolerance=0.5,
+)
+def load_frequency_reached(motion: Motion):
     """The time, in units of chi of (4.5), at which the frequency of the normal force first is FIGURE_4 / chi."""
-    chi, (level, when) = motion.disk.time_unit, FIGURE_4
+    chi, level = motion.disk.time_unit, FIGURE_4[0]
     time, frequency = nutation_frequency(motion)
     reached = time[chi * frequency >= level]
-    return Finding(
-        key="load_frequency_reached",
-        claim="The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
-        value=float(reached[0] / chi) if len(reached) else inf,
-        unit="chi from the release until it does",
-        at_most=when,
-        tolerance=0.5,
-        margin=1 / level,
-        source="figure 4 (b), read in quadruple precision; footnote 3",
-    )
+    return reached[0] / chi if len(reached) else inf, 1 / level
 
 
-def energy_falls(motion: Motion) -> Finding:
+@finding(
+    "The energy falls monotonically",
+    "greatest gain between two instants / energy at the start",
+    "sections 6.3 and 7, figure 3 (b)",
+    at_most=0.0,
+    tolerance=1e-12,
+)
+def energy_falls(motion: Motion):
     """The greatest gain of energy from one solved instant to the next over that at the start, but for rounding."""
-    return Finding(
-        key="energy_falls",
-        claim="The energy falls monotonically",
-        value=float(np.diff(motion.energy(motion.t)).max() / motion.energy(motion.t[:1])[0]),
-        unit="greatest gain between two instants / energy at the start",
-        at_most=0.0,
-        tolerance=1e-12,
-        margin=16 * np.finfo(float).eps,
-        source="sections 6.3 and 7, figure 3 (b)",
-    )
+    return np.diff(motion.energy(motion.t)).max() / motion.energy(motion.t[:1])[0], 16 * np.finfo(float).eps
 
 
-def sliding_costs_more(motion: Motion) -> Finding:
+@finding(
+    "Sliding dissipates more than rolling",
+    "power in a slide / the greater of those before and after, median",
+    "section 7, figure 3 (b)",
+    at_least=1.0,
+)
+def sliding_costs_more(motion: Motion):
     """The power lost in a slide over the greater of those in the rolling around it, median."""
     power, slides = _powers(motion)
     around = np.maximum(power[slides - 1], power[slides + 1])
-    ratio, error = median(power[slides] / around)
-    return Finding(
-        key="sliding_costs_more",
-        claim="Sliding dissipates more than rolling",
-        value=ratio,
-        unit="power in a slide / the greater of those before and after, median",
-        at_least=1.0,
-        margin=error,
-        source="section 7, figure 3 (b)",
-    )
+    return median(power[slides] / around)
 
 
 def _powers(motion):
@@ -169,35 +170,28 @@ def _powers(motion):
     return power, np.arange(2 if sliding[0] else 1, len(power) - 1, 2)
 
 
-def audible_modes(modes: Modes) -> Finding:
+@finding(
+    "At least four modes of vibration are in the audible range", "modes from 20 Hz to 20 kHz", "section 8", at_least=4.0
+)
+def audible_modes(modes: Modes):
     """The number of modes between the limits of hearing."""
     low, high = HEARING
     off = np.abs(np.subtract.outer(modes.frequency, HEARING)).min(axis=1) < modes.error * modes.frequency
-    return Finding(
-        key="audible_modes",
-        claim="At least four modes of vibration are in the audible range",
-        value=float(np.sum((modes.frequency >= low) & (modes.frequency <= high))),
-        unit="modes from 20 Hz to 20 kHz",
-        at_least=4.0,
-        margin=float(off.sum()),
-        source="section 8",
-    )
+    return np.sum((modes.frequency >= low) & (modes.frequency <= high)), off.sum()
 
 
-def centre_comes_to_rest(motion: Motion) -> Finding:
+@finding(
+    "The motion of the centre diminishes until it is almost negligible",
+    "extent of the path, last fifth / first fifth",
+    "section 7, figure 5",
+    at_most=0.1,
+)
+def centre_comes_to_rest(motion: Motion):
     """The extent of the path of the centre in the last fifth of the time over that in the first."""
     t = np.linspace(0, motion.t[-1], 20001)
     path = motion.at(t)[:, 3:5]
     extent, coarser = (_late_over_early(part) for part in (path, path[::2]))
-    return Finding(
-        key="centre_comes_to_rest",
-        claim="The motion of the centre diminishes until it is almost negligible",
-        value=extent,
-        unit="extent of the path, last fifth / first fifth",
-        at_most=0.1,
-        margin=abs(extent - coarser),
-        source="section 7, figure 5",
-    )
+    return extent, abs(extent - coarser)
 
 
 def _late_over_early(path):
@@ -206,22 +200,20 @@ def _late_over_early(path):
     return float(np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max())
 
 
-def no_singularity(motion: Motion) -> Finding:
+@finding(
+    "There is no finite-time singularity: the precession rate stays finite",
+    "exponent of the precession rate in the time left (negative: it diverges)",
+    "section 7",
+    at_least=0.0,
+    tolerance=0.05,
+)
+def no_singularity(motion: Motion):
     """The exponent of the precession rate as a power of the time left."""
     least = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)
     left = np.geomspace(least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400)
     rate = np.abs(precession_rate(motion.at(motion.t_end - left)))
     (exponent, _), covariance = np.polyfit(np.log(left), np.log(rate), 1, cov=True)
-    return Finding(
-        key="no_singularity",
-        claim="There is no finite-time singularity: the precession rate stays finite",
-        value=float(exponent),
-        unit="exponent of the precession rate in the time left (negative: it diverges)",
-        at_least=0.0,
-        tolerance=0.05,
-        margin=float(2 * covariance[0, 0] ** 0.5),
-        source="section 7",
-    )
+    return exponent, 2 * covariance[0, 0] ** 0.5
 
 
 def median(values, independent: float = 1.0) -> tuple[float, float]:

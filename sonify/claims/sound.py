@@ -5,7 +5,7 @@ import numpy as np
 from dynamics import Motion
 from dynamics.rates import nutation_frequency, precession_frequency
 from modal import Modes
-from sonify.claims.motion import Finding, median
+from sonify.claims.motion import Finding, finding, median
 from sonify.hearing.loudness import (
     HANN_BANDWIDTH,
     ISO_226,
@@ -70,64 +70,60 @@ def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
     return found + ([tone_was_nutation(tone, early, motion, sound)] if early.any() else [])
 
 
-def pitch_rises(tone) -> Finding:
+@finding(
+    "The pitch rises sharply towards the end",
+    "times over the ridge that is heard",
+    "abstract and section 1; from the sound alone",
+    at_least=2.0,
+)
+def pitch_rises(tone):
     """The frequency of the tone at the end of its ridge over that at the beginning."""
-    return Finding(
-        key="pitch_rises",
-        claim="The pitch rises sharply towards the end",
-        value=tone.factor,
-        unit="times over the ridge that is heard",
-        at_least=2.0,
-        margin=2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent,
-        source="abstract and section 1; from the sound alone",
-    )
+    return tone.factor, 2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent
 
 
-def tone_is_precession(tone, last, motion: Motion, sound: Sound) -> Finding:
+@finding(
+    "In the last second the rising tone is the precession of the contact",
+    "tone heard / precession solved, median",
+    "section 8 leaves open what rises; the solved precession",
+    at_least=0.97,
+    at_most=1.03,
+)
+def tone_is_precession(tone, last, motion: Motion, sound: Sound):
     """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
-    ratio, error = _ratio(tone, last, motion, sound, precession_frequency(motion)[1])
-    return Finding(
-        key="tone_is_precession",
-        claim="In the last second the rising tone is the precession of the contact",
-        value=ratio,
-        unit="tone heard / precession solved, median",
-        at_least=0.97,
-        at_most=1.03,
-        margin=error,
-        source="section 8 leaves open what rises; the solved precession",
-    )
+    return _ratio(tone, last, motion, sound, precession_frequency(motion)[1])
 
 
-def tone_was_nutation(tone, early, motion: Motion, sound: Sound) -> Finding:
+@finding(
+    "Until four seconds before the end the tone is the nutation, the frequency of the normal force",
+    "tone heard / nutation solved, median",
+    "section 8: the normal force as a measure of the forcing",
+    at_least=0.97,
+    at_most=1.03,
+)
+def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
     """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
-    ratio, error = _ratio(tone, early, motion, sound, nutation_frequency(motion)[1])
-    return Finding(
-        key="tone_was_nutation",
-        claim="Until four seconds before the end the tone is the nutation, the frequency of the normal force",
-        value=ratio,
-        unit="tone heard / nutation solved, median",
-        at_least=0.97,
-        at_most=1.03,
-        margin=error,
-        source="section 8: the normal force as a measure of the forcing",
-    )
+    return _ratio(tone, early, motion, sound, nutation_frequency(motion)[1])
 
 
-def tone_ends_with_the_motion(tone, sound: Sound) -> Finding:
+@finding(
+    "The tone heard runs to the end of the motion",
+    "s from the end of the motion to the end fitted to the tone",
+    "section 1: the abrupt halt",
+    at_least=-0.1,
+    at_most=0.1,
+)
+def tone_ends_with_the_motion(tone, sound: Sound):
     """The time from the end of the motion, at the listener, to the end fitted to the tone [s]."""
-    return Finding(
-        key="tone_ends_with_the_motion",
-        claim="The tone heard runs to the end of the motion",
-        value=tone.end - sound.source_end,
-        unit="s from the end of the motion to the end fitted to the tone",
-        at_least=-0.1,
-        at_most=0.1,
-        margin=2 * tone.end_error,
-        source="section 1: the abrupt halt",
-    )
+    return tone.end - sound.source_end, 2 * tone.end_error
 
 
-def tone_is_heard(tone, sound: Sound) -> Finding:
+@finding(
+    "The rising tone can be heard",
+    "s before the end from which it stays above the threshold of ISO 226",
+    "section 8: the frequencies are in the audible range",
+    at_least=0.5,
+)
+def tone_is_heard(tone, sound: Sound):
     """The time before the end from which the third octave that holds the tone stays above the threshold of hearing."""
     seen = spectrogram(sound.pressure, WINDOW / 4)
     inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (seen.time > 0.1)
@@ -138,49 +134,36 @@ def tone_is_heard(tone, sound: Sound) -> Finding:
     heard = above[band, np.arange(len(band))] > 0
     silent = np.flatnonzero(~heard)
     since = seen.time[inside][silent[-1] + 1] if len(silent) and silent[-1] + 1 < len(heard) else sound.source_end
-    return Finding(
-        key="tone_is_heard",
-        claim="The rising tone can be heard",
-        value=float(sound.source_end - (since if len(silent) else seen.time[inside][0])),
-        unit="s before the end from which it stays above the threshold of ISO 226",
-        at_least=0.5,
-        margin=WINDOW / 4,
-        source="section 8: the frequencies are in the audible range",
-    )
+    return sound.source_end - (since if len(silent) else seen.time[inside][0]), WINDOW / 4
 
 
-def modes_carry_the_end(sound: Sound, error: float = 0.0) -> Finding:
+@finding(
+    "The vibration of the modes is what is heard in the last second",
+    "dB(A), ringing of the modes over rigid motion of the disk",
+    "section 8: this is not the primary sound source; the forcing excites modes",
+    at_least=0.0,
+)
+def modes_carry_the_end(sound: Sound, error: float = 0.0):
     """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)].
 
     What differs by the relative `error` in quadratic mean has an energy within a factor of (1 + error)^2.
     """
     heave, tilt, smooth, jumps = (weighted_power(sound, sound.track(name)) for name in STEMS)
-    return Finding(
-        key="modes_carry_the_end",
-        claim="The vibration of the modes is what is heard in the last second",
-        value=float(level_db(smooth + jumps) - level_db(heave + tilt)),
-        unit="dB(A), ringing of the modes over rigid motion of the disk",
-        at_least=0.0,
-        margin=20 * np.log10(1 + error),
-        source="section 8: this is not the primary sound source; the forcing excites modes",
-    )
+    return level_db(smooth + jumps) - level_db(heave + tilt), 20 * np.log10(1 + error)
 
 
-def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
+@finding(
+    "The modes take too little energy to act back on the motion",
+    "s before the end when the modes first hold as much energy as the disk",
+    "section 8: the vibrations will result in a loss of contact; here they do not act back",
+    at_most=0.0,
+)
+def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0):
     """The one-way coupling holds while the modes own less than the disk: when do they first own as much?
 
     Their energy is known within a factor of (1 + error)^2, as in `modes_carry_the_end`.
     """
-    value, margin = since_as_much(motion, sound.energy_time, sound.energy, error)
-    return Finding(
-        key="modes_take_little",
-        claim="The modes take too little energy to act back on the motion",
-        value=value,
-        unit="s before the end when the modes first hold as much energy as the disk",
-        at_most=0.0,
-        margin=margin,
-        source="section 8: the vibrations will result in a loss of contact; here they do not act back",
-    )
+    return since_as_much(motion, sound.energy_time, sound.energy, error)
 
 
 def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -> tuple[float, float]:
@@ -198,33 +181,26 @@ def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -
     return value, value - since((1 + error) ** -2) if value else since((1 + error) ** 2)
 
 
-def carriers_are_steady(heard: Heard) -> Finding:
+@finding(
+    "The strongest carrier keeps its pitch: no mode rises",
+    "cents, spread over the sound",
+    "linear modes; from the sound alone",
+    at_most=5.0,
+)
+def carriers_are_steady(heard: Heard):
     """How far the strongest carrier spreads or drifts [cents]; its spread is known to a half from five frames."""
     one = heard.carriers[0]
     drift, error = (x * (one.end - one.begin) for x in (abs(one.drift), one.drift_error))
-    return Finding(
-        key="carriers_are_steady",
-        claim="The strongest carrier keeps its pitch: no mode rises",
-        value=max(one.spread, drift),
-        unit="cents, spread over the sound",
-        at_most=5.0,
-        margin=max(one.spread / 2, 2 * error),
-        source="linear modes; from the sound alone",
-    )
+    return max(one.spread, drift), max(one.spread / 2, 2 * error)
 
 
-def carriers_are_modes(heard: Heard, modes: Modes) -> Finding:
+@finding("The strongest carrier is a mode of the disk", "cents to the nearest mode", "section 8", at_most=5.0)
+def carriers_are_modes(heard: Heard, modes: Modes):
     """The distance of the strongest carrier from the nearest mode [cents]."""
     strongest = heard.carriers[0].frequency
-    return Finding(
-        key="carriers_are_modes",
-        claim="The strongest carrier is a mode of the disk",
-        value=float(np.abs(1200 * np.log2(strongest / modes.frequency)).min()),
-        unit="cents to the nearest mode",
-        at_most=5.0,
-        margin=2 * 1200 / np.log(2) * heard.carriers[0].error / strongest,
-        source="section 8",
-    )
+    return np.abs(1200 * np.log2(strongest / modes.frequency)).min(), 2 * 1200 / np.log(2) * heard.carriers[
+        0
+    ].error / strongest
 
 
 def _ratio(tone, here, motion, sound, solved):

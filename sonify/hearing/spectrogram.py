@@ -7,7 +7,6 @@ from pathlib import Path
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from scipy.fft import rfft
 
 from sonify.hearing.source import BLOCK, Source, pieces, source_of
 
@@ -72,5 +71,7 @@ def _power(samples, shape, hop):
 
     Samples in single precision are transformed in it: what is 130 dB below the loudest is lost, and half the time.
     """
+    from scipy.fft import rfft  # loads slowly, and who draws a spectrogram has no need of it
+
     seen = rfft(sliding_window_view(samples, len(shape), axis=0)[::hop] * shape)
     return 2 * np.mean(seen.real**2 + seen.imag**2, axis=1).astype(np.float32)
