@@ -5,8 +5,9 @@ from pathlib import Path
 
 from numba import njit
 
-kernel = njit(error_model="numpy")
-"""Compile a function that others call: division by zero gives infinity, and costs no branch."""
+kernel = njit(error_model="numpy", fastmath={"contract", "nsz", "arcp"})
+"""Compile a function that others call: division by zero gives infinity, and costs no branch. Products and sums may be
+fused, and one reciprocal serve several divisions: this moves the last bits, and no order of sums."""
 outermost = njit(error_model="numpy", cache=True)
 """Compile a function that Python calls, and keep its machine code."""
 

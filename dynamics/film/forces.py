@@ -36,7 +36,7 @@ def parts(s, rate, turning, falling, inertia, number, ambient, slip):
     drag = rate / (square + slip * s)
     lam, layers = number * drag, square * rate
     heavy = (1.0 + (inertia * layers * layers + NOTHING) ** 0.625) ** 0.4
-    u = (1.0 + lam * lam) ** 0.25 - 1.0
+    u = ((1.0 + lam * lam) ** 0.5) ** 0.5 - 1.0
     u2 = u * u
     share = 1.0 / (1.0 + 0.2586 * u + 0.01593 * u2 + 0.00603 * u2 * u)
     lift = (0.01846 * u + 0.01269 * u2) / (1.0 + 0.00925 * u2)
@@ -52,6 +52,6 @@ def holds(s, rate, number, ambient, slip):
     int h^3 |grad p|^2/(12 mu) dA, which is lost: so no more than this comes back. Constants are those of `parts`.
     """
     lam = number * rate / (s * s + slip * s)
-    u = (1.0 + lam * lam) ** 0.25 - 1.0
+    u = ((1.0 + lam * lam) ** 0.5) ** 0.5 - 1.0
     share = u * (0.000558 + u * (0.000712 + u * 0.000269)) / (1.0 + u * u * (0.00916 + u * 0.000565))
     return ambient * s * share
