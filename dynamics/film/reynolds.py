@@ -91,11 +91,10 @@ class FilmMesh:
         mobility = mobility_of(self.height, inertia) + 6 * slip * self.height**2
         pairs, matrix = self._stiffness(mobility, 1j * sigma * self.height)
         loads, works = (self._loads(some) for some in (velocities, shapes))
-        inner, dofs, p = self._inner, self.basis.element_dofs, np.zeros(loads.shape, complex)
+        inner, p = self._inner, np.zeros(loads.shape, complex)
         factors, rest = splu(matrix), loads.astype(complex)
         p[:, inner] = [factors.solve(-row[inner]) for row in rest]
-        np.add.at(rest.T, dofs.T, pairs @ p.T[dofs.T])
-        rim = -rest @ self._waves(orders)
+        rim = -(rest + self._times(pairs, p.T).T) @ self._waves(orders)
         return [Response(*answer) for answer in zip(p, p @ works.T, rim, strict=True)]
 
     def at_rim(self, mobility, storage, velocities, orders: int) -> tuple[np.ndarray, np.ndarray]:
@@ -104,11 +103,10 @@ class FilmMesh:
         The film is div(m grad p) = V + storage p. For each of `velocities` V (v, e, q) with nothing at the rim, (w, v);
         and what less for a pressure there that is one of the waves, (w, w).
         """
-        matrix, inner, waves = self._stiffness(mobility, storage), self._inner, self._waves(orders)
-        waves = np.hstack([waves.real[:, : orders + 1], -waves.imag[:, 1 : orders + 1]])
-        p = waves.astype(complex)
-        p[inner] -= splu(matrix[inner][:, inner].tocsc()).solve((matrix @ p)[inner])
-        return -p.T @ self._loads(velocities).T, p.T @ (matrix @ p)
+        (pairs, matrix), inner, waves = self._stiffness(mobility, storage), self._inner, self._waves(orders)
+        p = np.hstack([waves.real[:, : orders + 1], -waves.imag[:, 1 : orders + 1]]).astype(complex)
+        p[inner] -= splu(matrix).solve(self._times(pairs, p)[inner])
+        return -p.T @ self._loads(velocities).T, p.T @ self._times(pairs, p)
 
     def turning(self, Lam: float, guess=None, falling: float = 0.0) -> np.ndarray:
         """Return the pressure (n,) over that around of a gap that turns steadily, Lam = 12 mu Omega/(p_a beta^2).
@@ -149,6 +147,12 @@ class FilmMesh:
         pairs, (row, start) = (self._shapes * fields[:, None]) @ self._shapes.swapaxes(1, 2), self._sparse
         summed = [np.bincount(self._slot.ravel(), part.ravel())[: len(row)] for part in (pairs.real, pairs.imag)]
         return pairs, csc_array((summed[0] + 1j * summed[1], row, start))
+
+    def _times(self, pairs, p):
+        """The matrix of all nodes, of pairs (e, i, j), times p (n, k)."""
+        out = np.zeros(p.shape, complex)
+        np.add.at(out, self.basis.element_dofs.T, pairs @ p[self.basis.element_dofs.T])
+        return out
 
     def _loads(self, shapes):
         """int q W dA of shapes W (s, e, q), (s, n)."""
