@@ -15,9 +15,9 @@ from dynamics.steady import steady_precession
 from dynamics.time_left import steady_power
 from sonify.plan.plan import Decision, Plan
 from sonify.scene import Scene
+from sonify.sound.absorption import HIGHEST, absorbed_db, reach
+from sonify.sound.radiation import listeners_of
 
-HIGH = 20e3
-"""Frequency [Hz] at which absorption is told: below it is less."""
 JUDGED = (0.1, 0.01, 0.001)
 """Inclinations [rad] at which a paper's law of the air is held against the film."""
 RAREFIED = (
@@ -32,16 +32,27 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
     told = film_of(scene)
     acts = "acts on the motion and on the sound" if told.film else "does not act"
     decision = Decision(subject="film of air under the disk", choice=acts, reason=told.reason)
-    taken = scene.air.absorption(HIGH) * scene.audio.distance if scene.air.pressure else 0.0
-    far = f"Absorption on the way to the listener, up to {taken:.2g} dB at 20 kHz in air of 50 % humidity."
-    own = papers_law(scene)
+    own, (filtered, left) = papers_law(scene), on_the_way(scene)
     twice = [TWICE] if told.film and own else []
     return replace(
         plan,
         decisions=(*plan.decisions, decision),
-        modelled=(*plan.modelled, *(MODELLED if told.film else ())),
-        left_out=(*plan.left_out, *(LEFT_OUT if told.film else VACUUM), *twice, *own, far),
+        modelled=(*plan.modelled, *(MODELLED if told.film else ()), *filtered),
+        left_out=(*plan.left_out, *(LEFT_OUT if told.film else VACUUM), *twice, *own, *left),
     )
+
+
+def on_the_way(scene: Scene) -> tuple[list[str], list[str]]:
+    """Return what is said of the absorption on the way to the listeners: where it is modelled, and where it is not."""
+    told: tuple[list[str], list[str]] = [], []
+    for distance in sorted({ear.distance for ear in listeners_of(scene)}):
+        near, far = (absorbed_db(scene.air, distance, f) for f in (8e3, HIGHEST))
+        size = f"on the way to {distance:g} m air of 50 % humidity takes {near:.2g} dB at 8 kHz, {far:.2g} dB at 20 kHz"
+        if reach(scene.air, distance):
+            told[0].append(f"Absorption: {size}.")
+        else:
+            told[1].append(f"Absorption: {size}, less than is heard.")
+    return told
 
 
 def papers_law(scene: Scene) -> list[str]:

@@ -10,6 +10,7 @@ from math import ceil
 
 import numpy as np
 
+from sonify.sound.absorption import absorbing, reach
 from sonify.sound.audible_modes import sounding
 from sonify.sound.contact import with_contact
 from sonify.sound.film import with_film
@@ -48,7 +49,8 @@ class Renderer:
         self.names = tuple(name for source in self.sources for name in source.names)
         bounds = np.cumsum([0, *(len(source.ends) for source in self.sources)])
         self._parts = [slice(*pair) for pair in pairwise(bounds)]
-        start = self.late / self.sample_rate - self.listener.delay
+        late = self.late + reach(scene.air, self.listener.distance)
+        start = late / self.sample_rate - self.listener.delay
         rest, fade = np.vstack([source.ends for source in self.sources]).T
         self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest, calm, fade)
         self.source_end = self.sampler.end + self.listener.delay
@@ -78,6 +80,7 @@ class Renderer:
             (held_back(source.from_rest(first[part], partial(note, source.names[0])), self.late - source.late), part)
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
+        absorbed = absorbing(self.scene.air, self.listener.distance, self.sample_rate)
         counts = {n: min(size, self.samples - n) for n in range(0, self.samples, size)}
         with ThreadPoolExecutor(1) as reader:  # the next block is read while this one sounds
             coming = reader.submit(self.sampler.block, 0, counts[0])
@@ -85,7 +88,8 @@ class Renderer:
                 force = coming.result()
                 if n + size in counts:
                     coming = reader.submit(self.sampler.block, n + size, counts[n + size])
-                yield self._enveloped(self._joined([advance(force.channels(part)) for advance, part in sounding]), n)
+                stems = self._joined([advance(force.channels(part)) for advance, part in sounding])
+                yield self._enveloped(absorbed(stems), n)
 
     def sound(self, watch=lambda share: None) -> Sound:
         """Return the whole sound; `watch(share)` is called with the share done."""
