@@ -2,9 +2,10 @@
 
 Run as `python -m tests.benchmarks.cold_and_warm [PAIRS]`. A cold and a warm run take turns, so that what else the
 machine does falls on both; printed are the medians by stage, some of which go on beside each other, and the processor
-time of all threads: of a cold run with the process that draws, of a warm one without it. A cold process starts as it
-does after `pip install -e .`: with the byte code of the libraries, which pip makes, without that of this program, and
-without compiled functions, fonts, or what only the tests install, which heyoka loads where it finds it.
+time of all threads: of a cold run with the process that draws, of a warm one without it, which then solves the modes,
+too. A cold process starts as it does after `pip install -e .`: with the byte code of the libraries, which pip makes,
+without that of this program, and without compiled functions, fonts, or what only the tests install, which heyoka loads
+where it finds it.
 """
 
 import json
