@@ -26,6 +26,8 @@ from sonify.fitting.synthetic import Recording, recording
 
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
 RATE = 16000
+STEADY = np.array([[0.0, 200.0], [0.0, 4000.0], [20.0, 20.0]])
+"""Times, turns and turns a second of a tone of 20 Hz."""
 
 
 @pytest.fixture(scope="module")
@@ -81,7 +83,7 @@ def test_turns_and_their_rate_belong_together(decline):
 def test_a_rate_that_is_missed_is_read_from_the_phase():
     """A tone of 20.3 Hz where 20 Hz are expected: the slope of the phase tells it to a hundredth of what is missed."""
     t = np.arange(8 * RATE) / RATE
-    found = rates(np.cos(2 * np.pi * 20.3 * t), RATE, 0.0, lambda t: (20.0 * t, np.full_like(t, 20.0)), 8.0)
+    found = rates(np.cos(2 * np.pi * 20.3 * t), RATE, 0.0, STEADY, 8.0)
     assert len(found.time) > 20
     assert found.frequency == pytest.approx(20.3, abs=0.3e-2)
 
@@ -90,7 +92,7 @@ def test_what_was_heard_before_a_tone_began_is_left_out():
     """Of 100 s of noise as loud as the tone of 8 s after it, no block counts but one that reaches into the tone."""
     t = np.arange(108 * RATE // 10) / (RATE / 10)
     sound = np.random.default_rng(0).standard_normal(len(t)) + np.where(t < 100, 0, 2**0.5 * np.cos(2 * np.pi * 20 * t))
-    found = rates(sound, RATE / 10, 0.0, lambda t: (20.0 * t, np.full_like(t, 20.0)), 8.0)
+    found = rates(sound, RATE / 10, 0.0, STEADY, 8.0)
     assert len(found.time) == pytest.approx(8 * 20 * 2 / 8, abs=3)
     assert found.time.min() > 100 - 8 / 20
 

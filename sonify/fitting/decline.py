@@ -11,8 +11,7 @@ from math import atan
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
-from scipy.integrate import cumulative_simpson
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicHermiteSpline, CubicSpline
 
 from dynamics import simulate
 from dynamics.disk import Friction, Release
@@ -137,33 +136,45 @@ class Decline:
         key = np.asarray(shares, float).tobytes()
         if key not in self._known:
             self._known.clear()
-            self._known[key] = self._left(shares)
+            rate = self._passing(shares)  # below the table a power of the inclination
+            growth = max(np.log(rate[1] / rate[0]) / self._step, LEAST_GROWTH)
+            self._known[key] = self._integral(rate) + rate[0] / growth
         return self._known[key]
 
-    def _left(self, shares):
+    @property
+    def _step(self):
+        return np.log(self.beta[1] / self.beta[0])
+
+    def _passing(self, shares):
+        """d(time left)/d(log inclination) [s] (b,)."""
         power = np.maximum(np.asarray(shares, float) @ self.powers, LEAST_ROLLING * self.powers[0])
-        rate = self._slope / power  # d(time left)/d(log beta), a power of beta below the table
-        growth = np.log(rate[1] / rate[0]) / np.log(self.beta[1] / self.beta[0])
-        first = rate[0] / max(growth, LEAST_GROWTH)
-        time = cumulative_simpson(rate, x=np.log(self.beta), initial=0.0) + first
-        return time * self.disk.time_unit
+        return self._slope / power * self.disk.time_unit
+
+    def _integral(self, rate):
+        """The integral (b,) of a rate (b,) over the logarithm of the inclination: of cubics through four points."""
+        padded = np.concatenate([[_beyond(rate[:4])], rate, [_beyond(rate[:-5:-1])]])
+        each = 13 * (padded[1:-2] + padded[2:-1]) - padded[:-3] - padded[3:]
+        return self._step / 24 * np.append(0.0, np.cumsum(each))
 
     def _left_at(self, inclination, shares):
         """The time left [s] at an inclination [rad], below the table as a power of it."""
         time = self.left(shares)
-        growth = np.log(time[1] / time[0]) / np.log(self.beta[1] / self.beta[0])
+        growth = np.log(time[1] / time[0]) / self._step
         below = min(inclination / self.beta[0], 1.0) ** growth
         return float(np.interp(inclination, self.beta, time) * below)
 
-    def turns(self, left, shares) -> tuple[np.ndarray, np.ndarray]:
-        """Return the periods still to come, and how many there are a second [Hz], at times left (k,) [s] > 0."""
+    def course(self, shares) -> np.ndarray:
+        """Return times left [s], the periods still to come up to the flattest inclination, and how many there are a
+        second [Hz], (3, b)."""
         time = self.left(shares)
         rate = self.rate * np.exp(np.interp(np.log(time), *self.correction))
-        spline = CubicSpline(np.log(time), rate * time)
-        exponent = 1 + np.log(rate[1] / rate[0]) / np.log(time[1] / time[0])
-        within = np.clip(left, time[0], time[-1])
-        first = rate[0] * time[0] / exponent
-        return first + spline.antiderivative()(np.log(within)), spline(np.log(within)) / within
+        return np.array([time, self._integral(rate * self._passing(shares)), rate])
+
+    def turns(self, left, shares) -> tuple[np.ndarray, np.ndarray]:
+        """Return the same periods, and how many there are a second [Hz], at times left (k,) [s] > 0."""
+        time, turned, rate = self.course(shares)
+        spline, within = CubicHermiteSpline(np.log(time), turned, rate * time), np.log(np.clip(left, time[0], time[-1]))
+        return spline(within), spline.derivative()(within) / np.exp(within)
 
     def frequency(self, left, shares) -> np.ndarray:
         """Return periods a second [Hz] at times left (k,) [s] > 0."""
@@ -232,6 +243,11 @@ class Decline:
             surface=Surface(),
             numerics=replace(scene.numerics, tolerance=TOLERANCE),
         )
+
+
+def _beyond(near):
+    """What comes before the first of four values on a cubic."""
+    return 4 * near[0] - 6 * near[1] + 4 * near[2] - near[3]
 
 
 def _slopes(t, excess, frequency):

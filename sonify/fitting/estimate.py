@@ -87,15 +87,10 @@ class Heard:
 
 def tracked(decline: Decline, sound: Heard, end, shares, length, **how) -> Rates:
     """Return the rates of a sound beside the decline of an end [s] and shares (3,); `how` as for `rates`."""
-
-    def turns(t):
-        left = end - t
-        inside = left > LAST
-        turned, frequency = np.full((2, len(t)), np.nan)
-        turned[inside], frequency[inside] = decline.turns(left[inside], shares)
-        return -turned, frequency
-
-    return rates(sound.samples, sound.rate, sound.first, turns, length, **how)
+    left, turned, frequency = decline.course(shares)
+    here = left > LAST
+    course = np.array([end - left, -turned, frequency])[:, here][:, ::-1]
+    return rates(sound.samples, sound.rate, sound.first, course, length, **how)
 
 
 def fit(line: Decline, sounds: list[Heard], ends, shares, free: tuple[int, ...], lengths=LENGTHS, least=0.05) -> Fit:
