@@ -14,6 +14,8 @@ from sonify.fitting.phase import OVERLAP, Rates, rates
 LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
 """Turns in a block, from one round to the next: short ones follow a guess that is far off, long ones hear little
 noise."""
+ROUGH, CLOSE = 1e-4, 1e-8
+"""Relative tolerances of the solution: before the sound is listened to again, and at last."""
 FLOOR = 2e-4
 """The relative error of a rate that no block is without: the decline is not quite steady."""
 DRAWS, RUN, RUNS = 400, 4, 8
@@ -101,11 +103,11 @@ def fit(line: Decline, sounds: list[Heard], ends, shares, free: tuple[int, ...],
     """
     ends, shares = np.array(ends, float), np.array(shares, float)
     filtered = all(sound.filtered for sound in sounds)
-    for length in lengths:
+    for i, length in enumerate(lengths, 1):
         heard = followed(line, sounds, ends, shares, length)
         if sum(len(h.rates.time) for h in heard) < 8:
             raise ValueError("the tone is too faint or too short to be followed")
-        ends, shares, solved = _solved(heard, filtered, ends, shares, free, least)
+        ends, shares, solved = _solved(heard, filtered, ends, shares, free, least, CLOSE if i == len(lengths) else ROUGH)
     return _with_intervals(heard, ends, shares, free, solved)
 
 
@@ -167,7 +169,7 @@ def _through_high_pass(frequency, left, corner):
     return here + (lead[0] - lead[1]) / (2 * STEP * left) / (2 * np.pi)
 
 
-def _solved(heard, filtered, ends, shares, free, least=0.05):
+def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
     unit = np.maximum(shares[list(free)], [UNITS[i] for i in free])
     x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, least), [0.1] * filtered])
     others = np.zeros(len(x) - len(ends))
@@ -186,6 +188,8 @@ def _solved(heard, filtered, ends, shares, free, least=0.05):
         args=arguments,
         loss="cauchy",
         f_scale=2 * scale,
+        ftol=tolerance,
+        xtol=tolerance,
         x_scale=np.append(np.full(len(ends), 0.05), np.ones(len(others))),
     )
     ends, full, _ = _unpack(solved.x, len(ends), shares, free, unit)

@@ -15,7 +15,7 @@ LOWEST = 4
 """So many octaves below the lowest bin may the tone begin: it is heard later on."""
 STAND_OUT_DB = 6.0
 """A peak counts where it is so far above what is usual at its frequency."""
-FAINTEST_DB, LEAST_OCTAVES, LEAST_SPAN = 4.0, 3.0, 1.0
+FAINTEST_DB, LEAST_OCTAVES, LEAST_SPAN = 4.0, 3.0, 0.5
 """A tone stands out by this on the mean (noise alone gives about 2.5 dB), is seen over so many octaves of the time left
 (tones that do not rise give up to 3), and rises by so many."""
 
