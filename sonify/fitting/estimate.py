@@ -103,11 +103,11 @@ def fit(line: Decline, sounds: list[Heard], ends, shares, free: tuple[int, ...],
     """
     ends, shares = np.array(ends, float), np.array(shares, float)
     filtered = all(sound.filtered for sound in sounds)
-    for i, length in enumerate(lengths, 1):
+    for length, tolerance in zip(lengths, [*[ROUGH] * (len(lengths) - 1), CLOSE], strict=True):
         heard = followed(line, sounds, ends, shares, length)
         if sum(len(h.rates.time) for h in heard) < 8:
             raise ValueError("the tone is too faint or too short to be followed")
-        ends, shares, solved = _solved(heard, filtered, ends, shares, free, least, CLOSE if i == len(lengths) else ROUGH)
+        ends, shares, solved = _solved(heard, filtered, ends, shares, free, least, tolerance)
     return _with_intervals(heard, ends, shares, free, solved)
 
 

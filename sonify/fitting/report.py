@@ -10,6 +10,7 @@ from sonify.fitting.ear import shares_of_power
 from sonify.fitting.estimate import in_words
 from sonify.fitting.result import Fits, Fitted
 from sonify.report.figure import figure_at
+from sonify.report.recording import carrier_numbers
 from sonify.report.write import finite, write_json
 
 NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
@@ -41,10 +42,11 @@ def as_json(fits: Fits) -> dict[str, Any]:
     single = len(fits.files) == 1
     pool = {"t_end": value(fits.pool.value(0)) if single else None} | _values(fits.values()) | {"verdict": fits.verdict}
     shares = {name: list(share) for name, share in shares_of_power(fits.files[0].judged.decline, fits.pool).items()}
-    return {"scene": fits.scene.name, "files": [_one(f) for f in fits.files], "pooled": pool | {"power_shares": shares}}
+    files = [_one(f, fits.resonances) for f in fits.files]
+    return {"scene": fits.scene.name, "files": files, "pooled": pool | {"power_shares": shares}}
 
 
-def _one(fitted: Fitted) -> dict[str, Any]:
+def _one(fitted: Fitted, known) -> dict[str, Any]:
     judged, rates = fitted.judged, fitted.judged.fit.heard[0].rates
     head = {"file": fitted.file, "t_end": value(judged.fit.value(0))} | _values(judged.values())
     return head | {
@@ -65,6 +67,7 @@ def _one(fitted: Fitted) -> dict[str, Any]:
             }
             for n in fitted.nulls
         ],
+        "carriers": [carrier_numbers(carrier, known) for carrier in fitted.carriers],
         "published_way": {name: e._asdict() for name, e in (fitted.published_way or {}).items()},
         "residual": {
             "time": rates.time.tolist(),
@@ -125,18 +128,37 @@ def _of_one(fitted):
         yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f} of a line through {e.columns} columns"
 
 
+def _carriers(fits: Fits) -> list[str]:
+    """Return a line for every carrier in the first recordings, and what it is a resonance of."""
+    head = ("recording", "carrier [Hz]", "level [dB]", "spread [cents]", "drift [cents/s]", "from, to [s]", "near")
+    rows = [(f.file, carrier_numbers(carrier, fits.resonances)) for f in fits.files[:PANELS] for carrier in f.carriers]
+    return [" | ".join(head)] + [_carrier(Path(name).name, c) for name, c in rows]
+
+
+def _carrier(name, c):
+    near = "{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"]) if c["matched"] else ""
+    drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
+    place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
+    return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {near}"
+
+
 def page(fits: Fits) -> str:
     """Return a short page, Markdown."""
-    rows = table(fits)
     lines = [f"# What slowed the disk '{fits.scene.name}'", "", *(f"* {s.strip()}" for s in sentences(fits)), ""]
-    lines += [
-        "![heard and fitted](fit.png)",
-        "",
-        f"| {rows[0]} |",
-        "|---" * 9 + "|",
-        *(f"| {row} |" for row in rows[1:]),
-    ]
+    lines += ["![heard and fitted](fit.png)", "", *_as_markdown(table(fits))]
+    if any(fitted.carriers for fitted in fits.files[:PANELS]):
+        lines += [
+            "",
+            "Carriers, and the resonances of the scene that they are near:",
+            "",
+            *_as_markdown(_carriers(fits)),
+        ]
     return "\n".join(lines) + "\n"
+
+
+def _as_markdown(rows):
+    """A table, of which the first row is the head."""
+    return [f"| {rows[0]} |", "|---" * len(rows[0].split(" | ")) + "|", *(f"| {row} |" for row in rows[1:])]
 
 
 def draw(fits: Fits, path: Path):

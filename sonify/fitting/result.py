@@ -13,6 +13,7 @@ from sonify.fitting.estimate import Fit, Value, in_words, pooled
 from sonify.fitting.fu_berlin import Exponent, exponents
 from sonify.fitting.null import Null, null_tests
 from sonify.fitting.readings import recorded, source, takes
+from sonify.hearing.carriers import Carrier, carriers
 from sonify.hearing.recording import RecordingError
 from sonify.scene import Scene, from_document, load_scene
 
@@ -26,12 +27,13 @@ WORKERS, MANY = 2, 3
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fitted:
-    """One recording: what was `judged` of it, the null tests, and whether a radius 10 % off would show."""
+    """One recording: what was `judged` of it, the null tests, whether a radius 10 % off would show, its carriers."""
 
     file: str
     judged: Judged
     nulls: list[Null]
     radius_shows: bool
+    carriers: list[Carrier]
     published_way: dict[str, Exponent] | None = None
 
     def __repr__(self):
@@ -40,12 +42,14 @@ class Fitted:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fits:
-    """Recordings of one disk: each in `files`, and all of them in the `pool`, with its `verdict`."""
+    """Recordings of one disk: each in `files`, and all of them in the `pool`, with its `verdict`; `resonances` of the
+    scene are of what, and their frequencies [Hz]."""
 
     scene: Scene
     files: list[Fitted]
     pool: Fit
     verdict: str
+    resonances: list[tuple[str, float]]
 
     def values(self) -> dict[str, Value]:
         """Return `rolling`, `air` and whatever else was sought, of all recordings together."""
@@ -67,8 +71,10 @@ def fit(
     The scene gives radius, thickness and air. `like` "fu-berlin" adds the exponents of a published chain. Raises
     RecordingError for a recording that cannot be fitted, in one line, and SceneError for a wrong scene.
     """
+    from sonify.claims.carriers import resonances  # modes load slowly
+
     scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene
-    paths = takes([files] if isinstance(files, (str, Path)) else files)
+    paths, known = takes([files] if isinstance(files, (str, Path)) else files), resonances(scene)
     fitted = []
     for one in _each(paths, scene, like):
         fitted.append(one)
@@ -76,7 +82,7 @@ def fit(
     decline, fits = fitted[0].judged.decline, [one.judged.fit for one in fitted]
     pool = fits[0] if len(fits) == 1 else pooled(fits)
     verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool)
-    return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict)
+    return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict, resonances=known)
 
 
 def _each(paths, scene, like):
@@ -103,6 +109,7 @@ def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
         judged=judged.without_samples(),
         nulls=null_tests(decline, judged),
         radius_shows=radius_shows(judged),
+        carriers=carriers(sound.samples, sound.rate, sound.start),
         published_way=published,
     )
 

@@ -63,8 +63,9 @@ class Track:
     level: np.ndarray
 
 
-def carriers(samples, rate: float) -> list[Carrier]:
-    """Return the carriers in samples (n,) at `rate` [Hz], the most outstanding first; at most MOST."""
+def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
+    """Return the carriers in samples (n,) at `rate` [Hz] from the time `start` [s] on, the most outstanding first; at
+    most MOST."""
     size = int(WINDOW * rate)
     if len(samples) < 4 * size:
         return []
@@ -77,7 +78,7 @@ def carriers(samples, rate: float) -> list[Carrier]:
     for i, track in enumerate(tracks):
         if not any(i in pair for pairs in apart.values() for pair, _ in pairs):
             beside = tuple(distance for _, distance in apart.get(i, ()))
-            found.append(replace(_carrier(track, hop, spacing), sidebands=beside))
+            found.append(replace(_carrier(track, start, hop, spacing), sidebands=beside))
     return found[:MOST]
 
 
@@ -135,9 +136,9 @@ def _followed(seed, frames, inside, cents, level, left):
     return found[1:]
 
 
-def _carrier(track, hop, spacing):
+def _carrier(track, start, hop, spacing):
     """The carrier of a track: a straight line through its cents, with errors by leaving out part after part."""
-    t = (track.frame + 1) * hop
+    t = start + (track.frame + 1) * hop
     middle = (t[0] + t[-1]) / 2
     cents = 1200 * np.log2(track.frequency / np.median(track.frequency))
     line = _line(t - middle, cents)

@@ -52,7 +52,7 @@ def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
     with ThreadPoolExecutor() as pool:  # what takes long is arrays, which let go of Python's lock
         tone = pool.submit(rising_tone, samples, rate)
         repetition = pool.submit(lambda: rising_tone(*envelope(samples, rate)) if beaten else None)
-        found = [replace(c, begin=c.begin + start, end=c.end + start) for c in carriers(samples, rate)]
+        found = carriers(samples, rate, start)
     return Heard(
         duration=duration,
         sample_rate=rate,

@@ -5,6 +5,7 @@ from dataclasses import asdict
 from pathlib import Path
 
 from sonify.files import claim, numbered, whole
+from sonify.hearing.carriers import Carrier
 from sonify.hearing.recording import Heard, listen
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 
@@ -61,12 +62,15 @@ def _matched(carrier, known):
 
 def numbers(heard: Heard, known=()) -> dict:
     """Return what was heard as plain values: the fits, the carriers, and the ridge of the tone."""
-    carriers = []
-    for c in heard.carriers:
-        match = _matched(c, known)
-        carriers.append(asdict(c) | {"course": c.course, "matched": match and match._asdict()})
+    carriers = [carrier_numbers(carrier, known) for carrier in heard.carriers]
     tones = {name: _tone(getattr(heard, name)) for name in ("tone", "repetition")}
     return asdict(heard) | tones | {"carriers": carriers}
+
+
+def carrier_numbers(carrier: Carrier, known=()) -> dict:
+    """Return a carrier as plain values, with its course and the one of the known resonances that it matches."""
+    match = _matched(carrier, known)
+    return asdict(carrier) | {"course": carrier.course, "matched": match and match._asdict()}
 
 
 def sentences(heard: Heard, known=()) -> list[str]:
