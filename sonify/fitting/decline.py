@@ -40,6 +40,9 @@ NUTATING = (0.005, 0.02, 0.08, 0.3)
 """Inclinations [rad] at which the nutation is solved."""
 LEAST_ROLLING = 1e-12
 """A disk that nothing slows is slowed by so small a share of contour friction."""
+SQUEEZED = 1e-7
+"""A film that is squeezed takes as little as so much contour friction, which is next to nothing: with none at all the
+disk would stay on it, and the end would hang on what cannot be heard."""
 LEAST_AIR = 1e-3
 """A film of less than this share is none."""
 FACTORS = {
@@ -89,6 +92,8 @@ class Decline:
                 [steady_power(b, own_law, own) for b in self.beta],
             ]
         )
+        if film:
+            self.powers[1] = np.maximum(self.powers[1], SQUEEZED * self.powers[0])
 
     @property
     def has_film(self) -> bool:

@@ -10,6 +10,7 @@ from scipy.signal import resample_poly
 from sonify.fitting.decline import LAWS, Decline
 from sonify.fitting.estimate import FLOOR, LENGTHS, Fit, Followed, Heard, Value, fit, followed, mixed, solved_near
 from sonify.fitting.phase import FARTHEST, OVERLAP, Rates
+from sonify.hearing.power_law import TIME_LEFT
 from sonify.hearing.recording import ENVELOPE_FROM, RecordingError, envelope, read
 from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.source import Source
@@ -187,29 +188,43 @@ def _evidence(line, streams, ends, shares, length, near=FARTHEST):
 
 
 def _tracks(decline, sounds):
-    """The tracks of the sounds: the ridge of every signal that they have in common may be that of every line, and where
-    the decline that this would be is heard best, it is followed."""
+    """The tracks of the sounds: the ridge of every signal that they have in common may be that of every line, and of
+    the lines of the decline that this would be, that which is heard best is followed, or the next that can be."""
     signals = [signal for signal in ("tone", "envelope") if all(signal in sound.tones for sound in sounds)]
     streams, found = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}, {}
     for ridge, name in product(signals, MAIN):
         try:
             moved, shares = _guess(decline, decline.lines[name], *_ridges(sounds, ridge))
-            heard = {
-                (signal, line): _evidence(decline.lines[line], streams[signal], moved, shares, LENGTHS[0])
-                for signal, line in product(signals, MAIN)
-            }
-            signal, line = max(heard, key=heard.__getitem__)
-            one = fit(decline.lines[line], streams[signal], moved, shares, _free(decline), LENGTHS[:4])
         except ValueError:
             continue
-        beside = [streams[other] for other in signals if other != signal]
-        head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
-        track = Track(**head, streams=streams[signal], beside=beside, fit=one)
-        found[signal, line] = max(found.get((signal, line), track), track, key=lambda track: track.score)
+        heard = {
+            (signal, line): _evidence(decline.lines[line], streams[signal], moved, shares, LENGTHS[0])
+            for signal, line in product(signals, MAIN)
+        }
+        best_first = sorted(heard, key=heard.__getitem__, reverse=True)
+        tracks = (_track(decline, streams, *pair, moved, shares) for pair in best_first if heard[pair])
+        track = next((track for track in tracks if track is not None), None)
+        if track is not None:
+            place = track.signal, track.line
+            found[place] = max(found.get(place, track), track, key=lambda track: track.score)
     if not found:
         name, disk = sounds[0].name, decline.scene.name
         raise RecordingError(f"{name}: its tone cannot be followed by a decline of the disk '{disk}'")
     return list(found.values())
+
+
+def _track(decline, streams, signal, line, ends, shares):
+    """The track of a line in a signal, from a guess of ends and shares; None if it cannot be followed, or leads to
+    ends that are farther away than the tone was sought."""
+    try:
+        one = fit(decline.lines[line], streams[signal], ends, shares, _free(decline), LENGTHS[:4])
+    except ValueError:
+        return None
+    if np.abs(one.ends - ends).max() > TIME_LEFT[1]:
+        return None
+    beside = [sounds for other, sounds in streams.items() if other != signal]
+    head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
+    return Track(**head, streams=streams[signal], beside=beside, fit=one)
 
 
 def _free(decline):
