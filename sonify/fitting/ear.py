@@ -26,11 +26,12 @@ MOST_AIR, MUCH = 2.0, 20.0
 """Theory knows the film within this factor; how much an excess of it speaks against a track."""
 LITTLE = 1e-4
 """Of its unit, with which a share begins that was sought before."""
-AGAIN, APART = (8.0, 12.0, 16.0), (0.95, 1.0, 1.05)
-"""Turns in a block along a solved motion; motions slip at other times where the shares are so many times as large, and
-may explain a sound as well."""
+TIMES, AGAIN, APART = 2, (8.0, 12.0, 16.0), (0.95, 1.0, 1.05)
+"""A motion is solved so often, with the shares found before; turns in a block along it; motions slip at other times
+where the shares are so many times as large, and may explain a sound as well."""
 AS_WELL, OTHER = 2.0, 0.3
-"""So does a motion whose spread is not so many times as large; a film that is so far from that of theory is another."""
+"""So does a motion whose spread is not so many times as large, nor what is heard along it so many times less; a film
+that is so far from that of theory is another."""
 STARTS = (1e-4, 1.0, 1.0)
 """Shares of the LAWS with which the search begins."""
 RIDGE_ERROR = 0.03
@@ -128,13 +129,14 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
     """
     tracks = _tracks(decline, sounds)
     first = max(track.score for track in tracks)
-    rivals = [track for track in tracks if track.score > first - MARGIN]
-    if correct:
-        rivals += [track for rival in rivals for track in _corrected(rival, decline)]
+    rivals = tracks = [track for track in tracks if track.score > first - MARGIN]
+    for _ in range(TIMES if correct else 0):
+        tracks = [solved for track in tracks for solved in _along(track, decline)]
+        rivals = rivals + tracks
     best = max(rivals, key=lambda track: track.score)
     same = [track for track in rivals if (track.signal, track.line) == (best.signal, best.line)]
     best = min(same, key=lambda track: track.fit.spread)
-    one = _settled(best, decline) if best.model == "solved" else best.fit
+    one = _settled(best, same, decline) if correct else best.fit
     return Judged(
         sounds=tuple(sounds),
         signal=best.signal,
@@ -270,31 +272,40 @@ def _guess(decline, line, ridges, ends):
     return min(tried, key=lambda one: one[2])[:2]
 
 
-def _corrected(track, decline, factors=(1.0, 1.0)):
-    """The tracks along motions solved with the shares found, times each of the factors, one after the other, as far as
-    these can be solved."""
-    found = []
+def _along(track, decline, factors=(1.0,)):
+    """The tracks along motions solved with the shares found, times each of the factors, where these can be solved."""
+    for factor in factors:
+        try:
+            lines = decline.solved(np.where(np.isin(range(3), track.fit.free), factor, 1.0) * track.fit.shares)
+            yield replace(track, model="solved", lines=lines, fit=_followed(lines[track.line], track))
+        except (ValueError, ArithmeticError, KeyError):
+            continue
+
+
+def _followed(line, track):
+    """The fit of a line of a solved motion where a track has been, or else near what was heard there."""
+    one = track.fit
     try:
-        for factor in factors:
-            one = track.fit
-            lines = decline.solved(np.where(np.isin(range(3), one.free), factor, 1.0) * one.shares)
-            one = fit(lines[track.line], track.streams, one.ends, one.shares, one.free, AGAIN, LITTLE)
-            found.append(track := replace(track, model="solved", lines=lines, fit=one))
-    except (ValueError, ArithmeticError, KeyError):
-        pass
-    return found
+        return fit(line, track.streams, one.ends, one.shares, one.free, AGAIN, LITTLE)
+    except ValueError:
+        ends, shares, _ = solved_near(tuple(h._replace(line=line) for h in one.heard), one.ends, one.shares, one.free)
+        return fit(line, track.streams, ends, shares, one.free, AGAIN, LITTLE)
 
 
-def _settled(track, decline):
-    """The fit along several motions that explain the sounds as well: they differ by when they slip, and by what the
-    film of theory takes where another was found."""
-    found = [track, *_corrected(track, decline, APART)]
+def _settled(track, same, decline):
+    """The fit along all motions that explain as much of the sounds as well, steady ones and solved: these differ by
+    when they slip, and by what the film of theory takes where another was found."""
+    found = [track, *(one for one in same if one.model == "steady" and one is not track)]
+    found += _along(track, decline, APART)
     if 1 in track.fit.free and abs(track.fit.shares[1] - 1) > OTHER:
         others = tuple(law for law in track.fit.free if law != 1)
         theory = replace(track.fit, shares=track.fit.shares * [1, 0, 1] + [0, 1, 0], free=others)
-        found += _corrected(replace(track, fit=theory), decline, (1.0, *APART))
-    least = min(one.fit.spread for one in found)
-    return mixed([one.fit for one in found if one.fit.spread < AS_WELL * least])
+        for first in _along(replace(track, fit=theory), decline):
+            found += [first, *_along(first, decline, APART)]
+    as_much = len(track.fit.residual) / AS_WELL
+    fits = [one.fit for one in found if len(one.fit.residual) >= as_much]
+    fits.sort(key=lambda one: one.spread)
+    return replace(mixed([one for one in fits if one.spread <= AS_WELL * track.fit.spread]), free=track.fit.free)
 
 
 def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]]:

@@ -146,14 +146,15 @@ def _unpack(x, sounds, shares, free, unit):
 
 
 def _residual(x, heard, sounds, shares, free, unit):
-    """log(heard / model) of every block over its error."""
+    """log(heard / model) of every block over its error; behind a high-pass also how far its corner is from what is
+    usual."""
     ends, full, corner = _unpack(x, sounds, shares, free, unit)
     out = []
     for i, line, h in heard:
         left = np.maximum(ends[i] - h.time, LAST / 10)
         model = _through_high_pass(partial(line.frequency, shares=full), left, corner)
         out.append(np.log(h.frequency / model) / _relative_error(h))
-    return np.concatenate(out)
+    return np.concatenate([*out, x[sounds + len(free) :] - 1.0])
 
 
 def _through_high_pass(frequency, left, corner):
@@ -171,7 +172,7 @@ def _through_high_pass(frequency, left, corner):
 
 def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
     unit = np.maximum(shares[list(free)], [UNITS[i] for i in free])
-    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, least), [0.1] * filtered])
+    x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, least), [1.0] * filtered])
     others = np.zeros(len(x) - len(ends))
     last = np.full(len(ends), -np.inf)
     for i, _, h in heard:
@@ -197,7 +198,8 @@ def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
 
 
 CORNER, HIGHEST_CORNER, STEP = 50.0, 4.0, 1e-3
-"""A corner is sought in this unit [Hz], up to so many of them; relative step in the time left."""
+"""The corner of a recorder's high-pass is so many hertz, give or take as many, and so many times as much at most: where
+the sound does not tell it, it is no more uncertain; relative step in the time left."""
 UNITS = (1e-5, 0.05, 0.05)
 """Shares of the LAWS below which they are looked for from the ground up."""
 
@@ -209,28 +211,29 @@ def _with_intervals(heard, ends, shares, free, solution):
     residual = _residual(solved.x, *arguments)
     scale = max(_deviation(residual), 1.0)
     weight = 1 / (1 + (residual / (2 * scale)) ** 2)
-    random, count = np.random.default_rng(0), len(residual)
+    sigma = np.concatenate([_relative_error(h.rates) for h in heard])
+    random, count = np.random.default_rng(0), len(sigma)
     run = max(RUN, count // RUNS)
     apart = count / OVERLAP
     leverage = np.sqrt(apart / max(apart - len(solved.x), 1))
     runs = -(-count // run)
     drawn = (random.integers(0, count, (DRAWS, runs, 1)) + np.arange(run)) % count
     noise = leverage * residual[drawn] * random.choice([-1.0, 1.0], (DRAWS, runs, 1))
-    noise = noise.reshape(DRAWS, -1)[:, :count]
+    corner = random.standard_normal((DRAWS, len(residual) - count))
+    noise = np.hstack([noise.reshape(DRAWS, -1)[:, :count], corner])
     jacobian = _jacobian(lambda x: _residual(x, *arguments), solved.x)
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
     moved = solved.x - noise @ inverse.T
     draws = np.tile(np.append(ends, shares), (DRAWS, 1))
     draws[:, : len(ends)] = moved[:, : len(ends)]
     draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : len(ends) + len(free)] * unit
-    sigma = np.concatenate([_relative_error(h.rates) for h in heard])
     return Fit(
         free=free,
         ends=ends,
         shares=shares,
         draws=draws,
         heard=heard,
-        residual=residual * sigma,
+        residual=residual[:count] * sigma,
         sigma=sigma,
     )
 

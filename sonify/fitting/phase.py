@@ -76,14 +76,14 @@ def _told(heard, length, noise_of):
 def _binned(samples, rate, first, course):
     """Means (b,) of the still tone over every bin of a turn, their times [s], and the turns a second expected there."""
     time, turned, frequency = course[:, course[2] < rate / 2.5]
-    last = first + len(samples) / rate
+    last = first + (len(samples) - 1) / rate
     if len(time) < 2 or time[-1] < first or time[0] > last:
         return [np.zeros(0)] * 3
     begin, stop = CubicHermiteSpline(time, turned, frequency)(np.clip([first, last], time[0], time[-1]))
     edge = np.arange(np.ceil(BINS * begin), BINS * stop)
     t = CubicHermiteSpline(turned, time, 1 / frequency)(edge / BINS)
-    integral, place = np.append(0.0, np.cumsum(samples)), np.clip((t - first) * rate + 0.5, 0, len(samples) - 1e-6)
-    sample = place.astype(int)
+    integral, place = np.append(0.0, np.cumsum(samples)), (t - first) * rate + 0.5
+    sample = np.clip(place.astype(int), 0, len(samples) - 1)
     mean = np.diff(integral[sample] + (place - sample) * samples[sample]) / np.diff(place)
     still = mean * np.exp(-2j * np.pi * ((edge[:-1] + 0.5) % BINS) / BINS)
     return still, (t[1:] + t[:-1]) / 2, 1 / (BINS * np.diff(t))

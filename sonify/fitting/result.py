@@ -123,7 +123,7 @@ def radius_shows(judged: Judged) -> bool:
 def _with_radius(judged, factor):
     """The spread of the fit of a disk of another radius; None if it cannot follow the tone."""
     scene = judged.decline.scene
-    disk = replace(scene.disk, radius=factor * scene.disk.radius)
+    disk = replace(scene.disk, radius=factor * scene.disk.radius, density=None)  # it keeps its mass
     decline = Decline(replace(scene, disk=disk)).lines[judged.line]
     decline.correction = judged.decline.correction
     try:
