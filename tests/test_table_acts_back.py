@@ -37,6 +37,7 @@ from sonify.plan.table import action, acts_back
 from sonify.report import in_words, pictures
 from sonify.report.painter import drawn
 from sonify.sound.radiation import Listener
+from sonify.sweeps.work import ALONE
 
 GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
 
@@ -293,6 +294,14 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     assert two_ways.motion_findings(scene, motion.first) == []
     with pytest.raises(ValueError, match="does not act back"):
         two_ways.energy_budget(motion.first, t)
+
+
+def test_a_sweep_of_motions_hands_over_as_a_run_does(handed, monkeypatch):
+    scene, _, motion = handed
+    monkeypatch.setattr(two_ways, "reruns", lambda *_: {})
+    row = ALONE["motion"](scene, None)
+    assert row["t_end"] == motion.t[-1]
+    assert "halt_comes_earlier" in row
 
 
 def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):

@@ -6,14 +6,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from dynamics.coupled.choice import acts_back
 from modal import Modes, as_json, eigenmodes
 from sonify.claims.air import air_scalars
 from sonify.claims.checks import mode_checks, motion_checks
 from sonify.pipeline import solve, write
 from sonify.plan.plan import plan_of
 from sonify.plan.solvable import planned, solvable, solve_motion
-from sonify.plan.table import with_table
+from sonify.plan.table import acts_back, with_table
 from sonify.progress import Stages
 from sonify.report.write import judged, summary, timed, write_json, write_motion
 from sonify.scene import Scene, from_document
