@@ -11,6 +11,7 @@ import sys
 from base64 import b64decode
 from dataclasses import replace
 from html import unescape
+from inspect import signature
 from io import BytesIO
 from pathlib import Path
 from types import SimpleNamespace
@@ -25,7 +26,7 @@ from dynamics.rates import slips
 from sonify import load_scene, run, solve, summary, write
 from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.hangs import hangs_on
-from sonify.claims.motion import Finding, contact_kept
+from sonify.claims.motion import Finding, contact_kept, finding
 from sonify.claims.paper import of_the_paper, paper_rows
 from sonify.claims.sound import modes_take_little
 from sonify.hearing import loudness as hearing
@@ -395,3 +396,14 @@ def test_the_readme_tells_the_numbers_of_the_published_run(result):
     assert low < -found["The vibration of the modes is what is heard in the last second"] < high
     milliseconds = int(re.search(r"some (\d+) ms before the\s+end the modes hold", told).group(1))
     assert round(1e3 * found["The modes take too little energy to act back on the motion"]) == milliseconds
+
+
+@pytest.mark.parametrize(("found", "margin"), [(2, 0.0), ((np.int64(2), np.float64(0.5)), 0.5)])
+def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(found, margin):
+    @finding("c", "1", "s", at_least=2.0)
+    def grows(motion):
+        return found
+
+    assert grows(None) == Finding(key="grows", claim="c", value=2.0, margin=margin, unit="1", at_least=2.0, source="s")
+    assert [type(number) for number in (grows(None).value, grows(None).margin)] == [float, float]
+    assert signature(grows).return_annotation is Finding  # by which it is known to be one
