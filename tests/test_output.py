@@ -26,7 +26,8 @@ from dynamics.rates import slips
 from sonify import load_scene, run, solve, summary, write
 from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.hangs import hangs_on
-from sonify.claims.motion import Finding, contact_kept, finding
+from sonify.claims.motion import Finding, contact_kept
+from sonify.claims.motion import finding as claim
 from sonify.claims.paper import of_the_paper, paper_rows
 from sonify.claims.sound import modes_take_little
 from sonify.hearing import loudness as hearing
@@ -400,7 +401,7 @@ def test_the_readme_tells_the_numbers_of_the_published_run(result):
 
 @pytest.mark.parametrize(("found", "margin"), [(2, 0.0), ((np.int64(2), np.float64(0.5)), 0.5)])
 def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(found, margin):
-    @finding("c", "1", "s", at_least=2.0)
+    @claim("c", "1", "s", at_least=2.0)
     def grows(motion):
         return found
 
