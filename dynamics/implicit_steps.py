@@ -24,7 +24,7 @@ TO_POWERS = np.zeros((ORDER + 1, ORDER + 1))
 for _k in range(ORDER + 1):
     TO_POWERS[: _k + 1, _k] = cheb2poly(np.eye(2 * _k + 1)[-1])[::2]
 """The powers of x in Chebyshev's polynomials on [0, 1]: T_k(2 x - 1) = T_2k(sqrt x)."""
-LENGTH, LONGEST = 0.25, 1.0
+LENGTH, LONGEST = 0.4, 1.0
 """Length of the first step from rest, and of the longest, in units of r."""
 GROWTH, SHRINK = 2.5, 0.3
 """Least growth of a step, for what relaxes is gone after it; and what is left of one that does not converge."""

@@ -16,7 +16,8 @@ from .symbolic import formulas, prepared, shape
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
 STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
-NOT_FINITE, FIRST_OF_OTHERS = int(heyoka.taylor_outcome.err_nf_state), int(heyoka.taylor_outcome.success)
+SUCCESS = heyoka.taylor_outcome.success
+NOT_FINITE, FIRST_OF_OTHERS = int(heyoka.taylor_outcome.err_nf_state), int(SUCCESS)
 """How heyoka ends a run: by guard i as -i - 1, otherwise by a number not above that of a success."""
 MOST_STEPS = 1000
 MOST_COMPILED = 64
@@ -48,13 +49,12 @@ class Compiled:
         )
 
     def borrow(self):
-        """Return an integrator that nobody else uses, with views of its parameters, state and last Taylor series, and
-        room for those of a run."""
+        """Return an integrator that nobody else uses, with views of its parameters, state and last Taylor series."""
         try:
             return self._idle.pop()
         except IndexError:
             own = deepcopy(self._integrator)
-            return own, own.pars, own.state, own.tc, np.empty((MOST_STEPS, *own.tc.shape))
+            return own, own.pars, own.state, own.tc
 
     def give_back(self, borrowed) -> None:
         """Take back what `borrow` gave."""
@@ -89,17 +89,17 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     """
     future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
     flow = future.result()
-    integrator, pars, state, series, kept = borrowed = flow.borrow()
+    integrator, pars, state, series = borrowed = flow.borrow()
     pars[:], state[:] = parameters, y
     integrator.time = 0.0
     integrator.reset_cooldowns()
-    times, step, outcome = [0.0], integrator.step, heyoka.taylor_outcome.success
-    while outcome == heyoka.taylor_outcome.success and len(times) <= MOST_STEPS:
+    times, kept, step, outcome = [0.0], [], integrator.step, SUCCESS
+    while outcome == SUCCESS and len(kept) < MOST_STEPS:
         outcome, _ = step(span - times[-1], True)
-        kept[len(times) - 1] = series
+        kept.append(series.tobytes())  # faster than into an array
         times.append(integrator.time)
-    ended = int(outcome)
-    end, coefficients = state.tolist(), kept[: len(times) - 1].swapaxes(1, 2).copy()
+    ended, end = int(outcome), state.tolist()
+    coefficients = np.frombuffer(b"".join(kept)).reshape(-1, *series.shape).swapaxes(1, 2).copy()
     flow.give_back(borrowed)
     if ended == NOT_FINITE:
         from . import dop853  # numba loads slowly
