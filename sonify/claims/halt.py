@@ -23,7 +23,8 @@ RATE = 2e5
 
 
 class Halt(NamedTuple):
-    """Whether contact was lost, and by how much [s] earlier than on a rigid table the disk lay flat for good."""
+    """Whether contact was lost before the disk lay flat for good, and how much [s] earlier that was than on a rigid
+    table."""
 
     contact_lost: bool
     advanced: float
@@ -54,9 +55,9 @@ def halt(
     w3 = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit * np.sin(beta)
     y = release(model, np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0]))
     rigid = time_left(beta, disk, scene.friction, None) - time_left(LIES, disk, scene.friction, None)
-    lost, flat = False, 0.0
+    first, flat = np.inf, 0.0
     for piece in model.run(y, round(rate / 1e4), 2 * rigid):
-        lost |= bool(piece.losses)
+        first = min([first, *(loss.t for loss in piece.losses)])
         above = piece.t[inclination(piece.state) > LIES]
         flat = float(above[-1]) if len(above) else flat
-    return Halt(lost, rigid - flat)
+    return Halt(first < flat, rigid - flat)
