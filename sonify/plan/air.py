@@ -103,8 +103,8 @@ MODELLED = (
     "The film of air between disk and table (Reynolds' equation on the wedge): it slows the precession, damps the "
     "fall, and lifts the disk; friction acts on what it leaves of the contact force.",
     "Heave and tilt of the rigid disk radiate through the film as it is at each instant: open, its rim gives back what "
-    "the face takes, and its second harmonic, some 17 dB below the tilt; closed, the face alone sounds. The modes are "
-    "damped, detuned and muffled by it.",
+    "the face takes, and its second harmonic, 17 dB below an open tilt and nearer where the film half closes; closed, "
+    "the face alone sounds. The modes are damped, detuned and muffled by it.",
 )
 LEFT_OUT = (
     "The disk that the air carries, after its contact is lost.",
