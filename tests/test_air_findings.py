@@ -9,9 +9,14 @@ import pytest
 
 from dynamics import Outcome, simulate
 from dynamics.coupled.state import CAUSES
-from dynamics.film.law import film_under
+from dynamics.disk import Friction
+from dynamics.dissipation import Dissipation, resistance
+from dynamics.equations import law_of
+from dynamics.film.law import film_under, thickness
 from dynamics.film.reynolds import FilmMesh
 from dynamics.rates import precession_rate
+from dynamics.steady import steady_precession
+from dynamics.time_left import steady_power
 from sonify import load_scene
 from sonify.claims.air import LOST_TO, air_negligible, carried_by_air, film_powers, friction_exponent, lifts, what_ends
 from sonify.plan.air import beyond_the_film, papers_law, with_air
@@ -40,7 +45,11 @@ def test_air_ends_the_disk_on_glass(thorne, in_air):
     assert in_air.outcome is Outcome.AIRBORNE
     assert what_ends(in_air, film).claim.endswith("film of air")
     assert not air_negligible(in_air, film).holds
-    assert carried_by_air(in_air, film).holds
+    carried = carried_by_air(in_air, film)
+    assert carried.holds
+    turns = abs(precession_rate(in_air.state[-1:])[0]) / (2 * np.pi)
+    when = f"lost at {in_air.t[-1]:.5g} s, {in_air.state[-1, 1]:.3g} rad, {turns:.3g} turns a second"
+    assert carried.unit.endswith(when)
     assert lifts(in_air, film)[-1] == pytest.approx(in_air.disk.weight, rel=0.5)
 
 
@@ -87,6 +96,19 @@ def test_the_film_crosses_the_friction_of_the_disk_on_glass(in_air, thorne):
     rate = np.abs(precession_rate(in_air.state))
     crossed = np.argmax(late & (film > thorne.dissipation.contour_moment * rate))
     assert in_air.state[crossed, 1] == pytest.approx(0.019, abs=0.002)
+
+
+def test_the_law_of_boundary_layers_crosses_the_friction_where_its_authors_say(thorne):
+    """At 0.03(1) rad, where the gap is 2.8 times as deep as one of the layers that this law takes to be thin."""
+    disk, air = thorne.disk, thorne.air
+    law = Dissipation(boundary_layer_viscosity=air.viscosity / air.density, air_density=air.density)
+    paper, contour = resistance(law, disk), resistance(thorne.dissipation, disk)
+    none = law_of(disk, Friction(mu_static=1.0, mu_dynamic=1.0))
+    beta = np.geomspace(0.005, 0.12, 400)
+    more = [steady_power(b, none, paper) > steady_power(b, none, contour) for b in beta]
+    assert beta[np.flatnonzero(more)[-1]] == pytest.approx(0.03, abs=0.01)
+    rate = steady_precession(0.03, disk.aspect, disk.gyration) / disk.time_unit
+    assert thickness(0.03, rate, disk.radius, air) == pytest.approx(2.8, abs=0.1)
 
 
 @pytest.mark.parametrize(("name", "shares"), [("moffatt", (0.4, 0.6)), ("boundary_layer", (0.9, 1.1))])

@@ -132,10 +132,36 @@ def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
         assert np.ptp(total) < 1e-9 * total[0]
 
 
-def test_a_disk_that_falls_through_falls_onto_the_film():
+COIN = {"radius": 0.0115, "thickness": 0.0016, "mass": 0.0056}
+PLATE = {"radius": 0.1, "thickness": 0.02, "mass": 5.0}
+
+
+@pytest.mark.parametrize(
+    ("disk", "pressure", "inclination"), [(COIN, 1e5, 0.03), (COIN, 100.0, 0.03), (PLATE, 1000.0, 0.01)]
+)
+def test_other_disks_in_other_air_end_alike_by_both_integrators(disk, pressure, inclination):
+    """Outcome, time, inclination and precession; the lower its pressure the later the air can carry the disk."""
+    air, draft = Air(film="acts", pressure=pressure), {"accuracy": "draft", "time_limit": 30.0}
+    ends = []
+    for name in ("auto", "dop853"):
+        motion = simulate(whirling(inclination, disk=disk, air=air, numerics=draft | {"integrator": name}))
+        assert motion.outcome is Outcome.AIRBORNE
+        assert motion.force(motion.t[-1])[0, 2] == pytest.approx(0, abs=1e-6 * motion.disk.weight)
+        total = motion.energy(motion.t) + motion.state[:, 10]
+        assert np.ptp(total) < 1e-9 * total[0]
+        ends.append([motion.t[-1], motion.state[-1, 1], precession_rate(motion.state[-1:])[0]])
+    assert ends[0] == pytest.approx(ends[1], rel=1e-6)
+
+
+@pytest.mark.parametrize(("disk", "pressure"), [(None, 101325.0), (None, 1000.0), (COIN, 10132.5), (PLATE, 101325.0)])
+@pytest.mark.parametrize("integrator", ["auto", "dop853"])
+def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrator):
     """Let go at rest it falls; in a vacuum that is the end, in air the film stops it before the table."""
     fall = {"inclination_deg": 10.0, "omega": (0.0, 0.0, 1e-3)}
-    free, caught = (simulate(scene(release=fall, air=air)) for air in (None, AIR))
+    free, caught = (
+        simulate(scene({"integrator": integrator}, disk=disk, release=fall, air=air))
+        for air in (None, Air(film="acts", pressure=pressure))
+    )
     assert free.outcome is Outcome.FELL
     assert caught.outcome is Outcome.AIRBORNE
     assert 1e-3 < caught.state[-1, 1] < 0.05

@@ -132,13 +132,15 @@ def carried_by_air(motion: Motion, film: Film) -> Finding:
         contact = motion.force(motion.t)[:, 2]
     borne = contact + lift if acts else contact
     share = np.max(lift / np.maximum(borne, 1e-9 * motion.disk.weight))
+    carried, turns = motion.outcome is Outcome.AIRBORNE, abs(precession_rate(motion.state[-1:])[0]) / (2 * np.pi)
+    when = f", lost at {motion.t[-1]:.5g} s, {motion.state[-1, 1]:.3g} rad, {turns:.3g} turns a second"
     return Finding(
         key="carried_by_air",
         claim="The contact is lost to the air"
         if acts
         else "In its air, which is left out, the contact would be lost to it",
-        value=1.0 if motion.outcome is Outcome.AIRBORNE else float(share),
-        unit="greatest lift of the film / vertical force",
+        value=1.0 if carried else float(share),
+        unit="greatest lift of the film / vertical force" + (when if carried else ""),
         at_least=1.0,
         tolerance=1e-6,
         source="Reynolds' equation on the falling film",
