@@ -225,7 +225,7 @@ def constant_peaks_are_the_contact(expected: Vibration) -> Finding:
         unit="of the motion, within 2 % of either",
         at_least=0.5,
         margin=2 / PLACES,
-        source="recordings of the toy on granite, 2026; what stays while the disk falls is of the table",
+        source="recordings of the toy on granite, 2026; what stays as the disk falls is of the table or the air",
     )
 
 
