@@ -51,6 +51,8 @@ class Renderer:
         self._parts = [slice(*pair) for pair in pairwise(bounds)]
         late = self.late + reach(scene.air, self.listener.distance)
         start = late / self.sample_rate - self.listener.delay
+        self._early = max(ceil(start * self.sample_rate), 0)  # samples that are read before the first one is heard
+        start -= self._early / self.sample_rate
         rest, fade = np.vstack([source.ends for source in self.sources]).T
         self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest, calm, fade)
         self.source_end = self.sampler.end + self.listener.delay
@@ -81,15 +83,16 @@ class Renderer:
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
         absorbed = absorbing(self.scene.air, self.listener.distance, self.sample_rate)
-        counts = {n: min(size, self.samples - n) for n in range(0, self.samples, size)}
+        early, past = self._early, self.samples + self._early
+        counts = {n: min(size, past - n) for n in range(0, past, size)}
         with ThreadPoolExecutor(1) as reader:  # the next block is read while this one sounds
             coming = reader.submit(self.sampler.block, 0, counts[0])
             for n in counts:
                 force = coming.result()
                 if n + size in counts:
                     coming = reader.submit(self.sampler.block, n + size, counts[n + size])
-                stems = self._joined([advance(force.channels(part)) for advance, part in sounding])
-                yield self._enveloped(absorbed(stems), n)
+                stems = absorbed(self._joined([advance(force.channels(part)) for advance, part in sounding]))
+                yield self._enveloped(stems[max(early - n, 0) :], max(n - early, 0))
 
     def sound(self, watch=lambda share: None) -> Sound:
         """Return the whole sound; `watch(share)` is called with the share done."""
