@@ -296,7 +296,11 @@ def _settled(track, same, decline):
     """The fit along all motions that explain as much of the sounds as well, steady ones and solved: these differ by
     when they slip, and by what the film of theory takes where another was found."""
     found = [track, *(one for one in same if one.model == "steady" and one is not track)]
-    found += _along(track, decline, APART)
+    for _ in range(TIMES):
+        found += _along(track, decline, APART)
+        before, track = track, max(found, key=lambda one: one.score)
+        if track is before:
+            break
     if 1 in track.fit.free and abs(track.fit.shares[1] - 1) > OTHER:
         others = tuple(law for law in track.fit.free if law != 1)
         theory = replace(track.fit, shares=track.fit.shares * [1, 0, 1] + [0, 1, 0], free=others)
