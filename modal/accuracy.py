@@ -21,12 +21,14 @@ class Level(NamedTuple):
     meshes   -- of a held one the mesh whose modes are given, and the coarser one that estimates their errors.
     part     -- the same for a patch over part of the thickness, which needs many more cells.
     richness -- in what synthesis differs from its standard `Richness`, at least.
+    table    -- how many unknowns a symmetry class of a meshed table may have, once every cell is cut in eight.
     """
 
     free: float
     meshes: tuple[Blocks, Blocks]
     part: tuple[Blocks, Blocks]
     richness: dict[str, Any]
+    table: int
 
 
 LEVELS = {
@@ -35,12 +37,16 @@ LEVELS = {
         meshes=(ROUGH, COARSE),
         part=(replace(ROUGH, rings=1), replace(COARSE, rings=0)),
         richness={"size": (9, 6), "around": 4, "through": 3},
+        table=20_000,
     ),
-    "standard": Level(free=3e-6, meshes=(NARROW, WIDE), part=(MIDDLE, replace(COARSE, lead=0.15)), richness={}),
+    "standard": Level(
+        free=3e-6, meshes=(NARROW, WIDE), part=(MIDDLE, replace(COARSE, lead=0.15)), richness={}, table=60_000
+    ),
     "reference": Level(
         free=1e-8,
         meshes=(FINE, MIDDLE),
         part=(FINE, MIDDLE),
         richness={"size": (12, 8), "around": 9, "through": 6},
+        table=250_000,
     ),
 }

@@ -123,7 +123,7 @@ def mesh_table(surface, disk, below, accuracy):
     """The `SurfaceModes` of a mesh."""
     from modal.elements.table import table_on_mesh  # scikit-fem's input loads slowly
 
-    return table_on_mesh(surface, disk.radius, below, refine=accuracy == "reference")
+    return table_on_mesh(surface, disk.radius, below, LEVELS[accuracy].table)
 
 
 def refuse_too_many(count, below):

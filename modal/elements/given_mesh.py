@@ -14,6 +14,7 @@ from skfem import ElementHex1, ElementHex2, ElementTetP1, ElementTetP2, MeshHex1
 
 from modal.elements.elastic import Solid, assemble, lowest
 from modal.elements.given_mesh_modes import record
+from modal.elements.mirrors import lowest_of_classes
 from modal.elements.patch import shift_for
 from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import joined
@@ -80,21 +81,22 @@ def on_facets(mesh, facets, places):
 
 
 def pairs(level, components, below, shift, exactly=None):
-    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs, k = 0 if there are none.
+    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs below `below` [Hz], or of exactly so many.
 
     ArithmeticError unless a free body has exactly six rigid-body modes, a held one none.
     """
     solid = level.solid
     free = free_unknowns(solid.points, level.held, components)
-    k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
-    values, vectors, residual = lowest(
-        k, m, (2 * pi * below) ** 2, shift, start=16, exactly=exactly and exactly + SPARE
-    )
-    values, vectors, residual = values[:exactly], vectors[:, :exactly], residual[:exactly]
+    if exactly is None:
+        values, vectors, residual = lowest_of_classes(level, free, (2 * pi * below) ** 2, shift)
+    else:
+        k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
+        values, vectors, residual = lowest(k, m, (2 * pi * below) ** 2, shift, exactly=exactly + SPARE)
+        values, vectors, residual = values[:exactly], free @ vectors[:, :exactly], residual[:exactly]
     rigid = np.count_nonzero(values < 1e-6 * abs(shift))
     if rigid != (6 if shift else 0):
         raise ArithmeticError(f"{rigid} rigid-body modes were found, not {6 if shift else 0}")
-    shapes = (free @ vectors).T.reshape(len(values), len(solid.points), 3)
+    shapes = vectors.T.reshape(len(values), len(solid.points), 3)
     return values[rigid:], shapes[rigid:], residual[rigid:]
 
 

@@ -9,7 +9,9 @@ from skfem.refdom import RefTri
 
 from modal.elements.elastic import bending_number
 from modal.elements.given_mesh import elements, level, pairs, parts
+from modal.elements.given_mesh_error import relative_errors
 from modal.elements.given_mesh_modes import on_face
+from modal.elements.mirrors import mirrors
 from modal.elements.patch import shift_for
 from modal.mesh.read import read_checked
 from modal.modes import Support
@@ -22,12 +24,13 @@ HIGHEST_ORDER, SPARE_ORDERS = 19, 6
 """Of the polynomials that are integrated exactly on a triangle; beyond the phase of a sound wave across it [rad]."""
 
 
-def table_on_mesh(surface, reach, below, refine=False) -> SurfaceModes:
+def table_on_mesh(surface, reach, below, most) -> SurfaceModes:
     """The `SurfaceModes` below `below` [Hz] of the mesh in `surface.file`; the contact circle has the radius `reach`.
 
-    Quadratic elements on the mesh as given, with `refine` on every cell cut in eight; `error` is the distance to linear
-    elements, or to the mesh as given. ValueError, with a sentence, for a mesh without a top face, for a place of the
-    disk that is not on it, and for sets that it has not or that hold single nodes alone.
+    Quadratic elements on every cell cut in eight, and `relative_errors`; where a symmetry class would then have more
+    than `most` unknowns, on the mesh as given, with the distance to linear ones as `error`, which is far too large.
+    ValueError, with a sentence, for a mesh without a top face, for a place of the disk that is not on it, and for sets
+    that it has not or that hold single nodes alone.
     """
     mesh, sets = read_checked(surface.file)
     top = top_triangles(mesh, surface.file)
@@ -35,12 +38,19 @@ def table_on_mesh(surface, reach, below, refine=False) -> SurfaceModes:
     facets = held_facets(mesh, sets, surface.held, surface.file)
     linear, quadratic = elements(mesh)
     whole, support = [quadratic.doflocs.T], Support(kind="free" if not surface.held else "patch")
-    finer = level(mesh, facets, quadratic, parts(quadratic) if refine else whole, surface, surface.density)
-    coarse = level(mesh, facets, quadratic if refine else linear, whole, surface, surface.density)
-    size = np.ptp(finer.solid.points, axis=0)
+    finer = coarse = level(mesh, facets, quadratic, whole, surface, surface.density)
+    size = np.ptp(coarse.solid.points, axis=0)
     shift = shift_for(SimpleNamespace(radius=size.max() / 2, thickness=size[2]), surface, support, surface.density)
+    cut = 8 * 3 * len(coarse.solid.points) <= most * 2 ** len(mirrors(coarse))
+    if cut:
+        finer = level(mesh, facets, quadratic, parts(quadratic), surface, surface.density)
     values, shapes, residual = pairs(finer, support.held, below, shift)
-    rough = pairs(coarse, support.held, below, shift, exactly=max(1, len(values)) + 6 * bool(shift))[0][: len(values)]
+    if cut:
+        error = relative_errors(mesh, facets, finer, coarse, quadratic, parts(quadratic), values, shapes, shift)
+    else:
+        coarse = level(mesh, facets, linear, whole, surface, surface.density)
+        rough = pairs(coarse, support.held, below, shift, exactly=max(1, len(values)) + 6 * bool(shift))[0]
+        error = np.abs(np.sqrt(rough[: len(values)] / values) - 1)
     frequency = np.sqrt(values) / (2 * pi)
     height = mesh.p[2].max()
 
@@ -55,9 +65,9 @@ def table_on_mesh(surface, reach, below, refine=False) -> SurfaceModes:
         radius=0.0,
         place=np.array(surface.place),
         residual=residual,
-        error=np.abs(np.sqrt(rough / values) - 1),
+        error=error,
         mass=finer.solid.total,
-        method="finite elements on the given mesh",
+        method="finite elements on the given mesh" + ", each cell cut in eight" * cut,
         unknowns=3 * len(finer.solid.points),
     )
 

@@ -4,33 +4,56 @@ The file that comes with the scene wood-table is made by this.
 """
 
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import meshio
 import numpy as np
 
-LENGTH, WIDTH, THICKNESS, FOOT = 0.6, 0.4, 0.02, 0.02
+LENGTH, WIDTH, TOP, FEET = 0.6, 0.4, (-0.02, 0.0), (-0.04, -0.035, -0.025, -0.02)
+"""Sizes, and the heights between layers of cells [m]: thin ones where the feet stand, and where they meet the top."""
 CELLS = 15, 10
 """Along length and width; the four feet stand under the cells next to the corners, one each."""
+RINGS = 1.4, 1.0, 0.6
+"""Squares about the middle of a foot, of whose size one is, with cells between them: small ones along its sides."""
+AROUND = ((0, 0), (1, 0), (1, 1), (0, 1))
 
 
 def table(path: Path) -> Path:
     """Write hexahedra (c, 8) on points (p, 3) [m], the top face at z = 0, with a surface "feet"."""
     x, y = (np.linspace(-size / 2, size / 2, n + 1) for size, n in zip((LENGTH, WIDTH), CELLS, strict=True))
-    z = (-THICKNESS - FOOT, -THICKNESS, 0.0)
-    numbers: dict[tuple[int, int, int], int] = {}
-
-    def corners(i: int, j: int, k: int) -> list[int]:
-        around = ((0, 0), (1, 0), (1, 1), (0, 1))
-        return [numbers.setdefault((i + a, j + b, k), len(numbers)) for a, b in around]
-
     feet = [(i, j) for i in (1, CELLS[0] - 2) for j in (1, CELLS[1] - 2)]
-    top = [corners(i, j, 1) + corners(i, j, 2) for i in range(CELLS[0]) for j in range(CELLS[1])]
-    legs = [corners(i, j, 0) + corners(i, j, 1) for i, j in feet]
-    tags = [np.full(len(top) + len(legs), 1), np.full(len(legs), 2)]
+    foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in AROUND}
+    numbers: dict[tuple, int] = {}
+
+    def number(i: int, j: int, ring: float, z: float) -> int:
+        return numbers.setdefault((i, j, ring if (i, j) in foot_of else 1.0, z), len(numbers))
+
+    def place(i: int, j: int, ring: float, z: float) -> list[float]:
+        a, b = foot_of.get((i, j), (i, j))
+        middle = np.array([x[a : a + 2].mean(), y[b : b + 2].mean()]) if (i, j) in foot_of else np.zeros(2)
+        return [*(middle + ring * (np.array([x[i], y[j]]) - middle)), z]
+
+    def square(i: int, j: int, ring: float) -> list[tuple]:
+        return [(i + a, j + b, ring) for a, b in AROUND]
+
+    def hexahedra(squares: list, heights: tuple) -> list[list[int]]:
+        layers = pairwise(heights)
+        return [[number(*corner, z) for z in pair for corner in corners] for pair in layers for corners in squares]
+
+    rest = [square(i, j, RINGS[0]) for i in range(CELLS[0]) for j in range(CELLS[1]) if (i, j) not in feet]
+    around, within = [], [square(*foot, RINGS[-1]) for foot in feet]
+    for outer, inner in pairwise(RINGS):
+        for foot in feet:
+            out, inside = square(*foot, outer), square(*foot, inner)
+            sides = [[out[k - 1], out[k], inside[k], inside[k - 1]] for k in range(4)]
+            (around if outer > 1 else within).extend(sides)
+    top, legs = hexahedra(rest + around + within, TOP), hexahedra(within, FEET)
+    stand = [[number(*corner, FEET[0]) for corner in corners] for corners in within]
+    tags = [np.full(len(top) + len(legs), 1), np.full(len(stand), 2)]
     mesh = meshio.Mesh(
-        [[x[i], y[j], z[k]] for i, j, k in numbers],
-        [("hexahedron", top + legs), ("quad", [leg[:4] for leg in legs])],
+        [place(*key) for key in numbers],
+        [("hexahedron", top + legs), ("quad", stand)],
         cell_data={"gmsh:physical": tags, "gmsh:geometrical": tags},
         field_data={"wood": np.array([1, 3]), "feet": np.array([2, 2])},
     )

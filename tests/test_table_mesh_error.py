@@ -1,0 +1,105 @@
+"""Claim: the modes of a meshed table are near, from above, and say how wrong they are within 1.2 to 5 times.
+
+Source: Strang & Fix, An Analysis of the Finite Element Method, 6.3; Williams (1952) for endless stress.
+Oracle: hexahedra of degree 3 of another program, graded towards the edges of the feet, with their uncertainty
+(tests/references/wood_table.json); the same mesh with finer cells; the whole mesh without its mirrors.
+"""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from skfem import MeshHex, MeshTet
+
+from modal.accuracy import LEVELS
+from modal.elements.given_mesh import elements, level, pairs, parts
+from modal.elements.given_mesh_error import angles_about_edges, prolongation, relative_errors, singular_cells
+from modal.elements.mirrors import classes, mirrors
+from modal.elements.table import table_on_mesh
+from modal.mesh.symmetry import free_unknowns
+from modal.modes import Material, Support
+from sonify import load_scene
+
+KNOWN = json.loads((Path(__file__).parent / "references" / "wood_table.json").read_text("utf-8"))
+WOOD, HELD = Material(young=11e9, poisson=0.3, loss_factor=0.02), Support().held
+
+
+def board(x, y, z, clamped):
+    """A mesh of a board with cells at these numbers [m], and its facets at the least x if it is clamped there."""
+    mesh = MeshHex.init_tensor(*(np.linspace(0, size, n + 1) for size, n in (x, y, z)))
+    return mesh, mesh.facets_satisfying(lambda p: p[0] < 1e-9) if clamped else np.zeros(0, int)
+
+
+def levels(mesh, facets):
+    """The `Level` of the mesh as given, and of its cells cut in eight."""
+    whole = elements(mesh)[1]
+    return [level(mesh, facets, whole, places, WOOD, 700.0) for places in ([whole.doflocs.T], parts(whole))]
+
+
+@pytest.mark.parametrize("kind", [MeshHex, MeshTet])
+def test_what_the_mesh_can_do_its_parts_can(kind):
+    """Places are displacements too: cutting cells moves no point."""
+    mesh = kind.init_tensor(*[np.array([0.0, 0.4, 1.0])] * 3)
+    coarse, fine = levels(mesh, np.zeros(0, int))
+    taken = prolongation(fine.solid, coarse.solid, elements(mesh)[1], parts(elements(mesh)[1]))
+    assert taken @ coarse.solid.points.ravel() == pytest.approx(fine.solid.points.ravel(), abs=1e-14)
+
+
+@pytest.mark.parametrize("clamped", [True, False])
+def test_mirrors_leave_the_modes_as_they_are(clamped):
+    """A clamped board is its own image in y alone; a box with an odd corner in neither."""
+    mesh, facets = board((0.3, 3), (0.2, 2), (0.02, 1), clamped)
+    given = levels(mesh, facets)[0]
+    assert len(mirrors(given)) == (1 if clamped else 2)
+    free = free_unknowns(given.solid.points, given.held, HELD)
+    bases = classes(given, free)
+    assert sum(b.shape[1] for b in bases) == free.shape[1]
+    assert abs(bases[0].T @ given.solid.stiffness @ bases[-1]).max() < 1e-9 * abs(given.solid.stiffness).max()
+    shift = 0.0 if clamped else -1e4
+    found, whole = (pairs(given, HELD, 800.0, shift, exactly=n)[0] for n in (None, 10))
+    assert found == pytest.approx(whole[: len(found)], rel=1e-8)
+    mesh.p[:, np.argmax(mesh.p.sum(axis=0))] += 0.01
+    assert not mirrors(levels(mesh, facets)[0])
+
+
+def test_cells_beside_an_edge_where_stress_is_endless_are_found():
+    """Of an L the angle about one edge is three right ones; a clamp ends at the sides of the clamped face."""
+    mesh, facets = board((0.4, 4), (0.2, 2), (0.02, 1), True)
+    assert angles_about_edges(mesh).max() == pytest.approx(2 * np.pi)
+    assert singular_cells(mesh, facets).sum() == 2
+    assert not singular_cells(mesh, np.zeros(0, int)).any()
+    corner = mesh.remove_elements(mesh.elements_satisfying(lambda p: (p[0] > 0.2) & (p[1] > 0.1)))
+    assert singular_cells(corner, np.zeros(0, int)).sum() == 3
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("clamped", "share"), [(True, 1 / 2.4), (False, 1 / 4)])
+def test_the_error_is_right_within_a_factor_of_five(clamped, share):
+    """Cells half as wide leave at most `share` of it, and at least a sixteenth."""
+    cells, size = (6, 4, 1), (0.3, 0.2, 0.02)
+    mesh, facets = board(*zip(size, cells, strict=True), clamped)
+    coarse, fine = levels(mesh, facets)
+    shift, whole = 0.0 if clamped else -1e4, elements(mesh)[1]
+    values, shapes, _ = pairs(fine, HELD, 2000.0, shift)
+    stated = relative_errors(mesh, facets, fine, coarse, whole, parts(whole), values, shapes, shift)
+    finest = levels(*board(*zip(size, (2 * n for n in cells), strict=True), clamped))[1]
+    nearer = np.sqrt(values / pairs(finest, HELD, 2000.0, shift)[0][: len(values)]) - 1
+    assert (nearer > 0).all()
+    assert (stated > 1.2 * nearer / (1 - share)).all()
+    assert (stated < 5 * nearer / (1 - 1 / 16)).all()
+
+
+@pytest.mark.slow
+def test_the_wooden_table_is_right_to_seven_thousandths_from_above():
+    surface = load_scene("wood-table").surface
+    found = table_on_mesh(surface, 0.03755, 3500.0, LEVELS["standard"].table)
+    frequency, uncertainty = (np.array(KNOWN[name]) for name in ("frequency", "uncertainty"))
+    frequency, uncertainty = frequency[: len(found)], uncertainty[: len(found)]
+    error = found.frequency / frequency - 1
+    assert len(found) == 28
+    assert error.min() > 0
+    assert error.max() < 0.007
+    assert (found.error > 1.2 * (error - uncertainty)).all()
+    assert (found.error < 5 * (error + uncertainty)).all()
+    assert found.residual.max() < 1e-8
