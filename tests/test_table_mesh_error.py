@@ -91,7 +91,7 @@ def test_the_error_is_right_within_a_factor_of_five(clamped, share):
 
 
 @pytest.mark.slow
-def test_the_wooden_table_is_right_to_seven_thousandths_from_above():
+def test_the_wooden_table_is_right_to_a_percent_from_above():
     surface = load_scene("wood-table").surface
     found = table_on_mesh(surface, 0.03755, 3500.0, LEVELS["standard"].table)
     frequency, uncertainty = (np.array(KNOWN[name]) for name in ("frequency", "uncertainty"))
@@ -99,7 +99,7 @@ def test_the_wooden_table_is_right_to_seven_thousandths_from_above():
     error = found.frequency / frequency - 1
     assert len(found) == 28
     assert error.min() > 0
-    assert error.max() < 0.007
+    assert error.max() < 0.01
     assert (found.error > 1.2 * (error - uncertainty)).all()
     assert (found.error < 5 * (error + uncertainty)).all()
     assert found.residual.max() < 1e-8

@@ -198,15 +198,17 @@ def test_a_rigid_table_has_no_modes_and_a_soft_one_too_many():
         modes_of(PlateSurface(radius=2.0, thickness=0.001, **GLASS), 20000.0)
 
 
-def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(tmp_path):
+def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(tmp_path, capfd):
     scene = load_scene("glass-plate")
     with pytest.raises(SceneError, match=r"surface.file = 'none.msh': no such file"):
         check_table(scene.replace("surface={kind='mesh', file='none.msh', young=1e9, poisson=0.3, density=600.0}"))
-    broken = tmp_path / "broken.msh"
-    broken.write_text("no mesh")
-    text = f"surface={{kind='mesh', file='{broken.as_posix()}', young=1e9, poisson=0.3, density=600.0}}"
-    with pytest.raises(SceneError, match=r"surface: .*broken.msh: no mesh that can be read"):
-        with_table(SimpleNamespace(highest_mode=1000.0), scene.replace(text))
+    for name, content in (("broken.msh", "no mesh"), ("empty.msh", ""), ("broken.vtu", "<VTKFile")):
+        broken = tmp_path / name
+        broken.write_text(content)
+        text = f"surface={{kind='mesh', file='{broken.as_posix()}', young=1e9, poisson=0.3, density=600.0}}"
+        with pytest.raises(SceneError, match=rf"^surface: [^\n]*{name}: no mesh that can be read[^\n]*$"):
+            with_table(SimpleNamespace(highest_mode=1000.0), scene.replace(text))
+    assert capfd.readouterr() == ("", "")  # nor a line of the reader
     thin = scene.replace("surface.thickness=0.0003")
     assert bending(modes_of(scene.surface, 5000.0), scene) == []
     assert "linear theory is left" in bending(modes_of(thin.surface, 500.0), thin)[0]

@@ -1,5 +1,8 @@
 """Volume meshes made elsewhere, as meshio reads them: brought to a scikit-fem mesh, or refused with a reason."""
 
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
+
 import numpy as np
 import scipy.sparse as sp
 from scipy.sparse.csgraph import connected_components
@@ -30,9 +33,11 @@ def read_checked(path):
     import meshio
 
     try:
-        file = understood(meshio.read(path))
-    except (meshio.ReadError, OSError, SystemExit) as error:  # with the last meshio gives up on a broken file
-        raise ValueError(f"{path}: no mesh that can be read, {error or type(error).__name__}") from None
+        with redirect_stdout(StringIO()), redirect_stderr(StringIO()):  # of meshio, which tells lines of its own
+            file = understood(meshio.read(path))
+    except (Exception, SystemExit) as error:  # a broken file makes its readers give up in any way
+        why = "" if isinstance(error, SystemExit) else f", {error or type(error).__name__}"
+        raise ValueError(f"{path}: no mesh that can be read{why}") from None
     kinds = {block.type for block in file.cells if block.dim == 3}
     if not kinds:
         raise ValueError(
@@ -80,6 +85,8 @@ def completed(points, cells):
 def check_mesh(mesh, name):
     """ValueError if the unit of length is implausible, cells are flat or folded, or there are several bodies."""
     used = np.unique(mesh.t)
+    if not np.isfinite(mesh.p[:, used]).all():
+        raise ValueError(f"{name}: points that are not finite")
     size = np.ptp(mesh.p[:, used], axis=1).max()
     if not SMALLEST < size < LARGEST:
         raise ValueError(f"{name}: {size:g} m across: lengths are in metres; were millimetres meant?")
