@@ -80,18 +80,20 @@ def on_facets(mesh, facets, places):
     return (np.isin(mesh.t2f, facets).T.astype(int) @ on) > 0
 
 
-def pairs(level, components, below, shift, exactly=None):
-    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs below `below` [Hz], or of exactly so many.
+def pairs(level, components, below, shift, exactly=None, mirrored=False):
+    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs below `below` [Hz], or of exactly so many;
+    `mirrored` solves the symmetry classes of the mesh, if it has any, apart.
 
     ArithmeticError unless a free body has exactly six rigid-body modes, a held one none.
     """
     solid = level.solid
     free = free_unknowns(solid.points, level.held, components)
-    if exactly is None:
-        values, vectors, residual = lowest_of_classes(level, free, (2 * pi * below) ** 2, shift)
+    limit = (2 * pi * below) ** 2
+    if mirrored:
+        values, vectors, residual = lowest_of_classes(level, free, limit, shift)
     else:
         k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
-        values, vectors, residual = lowest(k, m, (2 * pi * below) ** 2, shift, exactly=exactly + SPARE)
+        values, vectors, residual = lowest(k, m, limit, shift, start=16, exactly=exactly and exactly + SPARE)
         values, vectors, residual = values[:exactly], free @ vectors[:, :exactly], residual[:exactly]
     rigid = np.count_nonzero(values < 1e-6 * abs(shift))
     if rigid != (6 if shift else 0):

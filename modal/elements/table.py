@@ -44,7 +44,7 @@ def table_on_mesh(surface, reach, below, most) -> SurfaceModes:
     cut = 8 * 3 * len(coarse.solid.points) <= most * 2 ** len(mirrors(coarse))
     if cut:
         finer = level(mesh, facets, quadratic, parts(quadratic), surface, surface.density)
-    values, shapes, residual = pairs(finer, support.held, below, shift)
+    values, shapes, residual = pairs(finer, support.held, below, shift, mirrored=True)
     if cut:
         error = relative_errors(mesh, facets, finer, coarse, quadratic, parts(quadratic), values, shapes, shift)
     else:
