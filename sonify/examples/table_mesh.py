@@ -17,6 +17,8 @@ CELLS = 15, 10
 RINGS = 1.4, 1.0, 0.6
 """Squares about the middle of a foot, of whose size one is, with cells between them: small ones along its sides."""
 AROUND = ((0, 0), (1, 0), (1, 1), (0, 1))
+Corner = tuple[int, int, float]
+"""Numbers of a corner along length and width, and on which ring it is about the foot there, if one is."""
 
 
 def table(path: Path) -> Path:
@@ -24,9 +26,10 @@ def table(path: Path) -> Path:
     x, y = (np.linspace(-size / 2, size / 2, n + 1) for size, n in zip((LENGTH, WIDTH), CELLS, strict=True))
     feet = [(i, j) for i in (1, CELLS[0] - 2) for j in (1, CELLS[1] - 2)]
     foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in AROUND}
-    numbers: dict[tuple, int] = {}
+    numbers: dict[tuple[int, int, float, float], int] = {}
 
-    def number(i: int, j: int, ring: float, z: float) -> int:
+    def number(corner: Corner, z: float) -> int:
+        i, j, ring = corner
         return numbers.setdefault((i, j, ring if (i, j) in foot_of else 1.0, z), len(numbers))
 
     def place(i: int, j: int, ring: float, z: float) -> list[float]:
@@ -34,22 +37,23 @@ def table(path: Path) -> Path:
         middle = np.array([x[a : a + 2].mean(), y[b : b + 2].mean()]) if (i, j) in foot_of else np.zeros(2)
         return [*(middle + ring * (np.array([x[i], y[j]]) - middle)), z]
 
-    def square(i: int, j: int, ring: float) -> list[tuple]:
+    def square(i: int, j: int, ring: float) -> list[Corner]:
         return [(i + a, j + b, ring) for a, b in AROUND]
 
-    def hexahedra(squares: list, heights: tuple) -> list[list[int]]:
+    def hexahedra(squares: list[list[Corner]], heights: tuple[float, ...]) -> list[list[int]]:
         layers = pairwise(heights)
-        return [[number(*corner, z) for z in pair for corner in corners] for pair in layers for corners in squares]
+        return [[number(corner, z) for z in pair for corner in corners] for pair in layers for corners in squares]
 
     rest = [square(i, j, RINGS[0]) for i in range(CELLS[0]) for j in range(CELLS[1]) if (i, j) not in feet]
-    around, within = [], [square(*foot, RINGS[-1]) for foot in feet]
+    around: list[list[Corner]] = []
+    within = [square(*foot, RINGS[-1]) for foot in feet]
     for outer, inner in pairwise(RINGS):
         for foot in feet:
             out, inside = square(*foot, outer), square(*foot, inner)
             sides = [[out[k - 1], out[k], inside[k], inside[k - 1]] for k in range(4)]
             (around if outer > 1 else within).extend(sides)
     top, legs = hexahedra(rest + around + within, TOP), hexahedra(within, FEET)
-    stand = [[number(*corner, FEET[0]) for corner in corners] for corners in within]
+    stand = [[number(corner, FEET[0]) for corner in corners] for corners in within]
     tags = [np.full(len(top) + len(legs), 1), np.full(len(stand), 2)]
     mesh = meshio.Mesh(
         [place(*key) for key in numbers],
