@@ -125,11 +125,13 @@ def _refuse_clipped(samples, name):
 def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged:
     """Return what sounds of the same disk tell. Raises RecordingError if none of them can be followed.
 
-    `correct` by a solved motion where that explains the sounds better than steady ones do.
+    `correct` by a solved motion where steady ones leave more than noise.
     """
     tracks = _tracks(decline, sounds)
     first = max(track.score for track in tracks)
     rivals = tracks = [track for track in tracks if track.score > first - MARGIN]
+    likeliest = max(tracks, key=lambda track: track.score).fit
+    correct = correct and likeliest.spread > AS_WELL * np.median(likeliest.sigma)
     for _ in range(TIMES if correct else 0):
         tracks = [solved for track in tracks for solved in _along(track, decline)]
         rivals = rivals + tracks
