@@ -7,7 +7,7 @@ import numpy as np
 
 from sonify.files import claimed, numbered, whole
 from sonify.fitting.ear import shares_of_power
-from sonify.fitting.estimate import in_words
+from sonify.fitting.estimate import LAST, in_words
 from sonify.fitting.result import Fits, Fitted
 from sonify.report.figure import figure_at
 from sonify.report.recording import carrier_numbers
@@ -15,8 +15,8 @@ from sonify.report.write import finite, write_json
 
 NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
 """What a law takes that was not sought, as the film in a vacuum."""
-PANELS = 6
-"""Recordings in the picture at most, the first."""
+PANELS, DRAWN = 6, 120
+"""Recordings in the picture at most, the first; as likely declines in the band of a fit, at most about."""
 
 
 def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
@@ -175,18 +175,26 @@ def _draw_one(above, below, fitted):
     one, decline = fitted.judged.fit, fitted.judged.decline
     rates = one.heard[0].rates
     left = one.ends[0] - rates.time
-    at = np.geomspace(left.min(), left.max(), 200)
-    fitted_rate = decline.frequency(at, one.shares)
-    count = len(one.ends)
-    drawn = np.array([decline.frequency(at, np.maximum(d[count:], 0)) for d in one.draws[:60]])
-    low, high = np.percentile(drawn / fitted_rate - 1, [2.5, 97.5], axis=0)
+    fitted_rate = rates.frequency / np.exp(one.residual[: len(left)])
+    at, order = np.geomspace(left.min(), left.max(), 200), np.argsort(left)
+    drawn = np.array([_drawn(decline, one, d, at) for d in one.draws[:: max(len(one.draws) // DRAWN, 1)]])
+    low, high = np.percentile(drawn / np.median(drawn, axis=0) - 1, [2.5, 97.5], axis=0)
     above.errorbar(left, rates.frequency, rates.error, fmt=".", color="#0072b2", label="heard, from the phase")
-    above.plot(at, fitted_rate, color="#d55e00", label=f"fitted: {fitted.judged.verdict}")
+    above.plot(left[order], fitted_rate[order], color="#d55e00", label=f"fitted: {fitted.judged.verdict}")
     above.set(xscale="log", yscale="log", title=Path(fitted.file).name)
+    above.yaxis.set_major_formatter("{x:g}")
+    above.yaxis.set_minor_formatter("{x:g}")
     above.legend(fontsize=8)
     below.fill_between(at, 100 * low, 100 * high, color="#d55e00", alpha=0.25, label="95 % of the fit")
     below.errorbar(left, 100 * np.expm1(one.residual), 100 * one.sigma, fmt=".", color="#0072b2")
     below.axhline(0.0, color="#d55e00", lw=1)
     below.set(xlabel="time left [s]")
+    below.xaxis.set_major_formatter("{x:g}")
     below.invert_xaxis()
     below.legend(fontsize=8)
+
+
+def _drawn(decline, one, draw, at):
+    """The rate at times `at` (k,) [s] before the fitted end, by a draw of ends and shares."""
+    left = np.maximum(at + draw[0] - one.ends[0], LAST)
+    return decline.frequency(left, np.maximum(draw[len(one.ends) :], 0))
