@@ -84,7 +84,7 @@ def test_a_contact_that_jams_is_named():
     contact = regime.FLOAT.contact(y, regime.Branch.of(slide, law, None), slide.senses, law)
     assert contact.inertia < 0
     with pytest.raises(ImpossibleContactError, match=r"inclination 1\.047 rad.*slip \(-?0, -1\.02"):
-        switching.follow(y, law, None, frozenset())
+        switching.follow(y, law, None, frozenset(), frozenset(), (1.0,) * 3, None)
     system = RollingDisk(law, None, 1e-5, chosen_integrator("dop853")[1], 1e-12)
     with pytest.raises(ImpossibleContactError, match="jams"):
         system.switch(y, slide, "jams")
@@ -146,7 +146,7 @@ def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
 
 SPAN = 5 * scene().disk.time_unit
 STIFF = [
-    ("collocation.SHORTEST", 1.0, {"mu_dynamic": 0.5}),
+    ("collocation.MOST_STEPS", 0, {"mu_dynamic": 0.5}),
     ("slip_direction.SlipPush.own_near", lambda *_: None, {}),
 ]
 

@@ -146,7 +146,7 @@ def test_a_result_shows_itself_in_a_few_lines(result):
     assert page.count("<audio") == 1
     assert all(finding.claim[:20] in page for finding in result.findings)
     assert np.ptp(np.asarray(result.plot("motion"))) > 0
-    with pytest.raises(ValueError, match="'song': it is one of spectrogram, stems, motion, modes"):
+    with pytest.raises(ValueError, match="'song': it is one of spectrogram, stems, motion, energy, modes"):
         result.plot("song")
 
 

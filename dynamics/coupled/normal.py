@@ -43,9 +43,8 @@ from .state import (
 )
 from .table import LOSS, A, K
 
-CLOSE, MOST = 1e-10, 40
-"""The equation for N is solved to this part of N and the weight, within so many iterations. The gap moves some 10 nm
-in a step: what is left is 1e-17 J, as much as the sum of the energies is rounded by."""
+CLOSE, MOST = 1e-12, 40
+"""The equation for N is solved to this part of N and the weight, within so many iterations."""
 STANDS, READ, READS = 1e-10, 1e-9, 3
 """A path that moves by less [m] in a step stands; heights are read again, a few times, where it moves by more [m].
 

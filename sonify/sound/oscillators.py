@@ -134,8 +134,9 @@ class OscillatorBank:
     def kicks(self, knots):
         """Return what knots add to the state at the next sample, beyond the line between the samples around them,
         (2, j, m); of a bank (j, m) every knot has its own row."""
-        if not len(knots.interval):
-            return np.zeros((2, 0, self.omega.shape[-1]))
+        modes = self.omega.shape[-1]
+        if not (len(knots.interval) and modes):
+            return np.zeros((2, len(knots.interval), modes))
         since, until = np.maximum(knots.since[:, None], 1e-6 * self.h), np.maximum(knots.until[:, None], 1e-6 * self.h)
         step, ramp = responses(self.omega, self.decay, until)
         rate = free_response(self.omega, self.decay, until)[1]
@@ -143,7 +144,7 @@ class OscillatorBank:
         rise, turn = knots.bend / since, knots.bend / since + knots.bend / until
         q = step * knots.jump + early_ramp * rise - ramp * turn
         v = rate * knots.jump + early_step * rise - step * turn
-        return self._observed(np.stack([q, v]) - self.late.reshape(2, -1, self.omega.shape[-1]) * knots.jump)
+        return self._observed(np.stack([q, v]) - self.late.reshape(2, -1, modes) * knots.jump)
 
 
 @njit(cache=True)
