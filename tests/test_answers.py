@@ -25,6 +25,14 @@ def finding(key, value, holds):
     )
 
 
+@pytest.mark.parametrize("value", [1.99, 2.01])
+def test_a_yes_or_no_near_its_bar_is_uncertain(value):
+    """So the table is the same where other arithmetic has the value on the other side."""
+    others = [finding(next(iter(cells)), 0.25, True) for question, cells in CELLS.items() if "pitch" not in question]
+    near = Finding(key="pitch_rises", claim="", value=value, unit="", at_least=2.0, margin=0.1, source="")
+    assert answers([*others, near])["does its pitch rise"] == "uncertain, 2.0 times"
+
+
 def test_every_cell_is_a_finding_of_a_shipped_scene():
     assert set(SURFACES) <= set(shipped_scenes())
     assert {key for cells in CELLS.values() for key in cells} <= set(stage_of())

@@ -1,5 +1,6 @@
 """FINDINGS -> ANSWER: what is heard on each surface, whether it rises, whether contact is lost, what makes the halt."""
 
+import re
 from collections.abc import Iterable, Mapping
 
 from sonify.claims.motion import Finding
@@ -46,7 +47,8 @@ CELLS = {
         "what_ends": (f"{{cause}}: {OF_THE_LAST}", f"several causes, most of it {{cause}}: {OF_THE_LAST}"),
     },
 }
-"""Question -> key of a finding, the first that a run has -> answer where its claim holds, and where not."""
+"""Question -> key of a finding, the first that a run has -> answer where its claim holds, and where not; a yes or no
+that is near its bar is uncertain."""
 CAUSE = "What ends the motion is "
 
 
@@ -62,6 +64,7 @@ def _told(by_key, cells):
         raise LookupError(f"none of the findings {', '.join(cells)}")
     finding = by_key[key]
     words = cells[key][0 if finding.holds else 1]
+    words = re.sub("^(yes|no)", "uncertain", words) if finding.near else words
     return words.format(finding.value, cause=finding.claim.removeprefix(CAUSE))
 
 
