@@ -111,6 +111,8 @@ def sentences(fits: Fits) -> list[str]:
     said = [line for fitted in fits.files for line in _of_one(fitted)]
     if len(fits.files) > 1:
         said.append(f"together: {fits.verdict}; {in_words(fits.values())}")
+    if fits.scene.surface.kind != "rigid":
+        said.append("what a table that acts back takes is not told apart: it counts as friction or air")
     return said
 
 
