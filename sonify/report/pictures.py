@@ -8,6 +8,7 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.ndimage import median_filter
 
 from dynamics.rates import nutation_frequency, precession_rate, smooth_rates
 from sonify.claims.contact import carrier_line
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 
+AROUND = 15
+"""Periods of the nutation whose median is its usual share of the precession."""
 NEAREST = 1e-4
 """The energies of a table that acts back are drawn up to this part of the time before the end."""
 MOST_TABLE = 10
@@ -105,8 +108,10 @@ def _spectrogram(found):
 
 def nutating(nutation: np.ndarray, precession: np.ndarray) -> np.ndarray:
     """Return the nutation (q,), not a number where it is no nutation but the noise of a rough contact: off the
-    precession by more than a factor of two."""
-    return np.where(np.abs(np.log(nutation / precession)) < np.log(2), nutation, np.nan)
+    precession by more than a factor of two, or off its usual share of it, in AROUND periods, by more than a tenth."""
+    share = np.log(nutation / precession)
+    usual = median_filter(share, AROUND, mode="nearest")
+    return np.where((np.abs(share) < np.log(2)) & (np.abs(share - usual) < np.log(1.1)), nutation, np.nan)
 
 
 def _stems(found):
