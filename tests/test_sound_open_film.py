@@ -183,6 +183,7 @@ def _part(force, a, b):
     )
 
 
+@pytest.mark.slow
 def test_nothing_of_the_beginning_is_lost_to_the_filter():
     """The stem of the contact begins with the motion, while its filter answers 41 ms late."""
     scene = load_scene("granite").replace("numerics.time_limit=0.2", "material.loss_factor=0.05")

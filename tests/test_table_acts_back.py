@@ -323,7 +323,7 @@ def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
     assert shown["lost"]["sound of the table"][-1] == pytest.approx(budget.sound[1], rel=1e-3)
     assert shown["held"]["disk"][0] == pytest.approx(motion.energy(t[:1])[0], rel=0.01)
     with Image.open(BytesIO(drawn("motion", "draw_energy", shown))) as image:
-        assert image.size == (1210, 506)
+        assert image.size == pytest.approx((1210, 506), abs=1)  # matplotlib rounds or cuts the last pixel
     assert pictures._left_out("energy", SimpleNamespace(motion=motion.first))
     told = in_words.energy(SimpleNamespace(motion=motion))
     assert all(cause in told for cause in budget.lost)
