@@ -5,7 +5,7 @@ import numpy as np
 from dynamics import Motion
 from dynamics.coupled.acting import ACTS
 from sonify.claims import two_ways
-from sonify.claims.motion import Finding
+from sonify.claims.motion import Finding, finding
 from sonify.claims.sound import LAST, since_as_much
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
 from sonify.hearing.rising_tone import rising_tone
@@ -130,32 +130,26 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Finding:
     )
 
 
-def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
+@finding(
+    "The table takes too little energy to act back on the motion",
+    "s before the end when the modes of the table first hold as much energy as the disk",
+    "section 8: the vibrations will result in a loss of contact; here they do not act back",
+    at_most=0.0,
+)
+def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
     """When the modes of the table first hold as much energy as the disk, while they do not act back on it."""
-    value, margin = since_as_much(motion, sound.energy_time, sound.table_energy, error)
-    return Finding(
-        key="table_takes_little",
-        claim="The table takes too little energy to act back on the motion",
-        value=value,
-        unit="s before the end when the modes of the table first hold as much energy as the disk",
-        at_most=0.0,
-        margin=margin,
-        source="section 8: the vibrations will result in a loss of contact; here they do not act back",
-    )
+    return since_as_much(motion, sound.energy_time, sound.table_energy, error)
 
 
-def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
+@finding(
+    "The table may be left out of the motion until the last half second",
+    f"s before the end when the modes of the table first hold {ACTS:.0%} of the energy of the disk",
+    "energy of a motion on a rigid table, and of the modes that its force drives",
+    at_most=0.5,
+)
+def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
     """When the modes of the table first hold ACTS of the energy of the disk."""
-    value, margin = since_as_much(motion, sound.energy_time, sound.table_energy, error, ACTS)
-    return Finding(
-        key="table_takes_a_hundredth",
-        claim="The table may be left out of the motion until the last half second",
-        value=value,
-        unit=f"s before the end when the modes of the table first hold {ACTS:.0%} of the energy of the disk",
-        at_most=0.5,
-        margin=margin,
-        source="energy of a motion on a rigid table, and of the modes that its force drives",
-    )
+    return since_as_much(motion, sound.energy_time, sound.table_energy, error, ACTS)
 
 
 def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:

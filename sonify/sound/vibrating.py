@@ -94,9 +94,7 @@ class VibratingDisk:
         inside = np.log(GAPS[[0, -1]])
         level = round(float(np.clip(gap, *inside)) / STEP)
         if level not in self._filters:
-            response = irfft(self._by_gap(np.clip(level * STEP, *np.log(GAPS[[0, -1]]))), self._size, axis=0)[
-                : self._ring
-            ]
+            response = irfft(self._by_gap(np.clip(level * STEP, *inside)), self._size, axis=0)[: self._ring]
             edge = np.minimum(np.arange(self._ring) + 1, np.arange(self._ring, 0, -1)) / (self._ahead / 2)
             self._filters[level] = rfft(response * np.minimum(edge, 1.0)[:, None], self._size, axis=0)
         return self._filters[level]
