@@ -12,6 +12,8 @@ GRAVITY = 9.81
 
 LARGEST = 1e6
 """Coefficient of friction beyond which none is asked for but an infinite one."""
+SMALLEST = 1e-9
+"""Length [m] that no disk falls below: its square times its mass would be no number."""
 Rate = Annotated[float, Ge(-1e6), Le(1e6)]
 
 
@@ -21,7 +23,7 @@ class Disk:
 
     radius: Annotated[float, Gt(0), Le(100)]
     """Outer radius [m]."""
-    thickness: Annotated[float, Ge(1e-9), Le(100)]
+    thickness: Annotated[float, Ge(SMALLEST), Le(100)]
     """Height along the axis [m]."""
     mass: Annotated[float, Ge(1e-9), Le(1e9)] = None  # type: ignore[assignment]
     """Mass [kg]."""
@@ -29,10 +31,12 @@ class Disk:
     """Mass per volume [kg/m^3], of a disk that has a volume."""
     shape: Literal["solid", "shell"] = "solid"
     """A shell is hollow along its axis."""
-    wall: Annotated[float, Ge(1e-9), Le(100)] | None = None
+    wall: Annotated[float, Ge(SMALLEST), Le(100)] | None = None
     """Outer less inner radius of a shell [m], negligible unless it is given."""
 
     def __post_init__(self):
+        if self.radius < SMALLEST:
+            raise ValueError(f"radius = {self.radius:g}: must not be below {SMALLEST:g}")
         if (self.mass is None) == (self.density is None):
             raise ValueError("give either mass or density")
         if self.wall is not None and self.shape != "shell":

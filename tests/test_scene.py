@@ -111,6 +111,7 @@ def test_the_document_of_a_disk_given_by_its_density_gives_no_mass(published):
 FAULTS = [
     ("disk.radius=-1", "disk.radius = -1: must be greater than 0"),
     ("disk.radius=0", "disk.radius"),
+    ("disk.radius=1e-300", "disk: radius = 1e-300: must not be below 1e-09"),
     ("disk.mass=-0.4", "disk.mass = -0.4"),
     ("disk.mass=nan", "disk.mass = nan: must be finite"),
     ("disk.radius=inf", "disk.radius = inf: must be finite"),
@@ -203,6 +204,7 @@ ROUGH = [
     ("contact.fillet=0.0065", "contact.fillet = 0.0065: must be positive and at most 0.0064, so that it fits the disk"),
     ("contact.fillet=1e-7", "contact.fillet = 1e-07: too sharp for an elastic contact, must be at least 2.86e-06"),
     ("contact.young=0", "contact.young = 0"),
+    ("contact.young=1.5", "too sharp for an elastic contact, as any up to 0.0064 is for bodies so soft, E* = 1.56 Pa"),
     ("contact.loss_factor=1", "contact.loss_factor = 1: must be less than 1"),
     ("contact.law=soft", "contact.law = 'soft': must be 'rigid' or 'elastic'"),
     ("numerics.contact=best", "numerics.contact = 'best': must be 'auto', 'filter' or 'full'"),

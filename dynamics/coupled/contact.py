@@ -64,11 +64,19 @@ class ContactLaw:
             raise ValueError(
                 f"contact.fillet = {self.fillet:g}: must be positive and at most {largest:g}, so that it fits the disk"
             )
-        if not self._half_width(self.fillet) <= WIDEST * self.fillet:
-            least = brentq(lambda f: self._half_width(f) - WIDEST * f, 1e-12, largest)
-            raise ValueError(
-                f"contact.fillet = {self.fillet:g}: too sharp for an elastic contact, must be at least {least:.3g}"
-            )
+        if not self._excess(self.fillet) <= 0:
+            sharp = f"contact.fillet = {self.fillet:g}: too sharp for an elastic contact"
+            raise ValueError(f"{sharp}, {self._blunt_enough(largest)}")
+
+    def _blunt_enough(self, largest):
+        """Say which fillet is, if any is."""
+        if self._excess(largest) > 0:
+            return f"as any up to {largest:g} is for bodies so soft, E* = {self.modulus:.3g} Pa, or so heavy"
+        return f"must be at least {brentq(self._excess, 1e-12, largest):.3g}"
+
+    def _excess(self, fillet):
+        """By how much [m] the contact of an upright disk is too wide for a fillet."""
+        return self._half_width(fillet) - WIDEST * fillet
 
     def _half_width(self, fillet):
         """Return b [m] of an upright disk, the widest of a motion."""
