@@ -22,6 +22,13 @@ from modal.spectral.basis import Plate
 from modal.synthesis.patches import FreeDisk
 from modal.synthesis.regular import RESOLVED, regular_flexibility
 
+TOO_STIFF = (
+    "support.kind = 'contact': so stiff a contact is no longer small against the disk: it has no springs; "
+    "hold the disk 'free' or by a 'patch'"
+)
+LOSSLESS = 1e-6
+"""Growth of a mode over its angular frequency that is the round-off of one without loss."""
+
 
 class Suspension(Protocol):
     """The springs of a contact: stiffness (3,) [N/m], the rates (3,) [1/s] at which they forget what they are stretched
@@ -48,12 +55,14 @@ def contact_modes(plate: Plate, suspension: Suspension, inclination: float, belo
     at_contact = turn @ free.rim_shape[:, 0].T
     yields = np.diag(1 / np.asarray(suspension.stiffness)) + rest
     if np.linalg.eigvalsh(yields)[0] <= 0:
-        raise UnsolvableError("contact: so stiff a contact is no longer small against the disk: it has no springs")
+        raise UnsolvableError(TOO_STIFF)
     matrix = np.diag((2 * pi * free.frequency) ** 2) + at_contact.T @ np.linalg.solve(yields, at_contact)
     square, shares = (part[..., 3:] for part in np.linalg.eigh(matrix))  # the first three turn about the contact
     roots, swings = ringing(free, at_contact, rest, suspension)
     mode, root = linear_sum_assignment(-(np.abs(shares.T @ swings) ** 2))
     mode, root = np.compress(roots.imag[root] < 2 * pi * below, [mode, root], axis=1)
+    if (roots[root].real > LOSSLESS * np.abs(roots[root])).any():  # what the body yields would give energy
+        raise UnsolvableError(TOO_STIFF)
     square, shares = square[mode], shares[:, mode]
     force = turn.T @ np.linalg.solve(yields, at_contact @ shares)
     error = (doubt**0.5 @ np.abs(force)) ** 2 / (2 * square)
@@ -136,7 +145,7 @@ def superposed(free, shares, roots, error, residual) -> Modes:
         free,
         **mixed,
         frequency=roots.imag / (2 * pi),
-        decay_rate=-roots.real,
+        decay_rate=np.maximum(-roots.real, 0.0),
         order=strongest_order(mixed["rim_shape"]),
         family=tuple(np.where(bends > 0.5, "flexural", "extensional").tolist()),
         parity=tuple(np.where(even > 0.5, "even", "odd").tolist()),

@@ -80,10 +80,11 @@ def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | Non
         raise ValueError(f"below = {below:g} must be a frequency above 0 Hz")
     check(scene.disk, support)
     disk, rho = scene.disk, density(scene.disk)
-    count = mode_count(disk, scene.material, rho, below)
+    sought = below * (on_contact.APART if support.kind == "contact" else 1.0)
+    count = mode_count(disk, scene.material, rho, sought)
     if count > MOST:
         raise UnsolvableError(
-            f"disk, material: so soft or so large a disk has some {count:.0f} modes or more below {below:g} Hz; "
+            f"disk, material: so soft or so large a disk has some {count:.0f} modes or more below {sought:g} Hz; "
             f"no more than {MOST} can be sought"
         )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")

@@ -267,3 +267,18 @@ def test_springs_stiffer_than_the_disk_itself_are_refused():
     springs = suspension(LAW, 0.1)
     with pytest.raises(UnsolvableError, match="so stiff a contact"):
         modes_on(springs._replace(stiffness=1e6 * springs.stiffness), 0.1)
+
+
+def test_no_mode_of_a_soft_disk_grows():
+    """Where the contact is about as stiff as the disk, what this yields beyond its modes had given energy: -19 1/s."""
+    soft = ("material.young=3.1e9", "material.poisson=0.38", "contact.young=50e9", "numerics.accuracy=draft")
+    small = ("disk.radius=0.0187", "disk.thickness=0.00284", "disk.mass=0.0245", "support.inclination_deg=0.9")
+    with pytest.raises(UnsolvableError, match="so stiff a contact"):
+        eigenmodes(load_scene("published").replace("support.kind=contact", *soft, *small), below=20e3)
+
+
+def test_the_free_modes_that_a_contact_needs_are_counted():
+    """Twice as high as those sought: of this soft disk they had filled 15 GB."""
+    soft = load_scene("published").replace("support.kind=contact", "material.young=3e9", "disk.radius=0.0927")
+    with pytest.raises(UnsolvableError, match="modes or more below 40000 Hz; no more than 600"):
+        eigenmodes(soft.replace("disk.thickness=0.015", "disk.mass=1.1"), below=20e3)

@@ -354,3 +354,10 @@ def test_the_map_of_halts():
     for wrong in ((0.0, 0.02, 1900.0, 2), (1.0, 1.0, 1900.0, 2), (1.0, 0.02, -1.0, 2), (1.0, 0.02, 1e6, 2)):
         with pytest.raises(ValueError, match=r"halt: mass|w_over_n"):
             halt(*wrong)
+
+
+def test_no_instant_of_the_picture_of_energies_lies_before_the_table_acts_back():
+    """By round-off one had, and the page of such a run was not written."""
+    ends = np.linspace(1.0, 1.01, 1000)
+    assert all(pictures.nearing(0.1, end).min() >= 0.1 and pictures.nearing(0.1, end).max() < end for end in ends)
+    assert any(end - (end - 0.1) < 0.1 for end in ends)  # which is what round-off does

@@ -141,10 +141,15 @@ def _motion(found):
 def _energy(found):
     """The budget of a table that acts back, at times that come the closer the nearer the end is."""
     end, begin = found.motion.t[-1], two_way(found.motion)[1]
-    left = np.geomspace(end - begin, NEAREST * (end - begin), 2000)
-    budget = energy_budget(found.motion, end - left, radiated_power(found.sound, listener_of(found.scene)))
+    t = nearing(begin, end)
+    budget = energy_budget(found.motion, t, radiated_power(found.sound, listener_of(found.scene)))
     held = {"disk": budget.disk, "modes of the table": budget.table, "modes of the disk": budget.bending}
-    return {"left": left, "held": held, "lost": budget.lost | {"sound of the table": budget.sound}}
+    return {"left": end - t, "held": held, "lost": budget.lost | {"sound of the table": budget.sound}}
+
+
+def nearing(begin: float, end: float) -> np.ndarray:
+    """Return times [s] from `begin` on that come the closer the nearer the end is."""
+    return np.maximum(end - np.geomspace(end - begin, NEAREST * (end - begin), 2000), begin)  # not before, by round-off
 
 
 def _modes(found):
