@@ -18,7 +18,16 @@ from dynamics.rates import precession_rate
 from dynamics.steady import steady_precession
 from dynamics.time_left import steady_power
 from sonify import load_scene
-from sonify.claims.air import LOST_TO, air_negligible, carried_by_air, film_powers, friction_exponent, lifts, what_ends
+from sonify.claims.air import (
+    LOST_TO,
+    air_negligible,
+    carried_by_air,
+    film_powers,
+    friction_exponent,
+    lifts,
+    motion_findings,
+    what_ends,
+)
 from sonify.plan.air import beyond_the_film, papers_law, with_air
 from sonify.plan.plan import plan_of
 
@@ -65,6 +74,8 @@ def test_early_in_a_motion_in_a_vacuum_air_may_be_neglected():
     assert air_negligible(motion, film).holds
     assert not carried_by_air(motion, film).holds
     assert not what_ends(motion, None).claim.endswith("film of air")
+    assert motion.outcome is Outcome.TIME_LIMIT
+    assert "what_ends" not in {finding.key for finding in motion_findings(scene, motion)}  # nothing has ended it
 
 
 @pytest.mark.parametrize(("name", "exponent", "as_measured"), [("thorne", 1 / 3, True), ("published", 1.0, False)])

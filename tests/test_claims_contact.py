@@ -54,6 +54,7 @@ def test_a_band_that_rises_is_found_among_lines_and_none_in_white_noise():
     found = noise_band(track(np.concatenate(parts) + lines + 1e-3 * draw.normal(size=len(t))), 0.0, 8.0, 1.0)
     assert found.frequency == pytest.approx(middles, rel=0.02)
     assert np.isnan(noise_band(track(draw.normal(size=8 * RATE)), 0.0, 8.0, 1.0).frequency).all()
+    assert noise_band(track(draw.normal(size=RATE)), 0.1, 0.9, 1.0).frequency.shape == (0,)  # shorter than a stretch
 
 
 def test_a_carrier_that_stays_does_not_rise():

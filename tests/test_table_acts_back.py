@@ -24,12 +24,14 @@ from dynamics.coupled.march import FLAT, LIES
 from dynamics.coupled.state import LOSSES
 from dynamics.coupled.table import LENGTH1, LENGTH2, LOSS, LawTable
 from dynamics.disk import Friction
+from dynamics.film.law import film_in, film_under
 from dynamics.rates import precession_rate
 from dynamics.steady import steady_precession
 from dynamics.surface import ModesSurface, SurfaceMode
 from modal import surface_modes
 from sonify import SceneError, load_scene
 from sonify.claims import two_ways
+from sonify.claims.air import taken_by, what_ends
 from sonify.claims.halt import halt
 from sonify.claims.table import radiated_power, waves_become_heat
 from sonify.plan.solvable import solvable, solve_motion
@@ -267,6 +269,18 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     assert motion.bandwidth(motion.at([0.5 * t, 1.01 * t])) == pytest.approx(
         [motion.first.bandwidth(motion.first.at([0.5 * t]))[0], motion.then.bandwidth(motion.then.at([0.01 * t]))[0]]
     )
+
+
+def test_what_each_cause_takes_of_a_motion_in_two_parts_adds_up(handed):
+    """The table is among them, which had counted as friction; and a film that acts is that of both parts."""
+    *_, motion = handed
+    lost = taken_by(motion, None, 0.0, motion.t[-1])
+    assert lost["the table"] > 0
+    where_they_meet = motion.first.energy(motion.handed_over)[0] - motion.then.energy(0.0)[0]
+    assert sum(lost.values()) + where_they_meet == pytest.approx(motion.state[-1, -1], rel=1e-6)
+    assert what_ends(motion, None).value < 1
+    film = film_under(motion.disk, load_scene("toy").air)
+    assert film_in(replace(motion, first=replace(motion.first, loads=film)).loads) is film
 
 
 def test_what_a_table_that_acts_back_takes(handed, monkeypatch):

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 
@@ -60,6 +61,11 @@ class HandedOver:
     def disk(self) -> Disk:
         """The disk."""
         return self.first.disk
+
+    @property
+    def loads(self) -> Any:
+        """What acts on the disk beside its contact, in both parts: the film of air."""
+        return getattr(self.first, "loads", None)
 
     @property
     def integrator(self) -> str:

@@ -36,6 +36,8 @@ LOST_TO = (
 """What a full motion knows the losses of, in the order of its causes."""
 FALLS_AS = 100 / 3
 """A fall three times as fast as the air leaves is as far from the law of the film, 27 %, as it is held at Lam = 100."""
+UNENDED = {Outcome.TIME_LIMIT, Outcome.UPRIGHT, Outcome.LEFT_TABLE, Outcome.STALLED, Outcome.CASCADE}
+"""Where a motion was broken off, or is another one from then on, no loss of energy has ended it."""
 INCLINATIONS = (1e-3, 1e-2)
 """Between these the exponent of a friction is read [rad]."""
 
@@ -53,8 +55,8 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
         return exponent
     acts = film_in(getattr(motion, "loads", None))
     film = acts or film_under(scene.disk, scene.air)
-    found = [air_negligible(motion, film), what_ends(motion, film if acts else None), carried_by_air(motion, film)]
-    return found + exponent
+    ended = [] if motion.outcome in UNENDED else [what_ends(motion, film if acts else None)]
+    return [air_negligible(motion, film), *ended, carried_by_air(motion, film), *exponent]
 
 
 def air_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
@@ -96,16 +98,26 @@ def shares_of_the_end(motion: Motion, film: Film | None) -> dict[str, float]:
     contact is solved in full also its compression, its creep and the table."""
     energy = motion.energy(motion.t)
     last = energy - energy[-1] <= LAST * (energy[0] - energy[-1])
+    taken = taken_by(motion, film, motion.t[last][0], motion.t[-1])
+    return {name: share / (sum(taken.values()) or 1.0) for name, share in taken.items()}
+
+
+def taken_by(motion: Any, film: Film | None, since: float, until: float) -> dict[str, float]:
+    """Return what each cause takes of the energy [J] between two times [s]."""
+    if hasattr(motion, "handed_over"):
+        begin = motion.handed_over
+        late = taken_by(motion.then, film, max(since - begin, 0.0), min(until - begin, motion.then.t[-1]))
+        early = taken_by(motion.first, film, since, begin) if since < begin else {}
+        return {name: early.get(name, 0.0) + taken for name, taken in late.items()}
+    times = np.array([since, until])
     if hasattr(motion, "lost"):
-        taken = np.ptp(motion.lost(motion.t)[last], axis=0)
-        return dict(zip(LOST_TO, (taken / (taken.sum() or 1.0)).tolist(), strict=True))
-    total = np.ptp(motion.state[last, 10])
+        return dict(zip(LOST_TO, np.ptp(motion.lost(times), axis=0).tolist(), strict=True))
     force, state = motion.force(motion.t), motion.state
-    slides = _integral(-(force[:, 0] * state[:, 8] + force[:, 1] * state[:, 9]), motion)
-    parts = {"sliding": np.ptp(slides[last]) / total}
+    parts = {"sliding": _integral(-(force[:, 0] * state[:, 8] + force[:, 1] * state[:, 9]), motion)}
     if film:
-        parts["the film of air"] = np.ptp(_integral(np.sum(film_powers(motion, film), axis=0), motion)[last]) / total
-    return parts | {"friction of rolling and pivoting": 1 - sum(parts.values())}
+        parts["the film of air"] = _integral(np.sum(film_powers(motion, film), axis=0), motion)
+    parts["friction of rolling and pivoting"] = state[:, 10] - sum(parts.values())
+    return {name: float(np.diff(np.interp(times, motion.t, work))[0]) for name, work in parts.items()}
 
 
 def what_ends(motion: Motion, film: Film | None) -> Finding:
@@ -116,7 +128,7 @@ def what_ends(motion: Motion, film: Film | None) -> Finding:
         key="what_ends",
         claim=f"What ends the motion is {cause}",
         value=float(parts[cause]),
-        unit=f"of the last {LAST:.0%} of the energy; " + ", ".join(f"{k} {v:.3f}" for k, v in parts.items()),
+        unit=f"of the last {LAST:.0%} of the energy; " + ", ".join(f"{k} {v:.3f}" for k, v in parts.items() if v),
         at_least=0.5,
         source="work of each cause along the motion",
     )

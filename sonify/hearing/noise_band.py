@@ -32,14 +32,16 @@ class NoiseBand(NamedTuple):
 
 
 def noise_band(sound: Source, start: float, stop: float, length: float, lines=()) -> NoiseBand:
-    """Return the band of noise that rises or falls, in stretches of `length` [s] from `start` to `stop` [s].
+    """Return the band of noise that rises or falls, in stretches of `length` [s] from `start` to `stop` [s], if any.
 
     Around known steady `lines` [Hz] nothing is looked at.
     The highest peak is sought without lines, as modes are, and without what sounds in most stretches alike;
     a loud line within a third of the band still draws its frequency there.
     """
-    seen = spectrogram(sound, WINDOW, columns=1 << 20, span=(start, stop)).band(*BAND)
     edges = np.arange(start, stop - length * (1 - 1e-9), length)
+    if not len(edges):
+        return NoiseBand(*np.zeros((3, 0)))
+    seen = spectrogram(sound, WINDOW, columns=1 << 20, span=(start, stop)).band(*BAND)
     which = [(seen.time >= t) & (seen.time < t + length) for t in edges]
     power = np.array([seen.power[:, here].mean(axis=1) for here in which])
     for line in lines:
