@@ -27,11 +27,12 @@ GOES, FLAT, UPRIGHT, UNSOLVED, CARRIED = range(5)
 def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h, every, last, rows, forces, events):
     flights, slips = events
     flying, sliding, flight, slip = flights[0, 0] == flights[0, 0], slips[0, 0] == slips[0, 0], 0, 0
-    locate(y, start, per_unit, spline)
     forces[:], scratch, waving = 0.0, np.zeros((8, 6)), waves.state.shape[0] > 0
     part = every * len(rows) // len(forces)  # steps over which a force is meant
     behind, now, left, share = 0, 0, part, 1 / (2 * part)
     for row in range(len(rows)):
+        if row == 0 or not waving:
+            locate(y, start, per_unit, spline)
         for i in range(every + 1):
             span = h / 2 if i in (0, every) else h
             if waving:

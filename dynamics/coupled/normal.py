@@ -45,6 +45,8 @@ from .table import LOSS, A, K
 
 CLOSE, MOST = 1e-12, 40
 """The equation for N is solved to this part of N and the weight, within so many iterations."""
+NEAR = 1e-4
+"""From so near the last step of Newton's method is taken along straight lines: these err by the square of it."""
 STANDS, READ, READS = 1e-10, 1e-9, 3
 """A path that moves by less [m] in a step stands; heights are read again, a few times, where it moves by more [m].
 
@@ -77,16 +79,24 @@ def secant(y0, y1, dx):
 
 
 @kernel
+def half_way(N, turn, roll, slope, A0, A1, reach, d0, d1, y, push, h, weight):
+    """Return velocity and angular momentum half a step on, under the force N and its torques; A is n at both ends."""
+    V0, V1, V2 = y[3] + push * N * slope * d1, y[4] - push * N * slope * d0, y[5] + push * (N - weight)
+    M0, M1 = y[9] + h / 2 * (turn * A1 + roll * d0), y[10] + h / 2 * (roll * d1 - turn * A0)
+    return V0, V1, V2, M0, M1, y[11] - h / 2 * N * slope * reach
+
+
+@kernel
 def step_normal(y, law, start, per_unit, spline, table, rim, h):
     """Advance the state y by the normal part of a step h; return whether the equation for N was solved."""
     m, J, R, H, weight = law[MASS], law[J1], law[RADIUS], law[HALF], law[WEIGHT]
     push, twist, yields, ease = h / (2 * m), h / (2 * J), h / law[IMPEDANCE], 1 / J
     e, size = 1 / law[J2] - 1 / J, len(spline)
-    v0, v1, v2, n0, n1, n2, L0, L1, L2 = y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11]
+    n0, n1, n2, L0, L1, L2 = y[6], y[7], y[8], y[9], y[10], y[11]
     # what the step starts from: the energy of the gap, K and its loss
     s0, c0, spin, i, u = y[SINE], n2, L0 * n0 + L1 * n1 + L2 * n2, int(y[CELL]), y[PART]
     K0, loss, dK = column(spline, i, u, K), column(spline, i, u, LOSS), slope(spline, i, u, K) * per_unit / s0
-    loss /= h
+    loss, half = loss / h, column(spline, i, u, A)
     rough0, rough1 = y[HEIGHTS], y[HEIGHTS + 1]
     gap0, r0 = y[GAP], root(y[GAP])
     U0 = 0.4 * r0**5
@@ -95,58 +105,65 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     p0, p1, p2 = n0 + p0, n1 + p1, n2 + p2
     sp = np.sqrt(p0 * p0 + p1 * p1)
     d0, d1, reach, rim_lever = p0 / sp, p1 / sp, R * p2 - H * sp, R / sp
-    lever, W = reach * p2 / sp, 1 / m + (R * c0 - H * s0) ** 2 / J
-    N, g, mt, mr = max(0.0, 3 * (y[FORCE] - y[LAST]) + y[LAST + 1]), U0 * dK, 0.0, 0.0
-    a0, a1, a2, s1, z0, z1, r1 = 2 * p0 - n0, 2 * p1 - n1, 2 * p2 - n2, s0, rough0, rough1, r0
-    inverse, lean = 0.5 / sp, R - H * sp / p2
-    gap, dpath, dedge, read_path, read_edge, error = gap0, 0.0, 0.0, np.inf, np.inf, 0.0
-    V0, V1, V2, M0, M1, M2, pull = v0, v1, v2, L0, L1, L2, 0.0
-    left = MOST
-    while left > 0:
+    lever = reach * p2 / sp
+    # a first guess
+    N, g = max(0.0, 3 * (y[FORCE] - y[LAST]) + y[LAST + 1]), U0 * dK
+    A0, A1, A2, inverse, lean = 2 * p0, 2 * p1, 2 * p2, 0.5 / sp, R - H * sp / p2
+    wd = (L0 * d0 + L1 * d1) * ease + e * spin * sp
+    dpath, dedge = h * (d0 * y[4] - d1 * y[3] + reach * (L2 * ease + e * spin * p2) - lever * wd), -h * rim_lever * wd
+    z0, z1, read_path, read_edge, left, near = rough0, rough1, np.inf, np.inf, MOST, False
+    while not near:
+        if left == 0:
+            return False
         left -= 1
-        V0, V1, V2 = v0 + push * N * mt * d1, v1 - push * N * mt * d0, v2 + push * (N - weight)
-        turn = (N * lean + g) * (n2 + a2) * inverse / 2
-        roll = N * (mt * lever + mr * rim_lever)
-        M0 = L0 + h / 2 * (turn * (n1 + a1) + roll * d0)
-        M1 = L1 + h / 2 * (roll * d1 - turn * (n0 + a0))
-        M2 = L2 - h / 2 * N * mt * reach
-        q0, q1, q2 = turned(n0, n1, n2, twist * M0, twist * M1, twist * M2)
-        a0, a1, a2 = n0 + q0, n1 + q1, n2 + q2
-        s1 = np.sqrt(a0 * a0 + a1 * a1)
-        inverse, lean = 1 / (s0 + s1), R - H * (s0 + s1) / (c0 + a2)
-        ds = ((n0 + a0) * q0 + (n1 + a1) * q1) * inverse
-        mean = e / 4 * (spin + (2 * M0 - L0) * a0 + (2 * M1 - L1) * a1 + (2 * M2 - L2) * a2)
-        wd = (M0 * d0 + M1 * d1) * ease + mean * ((n0 + a0) * d0 + (n1 + a1) * d1)
-        dedge = -h * rim_lever * wd
-        dpath = h * (d0 * V1 - d1 * V0 + reach * (M2 * ease + mean * (n2 + a2)) - lever * wd)
-        i, u = place(s1, start, per_unit, size)
-        K1 = column(spline, i, u, K)
         if left >= MOST - READS and max(abs(dpath - read_path), abs(dedge - read_edge)) > READ:
-            read_path, read_edge, half = dpath, dedge, column(spline, i, u, A)
+            read_path, read_edge = dpath, dedge
             z0, z1 = read(table, y[PATH], dpath, half, rough0), read(rim, y[EDGE], dedge, half, rough1)
         mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
+        turn, roll = (N * lean + g) * A2 * inverse / 2, N * (mt * lever + mr * rim_lever)
+        V0, V1, V2, M0, M1, M2 = half_way(N, turn, roll, mt, A0, A1, reach, d0, d1, y, push, h, weight)
+        q0, q1, q2 = turned(n0, n1, n2, twist * M0, twist * M1, twist * M2)
+        a0, a1, a2 = n0 + q0, n1 + q1, n2 + q2
+        A0, A1, A2 = n0 + a0, n1 + a1, n2 + a2
+        s1 = np.sqrt(a0 * a0 + a1 * a1)
+        inverse, lean = 1 / (s0 + s1), R - H * (s0 + s1) / (c0 + a2)
+        ds = (A0 * q0 + A1 * q1) * inverse
+        mean = e / 4 * (spin + (2 * M0 - L0) * a0 + (2 * M1 - L1) * a1 + (2 * M2 - L2) * a2)
+        wd = (M0 * d0 + M1 * d1) * ease + mean * (A0 * d0 + A1 * d1)
+        dedge = -h * rim_lever * wd
+        dpath = h * (d0 * V1 - d1 * V0 + reach * (M2 * ease + mean * A2) - lever * wd)
+        i, u = place(s1, start, per_unit, size)
+        K1, dK1 = column(spline, i, u, K), slope(spline, i, u, K) * per_unit / s1
         dgap = h * V2 + yields * (N - weight) - lean * ds - (z0 - rough0) - (z1 - rough1)
-        gap = gap0 + dgap
-        r1 = root(gap)
-        kept = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap)
-        pull = kept * (1 - loss * dgap)
-        steep = (K1 - K0) / ds if abs(ds) > FEWEST * s0 else (dK + slope(spline, i, u, K) * per_unit / s1) / 2
-        used, g = g, (U0 + 0.4 * r1**5) / 2 * steep
-        error = max(0.0, pull) - N
-        missed = abs(g - used) + abs(N * (mt * lever + mr * rim_lever) - roll)
-        if left < MOST - 1 and max(abs(error), missed / R) <= CLOSE * (N + weight):
-            break
-        stiffness = K1 * (r0 / 2 + r1)
-        N += error / (1 + stiffness * (h * h / 4 * W + yields / 2) + h * h / 2 * loss * kept * W)
-        N = max(N, 0.0)
-    if left == 0:
-        return False
-    y[LOSSES] += (kept - N) * (gap - gap0)
+        r1 = root(gap0 + dgap)
+        kept = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap0 + dgap)
+        error = max(0.0, kept * (1 - loss * dgap)) - N
+        steep, used = (K1 - K0) / ds if abs(ds) > FEWEST * s0 else (dK + dK1) / 2, g
+        g = (U0 + 0.4 * r1**5) / 2 * steep
+        W, stiffness = 1 / m + (lean * A2) ** 2 / (4 * J), K1 * (r0 / 2 + r1)
+        more = error / (1 + stiffness * (h * h / 4 * W + yields / 2) + h * h / 2 * loss * kept * W)
+        more = max(more, -N)
+        missed = abs(g - used) + abs(
+            N * (secant(rough0, z0, dpath) * lever + secant(rough1, z1, dedge) * rim_lever) - roll
+        )
+        near = max(abs(more), missed / R) <= NEAR * (N + weight)
+        N += more
+    mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
+    turn, roll, before = (N * lean + g) * A2 * inverse / 2, N * (mt * lever + mr * rim_lever), V2
+    b0, b1, b2 = M0, M1, M2
+    V0, V1, V2, M0, M1, M2 = half_way(N, turn, roll, mt, A0, A1, reach, d0, d1, y, push, h, weight)
+    b0, b1, b2 = twist * (M0 - b0), twist * (M1 - b1), twist * (M2 - b2)
+    q0, q1, q2 = b1 * A2 - b2 * A1, b2 * A0 - b0 * A2, b0 * A1 - b1 * A0
+    ds = (A0 * q0 + A1 * q1) * inverse
+    dgap += h * (V2 - before) + yields * more - lean * ds
+    u += per_unit * ds / s1
+    kept = (K0 + column(spline, i, u, K)) / 2 * mean_force(r0, root(gap0 + dgap), gap0, gap0 + dgap)
+    y[LOSSES] += (kept - N) * dgap
     y[LOSSES + 4] += yields * (N - weight) ** 2
     y[0], y[1], y[2] = y[0] + h * V0, y[1] + h * V1, y[2] + h * V2
-    y[3], y[4], y[5] = 2 * V0 - v0, 2 * V1 - v1, 2 * V2 - v2
-    y[6], y[7], y[8], y[9], y[10], y[11] = a0, a1, a2, 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
+    y[3], y[4], y[5] = 2 * V0 - y[3], 2 * V1 - y[4], 2 * V2 - y[5]
+    y[6], y[7], y[8], y[9], y[10], y[11] = a0 + q0, a1 + q1, a2 + q2, 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
     y[PATH], y[EDGE], y[TABLE] = y[PATH] + dpath, y[EDGE] + dedge, y[TABLE] - yields * (N - weight)
-    y[LAST + 1], y[LAST], y[FORCE], y[SPEED], y[GAP] = y[LAST], y[FORCE], N, abs(dpath) / h, gap
-    y[HEIGHTS], y[HEIGHTS + 1], y[SINE], y[CELL], y[PART] = z0, z1, s1, i, u
+    y[LAST + 1], y[LAST], y[FORCE], y[SPEED], y[GAP] = y[LAST], y[FORCE], N, abs(dpath) / h, gap0 + dgap
+    y[HEIGHTS], y[HEIGHTS + 1], y[SINE], y[CELL], y[PART] = z0, z1, s1 + ds, i, u
     return True
