@@ -63,6 +63,6 @@ def say(result: "Result"):
         verdict = "ok    " if c.passed else "FAILED"
         click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
     for f in result.findings:
-        click.echo(f"{f.answer:6}  {f.claim}: {f.value:.5g} {f.unit} ({f.expectation})")
+        click.echo(f"{f.answer:6}  {f.claim}: {f.measured} {f.unit} ({f.expectation})")
     for line in unsettled(result.motion):
         click.echo(f"note    {line}")

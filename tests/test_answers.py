@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from sonify.claims.answers import CELLS, SURFACES, answer_table, answers
+from sonify.claims.answers import CELLS, SURFACES, answer_table, answers, in_short
 from sonify.claims.motion import Finding
 from sonify.examples import surfaces
 from sonify.scene import shipped_scenes
@@ -48,6 +48,9 @@ def test_the_first_finding_that_there_is_answers(rank):
             assert told[question] == cells[key][0 if holds else 1].format(0.25, cause="dust")
     with pytest.raises(LookupError, match="none of the findings"):
         answers([finding(keys[0], 1.0, True)])
+    assert in_short([finding(keys[0], 0.25, True)]) == {
+        next(iter(CELLS)): CELLS[next(iter(CELLS))][keys[0]][0].format(0.25)
+    }
 
 
 def shown(text):

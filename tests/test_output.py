@@ -24,6 +24,7 @@ import soundfile
 from dynamics import simulate
 from dynamics.rates import slips
 from sonify import load_scene, run, solve, summary, write
+from sonify.claims.answers import in_short
 from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.hangs import hangs_on
 from sonify.claims.motion import Finding, contact_kept
@@ -197,6 +198,8 @@ def test_the_page_needs_no_other_file(result):
 
 def test_every_verdict_says_its_number_its_error_and_what_it_hangs_on(result):
     page = unescape((result.out / "report.html").read_text())
+    answered = re.findall(r"<dt>(.*?)\?</dt><dd>(.*?)\.</dd>", page.partition("<main>")[0])  # before anything else
+    assert {q.lower(): a.lower() for q, a in answered} == {q: a.lower() for q, a in in_short(result.findings).items()}
     verdicts = re.findall(r"<li class=.*?</li>", page.partition('class="verdicts"')[2], re.DOTALL)
     assert len(verdicts) == len(result.findings)
     for finding, told in zip(result.findings, verdicts, strict=True):
@@ -343,6 +346,8 @@ def test_a_finding_can_be_no(value, holds):
     finding = Finding(key="x", claim="x", value=value, unit="1", at_least=2.0, at_most=3.0, source="-")
     assert finding.holds == holds
     assert finding.expectation == "at least 2 and at most 3"
+    assert replace(finding, at_least=-np.inf, tolerance=0.5).expectation == "at most 3 ± 0.5"
+    assert replace(finding, tolerance=1e-6).expectation == finding.expectation
 
 
 def test_without_the_extra_the_run_says_that_roughness_is_left_out(tmp_path, monkeypatch):

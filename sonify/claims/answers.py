@@ -58,6 +58,12 @@ def answers(findings: Iterable[Finding]) -> dict[str, str]:
     return {question: _told(by_key, cells) for question, cells in CELLS.items()}
 
 
+def in_short(findings: Iterable[Finding]) -> dict[str, str]:
+    """Return the answer to each question that findings of this run do answer."""
+    by_key = {finding.key: finding for finding in findings}
+    return {question: _told(by_key, cells) for question, cells in CELLS.items() if by_key.keys() & cells}
+
+
 def _told(by_key, cells):
     key = next((key for key in cells if key in by_key), None)
     if key is None:

@@ -16,6 +16,8 @@ from modal import Modes
 
 HEARING = (20.0, HIGHEST_HEARD)
 """What is called audible [Hz]."""
+SEEN = 1e-4
+"""Of a bar, which is said to six digits, a tolerance that is told."""
 FIGURE_4 = 2.5, 214.6
 """The frequency of the normal force that the paper names, over 1/chi, and when its disk reaches it, over chi."""
 
@@ -71,8 +73,9 @@ class Finding:
         """The range in words."""
         if self.at_least == self.at_most:
             return f"{self.at_least:.6g} ± {self.tolerance:.2g}"
-        bounds = {"at least": self.at_least, "at most": self.at_most}
-        return " and ".join(f"{word} {bound:g}" for word, bound in bounds.items() if np.isfinite(bound))
+        bars = {word: bar for word, bar in (("at least", self.at_least), ("at most", self.at_most)) if np.isfinite(bar)}
+        about = f" ± {self.tolerance:g}" if self.tolerance > SEEN * max(map(abs, bars.values()), default=0) else ""
+        return " and ".join(f"{word} {bar:g}{about}" for word, bar in bars.items())
 
 
 def finding(claim: str, unit: str, source: str, **bars: float):

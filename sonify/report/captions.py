@@ -14,13 +14,16 @@ SWING = 0.97
 
 
 def caption(modes: Modes, i, held=False):
-    """Number, frequency, family, order and T60 of mode i; a swing about the patch that holds a disk has no order."""
+    """Number, frequency, T60 and shape of mode i."""
     time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
-    pair = f"{modes.parity[i]}, " if modes.partner[i] >= 0 else ""
-    kind = f"{modes.family[i]}, {pair}order {modes.order[i]}"
+    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{shape_in_words(modes, i, held)}"
+
+
+def shape_in_words(modes: Modes, i, held=False):
+    """Family and order of mode i; a swing about the patch that holds a disk has no order."""
     if held and stiff_share(modes, i) > SWING:
-        kind = f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
-    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{kind}"
+        return f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
+    return f"{modes.family[i]}, {f'{modes.parity[i]}, ' if modes.partner[i] >= 0 else ''}order {modes.order[i]}"
 
 
 def table_caption(table: "SurfaceModes", i) -> str:

@@ -10,10 +10,12 @@ from jinja2 import Environment, PackageLoader
 from markupsafe import Markup
 from tomli_w import dumps
 
+from sonify.claims.answers import in_short
 from sonify.claims.hangs import hangs_on
 from sonify.claims.paper import of_the_paper, paper_rows
 from sonify.files import whole
 from sonify.report import in_words as words
+from sonify.report.captions import shape_in_words
 from sonify.report.page_data import compressed, page_data
 
 if TYPE_CHECKING:
@@ -34,13 +36,16 @@ MOST_EMBEDDED = 100_000_000
 def write(result: "Result", path: Path, told: dict[str, Any] | None = None):
     """Write the page of a result, with everything it shows and plays inside, but not a sound of hours; `told` is its
     `page_data`, if that is known."""
+    modes, held = result.modes, result.scene.support.kind == "patch"
+    shapes = [shape_in_words(modes, i, held) for i in range(len(modes))]
     text = (
         templates()
         .get_template("report.html")
         .render(
             result=result,
-            zip=zip,
+            modes=[*zip(modes.frequency, modes.decay_time, shapes, strict=True)],
             hangs_on=hangs_on,
+            answers=in_short(result.findings),
             paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
             not_from=words.not_from(result),
             data=told or page_data(result),
