@@ -3,7 +3,7 @@
 Free rotation of the symmetric top, mode and flight are exact in each step; the normal force is a kick, half before and
 half after; friction is rigid: an impulse that stops the slip, or the Coulomb one that opposes what slip it leaves
 (Moreau's method, of first order); so are the rolling moments. The contact is sought among 96 places of the rim, then by
-Newton's method. Of the program only the rigid motion up to tau = 250 is read. Run it as a script, for ten minutes.
+Newton's method. Of the program only the rigid motion up to tau = 250 is read. Run it as a script, for half an hour.
 """
 
 import json
@@ -164,7 +164,9 @@ def halt(rate, phase, stop):
 
 
 if __name__ == "__main__":
-    crossing = {f"{rate:g}": halt(rate, 0.1, 0.93)[0] for rate in (1e6, 2e6, 4e6)}
-    ends = [halt(4e6, phase, 0.98)[1:] for phase in np.arange(0.1, 4.0, 0.8)]
-    found = {"crossing": crossing, "lost": [e[0] for e in ends], "flat": [e[1] for e in ends]}
+    found = {"crossing": {}, "lost": {}, "flat": {}}
+    for rate in (2e6, 4e6):
+        runs = [halt(rate, phase, 0.98) for phase in np.linspace(0.1, 6.2, 18)]
+        for times, values in zip(found.values(), zip(*runs, strict=True), strict=True):
+            times[f"{rate:g}"] = values
     Path(__file__).with_suffix(".json").write_text(json.dumps(found, indent=1) + "\n", "utf-8")
