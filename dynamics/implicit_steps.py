@@ -11,7 +11,7 @@ from numpy.polynomial.chebyshev import cheb2poly, chebint, chebpts1, chebvander
 from . import slow_slide
 from .equations import Law
 from .regime import DISSIPATED, STOP_SPEED, V1, V2, W1, R
-from .runge_kutta import GUARDS, HALVINGS, at, fall_between
+from .runge_kutta import GUARDS, HALVINGS, at, fall_between, write
 from .trace import FLOW, ROW
 
 ORDER = 14
@@ -130,8 +130,8 @@ def collocate(flow, p, y, slope, dt, states, rates, guards):
     if not settle(flow, p, y, dt, states, rates, guards):
         return c, np.inf
     series = np.dot(SERIES, rates)
-    c[:] = dt * np.dot(TO_POWERS, series)
-    c[0] = y
+    c = dt * np.dot(TO_POWERS, series)
+    write(y, c[0])
     at(c, 1.0, end)
     flow(end, p, series[0], guards[ORDER])
     return c, dt * np.max(np.abs(series[ORDER])) / ACCURACY + 1e-30
@@ -161,22 +161,25 @@ def cartesian(y):
 
 
 @njit(cache=True, error_model="numpy")
-def in_plane(c, states, rates, dt, place):
-    """Return the powers (ORDER + 1, SIZE) of c in time, with the slip along a_1, a_2, exact at 0 and `place`."""
-    out, end, slip = c.copy(), np.empty(SIZE), np.empty((ORDER, 2))
+def in_plane(c, states, rates, dt, place, out):
+    """Write the powers of c in time, with the slip along a_1, a_2, exact at 0 and `place`, into out (as c)."""
+    end, slip = np.empty(SIZE), np.empty((ORDER, 2))
     for j in range(ORDER):
         gain, turn = rates[j, V1], states[j, V1] * rates[j, V2]
         cos, sin = np.cos(states[j, V2]), np.sin(states[j, V2])
         slip[j, 0], slip[j, 1] = gain * cos - turn * sin, gain * sin + turn * cos
-    out[:, V1 : V2 + 1] = np.dot(TO_POWERS, dt * np.dot(SERIES, slip))
-    out[0] = cartesian(c[0])
+    powers = np.dot(TO_POWERS, dt * np.dot(SERIES, slip))
+    for j in range(ORDER + 1):
+        write(c[j], out[j])
+        write(powers[j], out[j, V1 : V2 + 1])
+    write(cartesian(c[0]), out[0])
     at(c, place, end)
     wanted = cartesian(end)
     at(out, place, end)
-    out[1, V1 : V2 + 1] += (wanted - end)[V1 : V2 + 1] / place
+    for a in (V1, V2):
+        out[1, a] += (wanted[a] - end[a]) / place
     for j in range(ORDER + 1):
-        out[j] /= dt**j
-    return out
+        write(out[j] / dt**j, out[j])
 
 
 @njit(cache=True, error_model="numpy")
@@ -281,7 +284,7 @@ def integrate(flow, y, p, count, grip, load, turn, mu, span, most):
         if rests and not np.max(guards[:, grip]) > STOP_SPEED:
             fired = grip
             break
-        coefficients[n] = in_plane(c, states, rates, dt, place)
+        in_plane(c, states, rates, dt, place, coefficients[n])
         t = span if fired < 0 and dt == span - t else t + place * dt
         times[n], n, rests = t, n + 1, False
         length, stay = min(max(GROWTH, error ** (-1 / 3)) * length, LONGEST), STAY

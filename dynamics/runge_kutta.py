@@ -49,9 +49,16 @@ def fastest_clock(y):
 
 
 @njit(cache=True, error_model="numpy")
+def write(values, out):
+    """Write values (k,) into out (k,). Of `out[:] = values` numba compiles the message of its failure, for seconds."""
+    for a in range(len(out)):
+        out[a] = values[a]
+
+
+@njit(cache=True, error_model="numpy")
 def at(c, x, y):
     """Evaluate the polynomials c (order + 1, k) at x into y (k,)."""
-    y[:] = c[-1]
+    write(c[-1], y)
     for j in range(len(c) - 2, -1, -1):
         for a in range(len(y)):
             y[a] = y[a] * x + c[j, a]
@@ -67,7 +74,7 @@ def error_of_step(flow, y, p, h, rates, y_end, guards):
         state = y + h * (STAGES[i, :i] @ rates[:i])
         flow(state, p, rates[i], guards)
         if i == 12:
-            y_end[:] = state
+            write(state, y_end)
     scale = 1 + np.maximum(np.abs(y), np.abs(y_end))
     fifth, third = np.sum(((ERRORS[0] @ rates[:13]) / scale) ** 2), np.sum(((ERRORS[1] @ rates[:13]) / scale) ** 2)
     return h * fifth / np.sqrt((fifth + 0.01 * third) * len(y)) if fifth > 0 else fifth
@@ -113,7 +120,7 @@ def first_fall(flow, p, c, count, before):
         at(c, look / LOOKS, y)
         flow(y, p, rates, now)
         place, fired = fall_between(flow, p, c, count, before, now, (look - 1) / LOOKS, look / LOOKS)
-        before[:] = now
+        write(now, before)
         if fired >= 0:
             break
     return place, fired
@@ -143,14 +150,15 @@ def integrate(flow, y, p, count, span, tolerance):
             h *= max(SHRINK, SAFETY * error ** (-1 / 8)) if error >= 1 else SHRINK
             continue
         c = h * (POWERS @ rates)
-        c[0] = y
+        write(y, c[0])
         place, fired = first_fall(flow, p, c, count, guards)
         for j in range(8):
-            coefficients[n, j] = c[j] / h**j
+            write(c[j] / h**j, coefficients[n, j])
         t = span if fired < 0 and h == span - t else t + place * h
         times[n] = t
         n += 1
-        y, rates[0] = y_end.copy(), rates[12]
+        y = y_end.copy()
+        write(rates[12], rates[0])
         if fired >= 0:
             at(c, place, y)
         h *= min(GROW, SAFETY * error ** (-1 / 8)) if error > 0 else GROW

@@ -165,8 +165,12 @@ def put_back(y, law, waves, work):
     if most > 0 and left > 0:
         y[GAP] *= max(0.0, 1 - left / most) ** 0.4
     left -= min(left, most)
-    moving = np.sum(waves.state[:, V] ** 2) / 2
+    moving = 0.0
+    for m in range(len(waves.state)):
+        moving += waves.state[m, V] ** 2 / 2
     if moving > 0 and left > 0:
-        waves.state[:, V] *= np.sqrt(max(0.0, 1 - left / moving))
+        scale = np.sqrt(max(0.0, 1 - left / moving))
+        for m in range(len(waves.state)):
+            waves.state[m, V] *= scale
         left -= min(left, moving)
     y[LOSSES], y[OWED] = y[LOSSES] - left, y[OWED] + left
