@@ -72,7 +72,8 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
         if waving:
             soften(y, waves, spline)
             y[SURFACE], y[BODY] = energy_of(waves)
-        rows[row] = y
+        for j in range(len(y)):  # of `rows[row] = y` the message of its failure would be compiled, for seconds
+            rows[row, j] = y[j]
         if (y[SINE] < last and not waving) or y[8] <= 0:
             return (UPRIGHT if y[8] <= 0 else FLAT), row + 1, flight, slip
     return GOES, len(rows), flight, slip

@@ -67,7 +67,7 @@ def still(modes=None, h: float = 1.0, body: Bending = RIGID) -> Waves:
     midpoint = 2 / h * np.tanh(root * h / 2)
     k, c = np.abs(midpoint) ** 2, -2 * midpoint.real
     constants = np.column_stack([k, c, 1 / (1 + h * c / 2 + h * h * k / 4)])
-    splines = np.ascontiguousarray(modes.coefficients), *(np.ascontiguousarray(knots) for knots in modes.knots)
+    splines = [np.array(part, order="C") for part in (modes.coefficients, *modes.knots)]  # read-only: another type
     stays = float(modes.mass > 0)  # else they are given by numbers
     return Waves(
         *splines,
