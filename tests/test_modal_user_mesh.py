@@ -3,6 +3,10 @@
 Oracle: the disk of the +-5 degree table, written to files by this test and read back.
 """
 
+import sys
+from contextlib import redirect_stdout
+from threading import Thread
+
 import meshio
 import numpy as np
 import pytest
@@ -12,7 +16,7 @@ from modal import FreeDisk, Material, Plate, Support, mesh_modes, plate_modes, w
 from modal.elements.patch import held_modes
 from modal.elements.unfold import VTK_HEXAHEDRON27
 from modal.mesh.half_disk import Blocks, half_disk
-from modal.mesh.read import patch_facets
+from modal.mesh.read import Hushed, patch_facets, read_mesh
 from modal.mesh.sector import extrude, hexahedra
 
 RADIUS, THICKNESS, MASS = 0.03755, 0.0128, 0.4387
@@ -199,6 +203,25 @@ def write(path, points, cells):
 def refused(tmp_path, points, cells, match, **kwargs):
     with pytest.raises(ValueError, match=match):
         frequencies(write(tmp_path / "bad.vtu", points, cells), **kwargs)
+
+
+def test_while_a_mesh_is_read_other_threads_still_write(capsys):
+    with redirect_stdout(Hushed(sys.stdout)):
+        print("of the reader")
+        other = Thread(target=print, args=["of another"])
+        other.start()
+        other.join()
+    assert capsys.readouterr().out == "of another\n"
+
+
+def test_a_cell_with_a_node_that_is_none_is_refused(tmp_path):
+    mesh = straight()
+    cells = mesh.to_meshtet().t.T.copy()
+    cells[7, 3] = mesh.p.shape[1]
+    path = tmp_path / "bad.mesh"
+    write(path, mesh.p.T, [("tetra", cells)])
+    with pytest.raises(ValueError, match="a cell has a node that is none of"):
+        read_mesh(path)
 
 
 def test_meshes_that_will_not_do(tmp_path):

@@ -1,7 +1,8 @@
 """Volume meshes made elsewhere, as meshio reads them: brought to a scikit-fem mesh, or refused with a reason."""
 
+import sys
 from contextlib import redirect_stderr, redirect_stdout
-from io import StringIO
+from threading import get_ident
 
 import numpy as np
 import scipy.sparse as sp
@@ -28,16 +29,32 @@ def read_mesh(path):
     return mesh.translated(tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum()))
 
 
+class Hushed:
+    """A stream without what this thread writes; what others write goes on."""
+
+    def __init__(self, stream):
+        self._stream, self._thread = stream, get_ident()
+
+    def write(self, text: str) -> int:
+        """Write, if this is another thread."""
+        return len(text) if get_ident() == self._thread else self._stream.write(text)
+
+    def __getattr__(self, name):
+        return getattr(self._stream, name)
+
+
 def read_checked(path):
     """The scikit-fem mesh of a file where it stands, checked, and the points (k, 3) of its sets of nodes by name."""
     import meshio
 
     try:
-        with redirect_stdout(StringIO()), redirect_stderr(StringIO()):  # of meshio, which tells lines of its own
-            file = understood(meshio.read(path))
+        with redirect_stdout(Hushed(sys.stdout)), redirect_stderr(Hushed(sys.stderr)):  # meshio tells lines of its own
+            file = meshio.read(path)
+    except MemoryError:
+        raise
     except (Exception, SystemExit) as error:  # a broken file makes its readers give up in any way
         why = "" if isinstance(error, SystemExit) else f", {error or type(error).__name__}"
-        raise ValueError(f"{path}: no mesh that can be read{why}") from None
+        raise ValueError(f"{path}: no mesh that can be read{why}") from error
     kinds = {block.type for block in file.cells if block.dim == 3}
     if not kinds:
         raise ValueError(
@@ -45,7 +62,10 @@ def read_checked(path):
         )
     if len(kinds) > 1 or not kinds <= SUPPORTED:
         raise ValueError(f"{path}: cells {sorted(kinds)}; known is one of {sorted(SUPPORTED)} at a time")
-    mesh = from_meshio(file)
+    for block in file.cells:
+        if not np.isin(block.data, np.arange(len(file.points))).all():
+            raise ValueError(f"{path}: no mesh that can be read, a cell has a node that is none of {len(file.points)}")
+    mesh = from_meshio(understood(file))
     check_mesh(mesh, path)
     return mesh, {name: file.points[numbers] for name, numbers in (file.point_sets or {}).items()}
 
