@@ -16,6 +16,8 @@ Young = Annotated[float, Ge(1), Le(1e15)]
 Poisson = Annotated[float, Gt(-1), Lt(0.5)]
 Density = Annotated[float, Ge(1e-3), Le(1e6)]
 Loss = Annotated[float, Ge(0), Le(1)]
+ACTS = 0.01
+"""A table acts back that holds as much of the energy of the disk, or takes as much of the power that the rest takes."""
 
 
 @dataclass(frozen=True, kw_only=True)

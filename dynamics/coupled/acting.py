@@ -7,13 +7,12 @@ import numpy as np
 
 from ..dissipation import resistance
 from ..equations import law_of
+from ..surface import ACTS
 from ..time_left import steady_power
 from .choice import steady_rate
 from .from_scene import contact_law
 from .march import LIES
 
-ACTS = 0.01
-"""A table acts back that holds as much of the energy of the disk, or takes as much of the power that the rest takes."""
 PLACES, AROUND = 200, 64
 """Inclinations at which that is asked, and places of the rim."""
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from dynamics import Motion
-from dynamics.coupled.acting import ACTS
+from dynamics.surface import ACTS
 from sonify.claims import two_ways
 from sonify.claims.motion import Finding, finding
 from sonify.claims.sound import LAST, since_as_much

@@ -11,12 +11,13 @@ from typing import NamedTuple
 import numpy as np
 
 from dynamics import Motion
-from dynamics.coupled.acting import ACTS, acting
+from dynamics.coupled.acting import acting
 from dynamics.coupled.handover import release
 from dynamics.coupled.march import LIES
 from dynamics.coupled.motion import STATES, CompliantMotion, followed
 from dynamics.coupled.state import CAUSES
 from dynamics.rates import precession_rate
+from dynamics.surface import ACTS
 from sonify.claims.motion import Finding
 from sonify.scene import Scene
 
