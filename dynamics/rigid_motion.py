@@ -83,7 +83,7 @@ class RigidMotion:
 
         Raises ValueError for times outside the motion.
         """
-        return self._columns(self.path(self._tau(t)))
+        return self._columns(self.path(self._placed(t)[0]))
 
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
@@ -96,12 +96,12 @@ class RigidMotion:
     @remembered
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation; ValueError for times outside the motion."""
-        tau = self._tau(t)
+        tau, piece = self._placed(t)
         state, force = np.empty((len(tau), len(COLUMNS))), np.empty((len(tau), 3))
         for i in range(0, len(tau), BLOCK):
             some = slice(i, i + BLOCK)
             y = self.path(tau[some])
-            state[some], force[some] = self._columns(y), self._force(y, self._piece(tau[some]))
+            state[some], force[some] = self._columns(y), self._force(y, piece[some])
         return state, force
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
@@ -119,7 +119,7 @@ class RigidMotion:
     @remembered
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
-        y = self.path(self._tau(t)).T
+        y = self.path(self._placed(t)[0]).T
         r = y[R]
         return energy(r * r, r * y[W1 : W3 + 1], r * y[V1 : V2 + 1], self.law) * self._unit_of_energy
 
@@ -138,7 +138,7 @@ class RigidMotion:
     def regime(self, t: ArrayLike) -> np.ndarray:
         """Return the name of the regime at the times t (k,) [s], an array of strings."""
         names = np.array([str(regime) for regime in self.regimes])
-        return names[self.regime_of_piece[self._piece(self._tau(t))]]
+        return names[self.regime_of_piece[self._placed(t)[1]]]
 
     @cached_property
     def jumps(self) -> Jumps:
@@ -157,7 +157,8 @@ class RigidMotion:
         slope = (r[-1] - r[i]) / (self.path.x[-2] - self.path.x[i])
         return float((self.path.x[-2] - r[-1] / slope) * self.disk.time_unit)
 
-    def _tau(self, t):
+    def _placed(self, t):
+        """The times t (k,) [s] in units of time, and the pieces (k,) in which they lie."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
         if t.ndim > 1:
             raise ValueError(f"t must be a time or a row of times [s], not an array of shape {t.shape}")
@@ -165,10 +166,7 @@ class RigidMotion:
         if tau.size and not (tau.min() >= 0 and tau.max() <= end * (1 + 1e-14)):
             raise ValueError(f"t must lie within the motion, 0 to {end * self.disk.time_unit:.9g} s")
         piece = np.searchsorted(self.t[:-1], t, side="right") - 1
-        return np.clip(tau, self.path.x[piece], end)  # the quotient may round to before the piece in which t begins
-
-    def _piece(self, tau):
-        return np.clip(np.searchsorted(self.path.x, tau, side="right") - 1, 0, len(self.regime_of_piece) - 1)
+        return np.clip(tau, self.path.x[piece], self.path.x[piece + 1]), piece  # the quotient may round to beside it
 
     @property
     def _unit_of_energy(self) -> float:
