@@ -70,7 +70,7 @@ class Painter:
 
 def _started():
     code = f"import sys; sys.path[:] = {sys.path!r}; from sonify.report.painter import serve; serve()"
-    return Popen([sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, start_new_session=True)
+    return Popen([sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, process_group=0)
 
 
 @lru_cache(1)
