@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
+from functools import lru_cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -34,6 +34,8 @@ from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import sound_of
 from sonify.sound.wav import write_sound
 
+MOST_KEPT = 2
+"""So many disks are remembered with their modes, which may take a hundred megabytes."""
 RECORDS = ("run.json", "report.html")
 """What speaks of the other files; that of an earlier run goes before the first of them is replaced."""
 
@@ -137,6 +139,19 @@ def run(
     scene, stages = solvable(scene, accuracy), stages or Stages()
     with claimed(out or Path("outputs") / scene.name) as folder:
         pictures = Pictures()
-        result = solve(scene, stages=stages, eigenmodes=partial(painter().call, eigenmodes), begin=pictures.begin)
+        result = solve(scene, stages=stages, eigenmodes=_known_modes, begin=pictures.begin)
         stages.answer(result)
         return write(result, folder, stages, pictures)
+
+
+def _known_modes(scene, below):
+    """`eigenmodes`; but for a disk on its contact, they are the same whatever friction, release and air are."""
+    if scene.support.kind == "contact":
+        return painter().call(eigenmodes, scene, below=below)
+    return _modes(scene.disk, scene.material, scene.support, scene.numerics, below)
+
+
+@lru_cache(MOST_KEPT)
+def _modes(disk, material, support, numerics, below):
+    sections = SimpleNamespace(disk=disk, material=material, support=support, numerics=numerics)
+    return painter().call(eigenmodes, sections, below=below)
