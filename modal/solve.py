@@ -85,7 +85,7 @@ def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | Non
     if count > MOST:
         raise UnsolvableError(
             f"disk, material: so soft or so large a disk has some {count:.0f} modes or more below {sought:g} Hz; "
-            f"no more than {MOST} can be sought"
+            f"no more than {MOST} can be sought: take a stiffer or smaller disk, or lower audio.sample_rate"
         )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
     plate = free_plate(scene)

@@ -14,7 +14,7 @@ from dynamics.film.acting import MATTERS
 from dynamics.film.law import Film, compressibility, falls_faster, film_in, film_under
 from dynamics.rates import precession_rate
 from dynamics.time_left import steady_power
-from sonify.claims.motion import Finding
+from sonify.claims.motion import Finding, finding
 from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, band_levels
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
@@ -72,7 +72,13 @@ def air_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
     return {"ended_by": max(parts, key=lambda name: parts[name])} | squeezed
 
 
-def air_negligible(motion: Motion, film: Film) -> Finding:
+@finding(
+    "The film of air under the disk may be neglected",
+    "part of the motion that is over when the film takes 1 % of the power",
+    "Reynolds' equation on the film; Moffatt (2000)",
+    at_least=1.0,
+)
+def air_negligible(motion: Motion, film: Film) -> tuple[float, float]:
     """The share of the motion that is over when the film first takes 1 % of the power, or would."""
     film_power = np.sum(film_powers(motion, film), axis=0)
     work = motion.state[:, 10] + (0.0 if film_in(getattr(motion, "loads", None)) else _integral(film_power, motion))
@@ -81,15 +87,7 @@ def air_negligible(motion: Motion, film: Film) -> Finding:
         np.diff(np.interp(windows, motion.t, work)), 1e-300
     )
     late = np.flatnonzero(share >= MATTERS)
-    return Finding(
-        key="air_negligible",
-        claim="The film of air under the disk may be neglected",
-        value=float(middle[late[0]] / motion.t[-1]) if len(late) else 1.0,
-        unit="part of the motion that is over when the film takes 1 % of the power",
-        at_least=1.0,
-        margin=float(middle[1] / motion.t[-1]),
-        source="Reynolds' equation on the film; Moffatt (2000)",
-    )
+    return float(middle[late[0]] / motion.t[-1]) if len(late) else 1.0, float(middle[1] / motion.t[-1])
 
 
 @lru_cache(maxsize=1)
@@ -159,17 +157,16 @@ def carried_by_air(motion: Motion, film: Film) -> Finding:
     )
 
 
-def heard_through_film(sound: Sound) -> Finding:
+@finding(
+    "The motion of the rigid disk is audible through the open film",
+    "dB above the threshold of hearing",
+    "ISO 226; the air at the rim gives back what the face takes",
+    at_least=0.0,
+)
+def heard_through_film(sound: Sound) -> float:
     """By how much heave and tilt of the rigid disk rise above the threshold of hearing, in the loudest third octave."""
     seen = [band_levels(spectrogram(sound.track(name), WINDOW)) for name in ("heave", "tilt")]
-    return Finding(
-        key="heard_through_film",
-        claim="The motion of the rigid disk is audible through the open film",
-        value=float(max((levels - THRESHOLD_DB[:, None]).max() for levels in seen)),
-        unit="dB above the threshold of hearing",
-        at_least=0.0,
-        source="ISO 226; the air at the rim gives back what the face takes",
-    )
+    return float(max((levels - THRESHOLD_DB[:, None]).max() for levels in seen))
 
 
 def friction_exponent(scene: Scene) -> Finding:

@@ -51,7 +51,14 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     return [waves_break_contact(scene, motion)] if scene.imperfection else []
 
 
-def waves_break_contact(scene: Scene, motion: Motion) -> Finding:
+@finding(
+    "The waves of the table break the contact where they outweigh the inclination",
+    "inclination at the first loss of contact over (n^2 - 1) amplitude/radius",
+    "section 8: the vibrations will result in a loss of contact; here the waves are those of the table",
+    at_least=0.7,
+    at_most=1.8,
+)
+def waves_break_contact(scene: Scene, motion: Motion) -> float:
     """The inclination at which contact is first lost over (n^2 - 1) delta/R; 0 if it never is.
 
     There a plane rim can no longer stand in a trough: along it a wave h bends up by h + h'' = (n^2 - 1) delta, and the
@@ -59,15 +66,7 @@ def waves_break_contact(scene: Scene, motion: Motion) -> Finding:
     """
     lost, waves = motion.contact_losses, scene.imperfection
     scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius if waves else np.inf
-    return Finding(
-        key="waves_break_contact",
-        claim="The waves of the table break the contact where they outweigh the inclination",
-        value=float(motion.at([lost[0].t])[0, 1]) / scale if lost else 0.0,
-        unit="inclination at the first loss of contact over (n^2 - 1) amplitude/radius",
-        at_least=0.7,
-        at_most=1.8,
-        source="section 8: the vibrations will result in a loss of contact; here the waves are those of the table",
-    )
+    return float(motion.at([lost[0].t])[0, 1]) / scale if lost else 0.0
 
 
 def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:
@@ -80,37 +79,39 @@ def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]
     return found
 
 
-def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Finding:
+@finding(
+    "The table, and not the disk, is what is heard",
+    "dB(A), table over disk in a second, median over the motion",
+    "section 1: vibrations of disk and surface",
+    at_least=0.0,
+)
+def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> tuple[float, float]:
     """The level of the table over that of everything else in a second, median over the motion [dB(A)]."""
     levels = stem_levels(sound, sound.source_end - motion.t[-1], sound.source_end)
     table = levels.pop("table")
-    return Finding(
-        key="table_is_louder",
-        claim="The table, and not the disk, is what is heard",
-        value=float(np.median(level_db(table) - level_db(sum(levels.values())))),
-        unit="dB(A), table over disk in a second, median over the motion",
-        at_least=0.0,
-        margin=20 * np.log10(1 + error),
-        source="section 1: vibrations of disk and surface",
-    )
+    return float(np.median(level_db(table) - level_db(sum(levels.values())))), 20 * np.log10(1 + error)
 
 
-def table_tone_rises(sound: Sound) -> Finding:
+@finding(
+    "The tone of the table rises",
+    "times over the ridge that is heard in its stem alone; 1 if none stands out",
+    "section 8: the frequencies rise; a point of the table hears n times the precession",
+    at_least=2.0,
+)
+def table_tone_rises(sound: Sound) -> tuple[float, float]:
     """The frequency of the rising tone in the sound of the table alone, at its end over that at its beginning."""
     tone = rising_tone(sound.track("table").read().astype(float), sound.sample_rate)
     factor = tone.factor if tone else 1.0
-    return Finding(
-        key="table_tone_rises",
-        claim="The tone of the table rises",
-        value=factor,
-        unit="times over the ridge that is heard in its stem alone; 1 if none stands out",
-        at_least=2.0,
-        margin=2 * factor * np.log(factor) * tone.exponent_error / tone.exponent if tone else 0.0,
-        source="section 8: the frequencies rise; a point of the table hears n times the precession",
-    )
+    return factor, 2 * factor * np.log(factor) * tone.exponent_error / tone.exponent if tone else 0.0
 
 
-def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Finding:
+@finding(
+    "The rising tone of the last second is the table's",
+    "dB, table over disk in the third octave of the tone",
+    "abstract: the vibrations of disk and surface are the sound",
+    at_least=0.0,
+)
+def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> tuple[float, float]:
     """The level of the table over that of everything else in the third octave of the tone, in the last second [dB]."""
     table = rest = 0.0
     for name, stem in sound.stems.items():
@@ -119,15 +120,7 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Finding:
         near = np.abs(np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)) < np.log(THIRD)
         power = float((seen.power * near).sum())
         table, rest = (table + power, rest) if name == "table" else (table, rest + power)
-    return Finding(
-        key="table_carries_the_tone",
-        claim="The rising tone of the last second is the table's",
-        value=float(level_db(table) - level_db(rest)),
-        unit="dB, table over disk in the third octave of the tone",
-        at_least=0.0,
-        margin=20 * np.log10(1 + error),
-        source="abstract: the vibrations of disk and surface are the sound",
-    )
+    return float(level_db(table) - level_db(rest)), 20 * np.log10(1 + error)
 
 
 @finding(
@@ -164,7 +157,13 @@ def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.nda
     return (first + np.arange(len(power))) / rate - listener.delay, power
 
 
-def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Finding:
+@finding(
+    "What the waves of the table take becomes heat in it, and little of it sound",
+    "of what the modes of the table lose until the end is radiated",
+    "balance of energy of a table that acts back",
+    at_most=0.5,
+)
+def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> tuple[float, float]:
     """The energy that a table which acts back radiates, over what its modes lose, until the disk lies flat.
 
     The sound is as loud all round as at the listener, which is right to a factor of two.
@@ -174,28 +173,17 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Findi
     budget = two_ways.energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
     lost = budget.lost["table"][-1]
     share = float(budget.sound[-1] / lost) if lost > 0 else 0.0
-    return Finding(
-        key="waves_become_heat",
-        claim="What the waves of the table take becomes heat in it, and little of it sound",
-        value=share,
-        unit="of what the modes of the table lose until the end is radiated",
-        at_most=0.5,
-        margin=share,
-        source="balance of energy of a table that acts back",
-    )
+    return share, share
 
 
-def radiation_takes_little(motion: Motion, sound: Sound, listener: Listener, error: float = 0.0) -> Finding:
+@finding(
+    "The energy of the disk is enough for the sound of the table",
+    "s before the end from when on the table would radiate more than the disk has",
+    "balance of energy: a table that sounds so must act back",
+    at_most=0.0,
+)
+def radiation_takes_little(motion: Motion, sound: Sound, listener: Listener, error: float = 0.0) -> tuple[float, float]:
     """When what the table goes on to radiate is first more than the energy of the disk."""
     t, power = radiated_power(sound, listener)
     still = np.cumsum(power[::-1])[::-1] / sound.sample_rate
-    value, margin = since_as_much(motion, t, still, error)
-    return Finding(
-        key="radiation_takes_little",
-        claim="The energy of the disk is enough for the sound of the table",
-        value=value,
-        unit="s before the end from when on the table would radiate more than the disk has",
-        at_most=0.0,
-        margin=margin,
-        source="balance of energy: a table that sounds so must act back",
-    )
+    return since_as_much(motion, t, still, error)
