@@ -68,7 +68,7 @@ def solve(
         plan, modes, table = elastic.result()
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion))
     with stages.stage("sound") as watch:
-        sound = sound_of(scene, motion, modes, plan.voices, plan.calm, table, watch)
+        sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion, sound=sound))
     with stages.stage("findings"):
         hearing = beside(hear, sound)

@@ -111,7 +111,7 @@ def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_tab
         scene = load_scene("granite").replace(f"roughness.seed={seed}", "numerics.accuracy=draft")
         plan, modes = planned(scene)
         motion = simulate(scene)
-        sound = Renderer(scene, motion, modes, plan.voices, plan.calm).sound()
+        sound = Renderer(scene, motion, modes, plan.sounding, plan.calm).sound()
         found = {finding.key: finding for finding in contact_findings(scene, motion, sound)[0]}
         assert found["carrier_is_contact"].value == pytest.approx(1.0, abs=0.02)
         assert found["carrier_rises"].holds

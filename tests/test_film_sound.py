@@ -210,7 +210,7 @@ def test_heave_and_tilt_of_the_published_motion(scene):
     precession, without its second harmonic. Between, and from 4 s before the end on, elements tell it."""
     vacuum = scene.replace("air.film=none")
     motion, (plan, modes) = solve_motion(vacuum), planned(vacuum)
-    closed, heard = (Renderer(s, motion, modes, plan.voices, plan.calm).sound() for s in (vacuum, scene))
+    closed, heard = (Renderer(s, motion, modes, plan.sounding, plan.calm).sound() for s in (vacuum, scene))
 
     def around(left):
         return min(0.125, 0.2 * left)

@@ -334,7 +334,7 @@ def test_modes_out_of_tune_that_turn_an_answer_leave_it_near_its_bar():
     scene = load_scene("coin").replace(*body, *arms, *others)
     motion, (plan, modes) = simulate(scene), planned(scene)
     sharp = replace(modes, frequency=1.003 * modes.frequency)
-    sounds = [Renderer(scene, motion, some, plan.voices, plan.calm).sound() for some in (modes, sharp)]
+    sounds = [Renderer(scene, motion, some, plan.sounding, plan.calm).sound() for some in (modes, sharp)]
     error = audible_error(*(sound.pressure for sound in reversed(sounds)))
     answers = [modes_take_little(motion, sound, error).answer for sound in sounds]
     assert answers == ["no, near its bar", "yes, near its bar"]

@@ -39,7 +39,7 @@ def rendered(scene, accuracy):
     plan, modes = planned(scene)
     plan, table = with_table(plan, scene)
     motion = simulate(scene, surface_modes=table)
-    renderer = Renderer(scene, motion, modes, plan.voices, plan.calm, table)
+    renderer = Renderer(scene, motion, modes, plan.sounding, plan.calm, table)
     return SimpleNamespace(plan=plan, modes=modes, motion=motion, sound=renderer.sound(), renderer=renderer)
 
 
@@ -94,7 +94,7 @@ def counted():
 
 
 def test_only_the_modes_of_the_plan_are_stepped_and_only_while_there_is_sound(counted):
-    voices = len(counted.plan.voices)
+    voices = len(counted.plan.sounding)
     assert 0 < voices < len(counted.modes)
     assert {m for _, m in counted.stepped} == {voices}
     assert sum(n for n, _ in counted.stepped) == 2 * counted.sound.samples
@@ -150,14 +150,14 @@ def test_the_time_that_is_left_is_that_of_the_solved_motion(name):
 def test_a_mode_that_radiates_nothing_is_silent_in_the_plan(scene):
     """The first mode of the held disk moves along its rim; seen from anywhere the two halves of the face cancel."""
     plan, modes = planned(scene)
-    quiet = set(range(len(modes))) - set(plan.voices)
+    quiet = set(range(len(modes))) - set(plan.sounding)
     assert quiet
     assert all(modes.parity[i] == "odd" for i in quiet)
 
 
 def test_the_reference_leaves_no_mode_out(scene):
     plan, modes = planned(scene.replace("numerics.accuracy=reference"))
-    assert plan.voices == tuple(range(len(modes)))
+    assert plan.sounding == tuple(range(len(modes)))
     assert plan.predictions == ()
 
 

@@ -54,7 +54,7 @@ def motion(scene):
 @pytest.fixture(scope="module")
 def sound(scene, motion, table):
     plan, modes = planned(scene)
-    return Renderer(scene, motion, modes, plan.voices, plan.calm, table.select(heard(table, scene))).sound()
+    return Renderer(scene, motion, modes, plan.sounding, plan.calm, table.select(heard(table, scene))).sound()
 
 
 def weighted_levels(track, spans):

@@ -50,9 +50,9 @@ DRAFT_MODES, SPREAD = "modes as in the draft", "jumps spread over a sample"
 CHOICES = {
     "tolerance of the motion 1e-9": lambda draft, _: {"tolerance": 1e-9},
     "motion stops at the highest audible rate": lambda draft, _: {"final_inclination": draft.final_inclination},
-    DRAFT_MODES: lambda draft, modes: {"voices": tuple(range(len(modes)))},
+    DRAFT_MODES: lambda draft, modes: {"sounding": tuple(range(len(modes)))},
     f"force read every {LEVELS['draft'].calm:g} rad": lambda draft, _: {"calm": draft.calm},
-    f"modes within {LEVELS['draft'].range_db:g} dB(A) of the loudest": lambda draft, _: {"voices": draft.voices},
+    f"modes within {LEVELS['draft'].range_db:g} dB(A) of the loudest": lambda draft, _: {"sounding": draft.sounding},
     SPREAD: lambda draft, _: {},
 }
 """What is coarse, by name: from plan and modes of the draft, what differs in the plan of the reference."""
@@ -79,7 +79,7 @@ def render(scene, choice) -> Answer:
         plan, modes = replace(plan, **CHOICES[choice](draft, fewer)), fewer if choice == DRAFT_MODES else modes
     numerics = replace(scene.numerics, tolerance=plan.tolerance, final_inclination=plan.final_inclination)
     motion = simulate(replace(scene, numerics=numerics))
-    renderer = Renderer(scene, motion, modes, plan.voices, plan.calm)
+    renderer = Renderer(scene, motion, modes, plan.sounding, plan.calm)
     if choice == SPREAD:
         renderer.sampler = JumpsOnGrid(renderer.sampler)
     return Answer(renderer.sound().pressure, renderer.samples)

@@ -29,8 +29,8 @@ class Decision:
 @dataclass(frozen=True, kw_only=True)
 class Plan:
     """Decisions in words, and as numbers: `tolerance` and `final_inclination` [rad] of the motion; `highest_mode` [Hz]
-    that is sought; `calm` [rad] of the force; `voices`, the indices of the modes that sound, None before they are
-    known.
+    that is sought; `calm` [rad] of the force; `sounding`, the indices of the modes that sound, None before
+    they are known.
 
     `modelled` and `left_out` are sentences on the model; `predictions` are empty for the reference.
     """
@@ -40,7 +40,7 @@ class Plan:
     final_inclination: float
     highest_mode: float
     calm: float
-    voices: tuple[int, ...] | None = None
+    sounding: tuple[int, ...] | None = None
     decisions: tuple[Decision, ...]
     predictions: tuple[Prediction, ...] = ()
     modelled: tuple[str, ...]
@@ -48,9 +48,9 @@ class Plan:
 
     def __repr__(self):
         """In one line; the sentences are in the fields."""
-        voices = "" if self.voices is None else f", {len(self.voices)} modes sound"
+        count = "" if self.sounding is None else f", {len(self.sounding)} modes sound"
         motion = f"motion to {self.final_inclination:.2g} rad at tolerance {self.tolerance:g}"
-        return f"Plan({self.accuracy}: {motion}, modes below {self.highest_mode:g} Hz{voices})"
+        return f"Plan({self.accuracy}: {motion}, modes below {self.highest_mode:g} Hz{count})"
 
     def error(self, name: str) -> float:
         """Return the predicted error of that name; of the reference 0, since what it lacks is not known from within."""
@@ -104,30 +104,30 @@ def plan_of(scene: Scene) -> Plan:
     )
 
 
-def with_voices(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Plan:
+def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Plan:
     """Return the plan completed by the modes that sound, of those found.
 
     `loudness` (m,) is what each radiates after a unit jump of the force, A-weighted [Pa^2 s]; `energy` (m,) what the
-    jump leaves in it [J]: see `voices.after_a_jump`. A mode sounds if it is within the range of the level of the
+    jump leaves in it [J]: see `audible_modes.after_a_jump`. A mode sounds if it is within the range of the level of the
     loudest, or holds ENERGY_SHARE of the energy.
     """
     level = LEVELS[plan.accuracy]
     loud = loudness >= 10 ** (-level.range_db / 10) * loudness.max(initial=0.0)
-    voices = np.flatnonzero((loud | (energy >= ENERGY_SHARE * energy.sum())) & (energy > 0))
+    heard = np.flatnonzero((loud | (energy >= ENERGY_SHARE * energy.sum())) & (energy > 0))
     solver = Decision(
         subject="solver of the modes",
         choice=f"{modes.method}, {modes.unknowns} unknowns for accuracy '{plan.accuracy}'",
         reason=SOLVER[scene.support.kind],
     )
-    sounding = Decision(
+    which = Decision(
         subject="modes that sound",
-        choice=f"{len(voices)} of {len(modes.frequency)} below {plan.highest_mode:g} Hz",
+        choice=f"{len(heard)} of {len(modes.frequency)} below {plan.highest_mode:g} Hz",
         reason=f"the others are predicted more than {level.range_db:g} dB(A) below the loudest, in either stem of "
         f"ringing, and hold less than {ENERGY_SHARE:.0%} of the energy"
-        if len(voices) < len(modes.frequency)
+        if len(heard) < len(modes.frequency)
         else "none is left out",
     )
-    plan = replace(plan, voices=tuple(voices.tolist()), decisions=(*plan.decisions, solver, sounding))
+    plan = replace(plan, sounding=tuple(heard.tolist()), decisions=(*plan.decisions, solver, which))
     if plan.accuracy == "reference":
         return plan
     further = predicted_frequencies(scene, modes), predicted_sound(scene, modes, loudness)

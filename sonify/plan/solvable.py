@@ -12,7 +12,7 @@ from modal import Modes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP
 from modal.solve import check
 from sonify.plan.contact import with_contact
-from sonify.plan.plan import Plan, plan_of, with_voices
+from sonify.plan.plan import Plan, plan_of, with_sounding
 from sonify.plan.supports import compared
 from sonify.plan.table import check_table, off_since
 from sonify.scene import Scene, SceneError, scene_of
@@ -45,7 +45,7 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
     modes = damped(with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates)
     if scene.support.kind == "contact":
         plan = replace(plan, decisions=(*plan.decisions, compared(scene, modes, plan.highest_mode)))
-    return with_contact(with_voices(plan, scene, modes, *after_a_jump(modes, scene)), scene), modes
+    return with_contact(with_sounding(plan, scene, modes, *after_a_jump(modes, scene)), scene), modes
 
 
 def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
