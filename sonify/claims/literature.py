@@ -70,8 +70,9 @@ def force_peaks_sound(motion: Motion, sound: Sound):
     """The correlation of the level of the sound with the normal force, both without their slow course."""
     delay = sound.source_end - motion.t[-1]
     seen = spectrogram(sound.pressure, ENVELOPE, columns=1 << 20, span=(delay, sound.source_end))
-    level = np.log(seen.power[seen.frequency > FROM].sum(axis=0))
-    t = np.clip(seen.time - delay, 0.0, motion.t[-1])
+    power = seen.power[seen.frequency > FROM].sum(axis=0)
+    sounds = power > 0
+    level, t = np.log(power[sounds]), np.clip(seen.time[sounds] - delay, 0.0, motion.t[-1])
     load = motion.steady_load(t) if hasattr(motion, "steady_load") else motion.force(t)[:, 2]
     swings = [row - median_filter(row, SLOW) for row in (level, load)]
     return np.corrcoef(swings)[0, 1], 2 / np.sqrt(len(t) / SLOW)

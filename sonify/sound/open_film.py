@@ -21,10 +21,10 @@ NUMBERS = np.concatenate(
 """Numbers k R at which it is solved: near the resonances closely. Below and above, what is heard stays."""
 SMOOTH = np.linspace(NUMBERS[0], NUMBERS[-1], 16)
 """Numbers k R at which the air outside is solved, which has no resonance."""
-GAPS = np.geomspace(1e-4, 0.3, 10)
-"""Mean gaps over the radius; a wider one acts as the last, a closer one as the first."""
+GAPS = np.append(np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6])
+"""Mean gaps over the radius; a wider one acts as the last, a closer one as the first. From 0.1 on resonances move."""
 STANDS = 0.02, 0.2
-"""Mean gaps on which the disk stands outside; between and beyond them the air there changes in proportion."""
+"""Mean gaps on which the disk stands outside; below and between them the air there changes in proportion."""
 CELLS, NEAREST = 8, 5.0
 """Of the film's mesh."""
 NEAR = 1.5
@@ -57,11 +57,11 @@ def radiated(disk, air) -> Radiated:
     from dynamics.film.reynolds import FilmMesh
 
     thickness, mesh = disk.thickness / disk.radius, FilmMesh(CELLS, nearest=NEAREST)
-    far = NEAR * np.hypot(1.0, thickness + GAPS[-1])
+    far = NEAR * np.hypot(1.0, thickness + STANDS[-1])
     low, high = (_outside(thickness, gap, far) for gap in STANDS)
     multipoles = []
     for gap in GAPS:
-        part = (gap - STANDS[0]) / (STANDS[1] - STANDS[0])
+        part = (min(gap, STANDS[1]) - STANDS[0]) / (STANDS[1] - STANDS[0])
         rim, beyond = (a + part * (b - a) for a, b in zip(low, high, strict=True))
         films = [film_at(mesh, gap, k, disk.radius, air) for k in NUMBERS]
         multipoles.append([coupled(gap, *one) for one in zip(films, rim, beyond, strict=True)])

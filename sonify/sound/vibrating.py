@@ -45,16 +45,16 @@ class VibratingDisk:
         self._by_gap, self._filters = CubicSpline(np.log(GAPS), heard * np.exp(-1j * turn * self._ahead)[:, None]), {}
 
     def channels(self, force, state):
-        """Return the acceleration of the centre, and of the rim by tilting about either axis [m/s^2]; cosine and sine
-        of the listener's azimuth, from where the gap is widest; the logarithm of the mean gap over the radius: (k, 6),
-        the first three linear in the force."""
+        """Return the acceleration of the centre along the axis of the disk, and of the rim by tilting about either
+        diameter [m/s^2]; cosine and sine of the listener's azimuth, from where the gap is widest; the logarithm of the
+        mean gap over the radius: (k, 6), the first three linear in the force."""
         azimuth = self._azimuth + listener_azimuth(state, turning_with_body=False)
         gap = log_gap(state, self._disk) - np.log(self._disk.radius)
         return np.column_stack([self._moved(force, state[:, 1]), np.cos(azimuth), np.sin(azimuth), gap])
 
     def _moved(self, force, inclination):
-        turn = in_patch_frame(force, inclination) @ rigid_acceleration(np.eye(3), self._disk)[:, 3:]
-        return np.column_stack([force[:, 2] / self._disk.mass, self._disk.radius * turn[:, 1::-1] * [1, -1]])
+        moved = in_patch_frame(force, inclination) @ rigid_acceleration(np.eye(3), self._disk)
+        return np.column_stack([moved[:, 2], self._disk.radius * moved[:, 4:2:-1] * [1, -1]])
 
     def loudness(self, inclination: float, frequency) -> np.ndarray:
         """Return the mean square (k,) [Pa^2/N^2] round the disk of what a vibration of the normal force radiates at
