@@ -1,10 +1,13 @@
 """Claim: a disk that vibrates as a whole over an open film is heard as its face and the air out of its rim radiate.
 
 Source: the air of narrow gaps (Tijdeman 1975) that meets the air outside. Oracle: elements on one domain of air, film
-and outside together; Rayleigh's integral over a thin disk; numbers found by other programs; a steady tone.
+and outside together, of a flat disk and of one that leans; Rayleigh's integral over a thin disk; numbers found by other
+programs; a steady tone.
 """
 
+import json
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,6 +18,7 @@ from dynamics.air import Air
 from dynamics.film.reynolds import FilmMesh
 from modal import eigenmodes
 from sonify import load_scene
+from sonify.plan.contact import LEANING, STEEP
 from sonify.sound import outside
 from sonify.sound.force import ContactForce
 from sonify.sound.open_film import CELLS, GAPS, NEAREST, NUMBERS, ORDERS, coupled, film_at, radiated
@@ -181,6 +185,25 @@ def _part(force, a, b):
     return ContactForce(
         t=force.t[some], smooth=force.smooth[some], steps=force.steps[some], jump_time=np.zeros(0), jump=none, bend=none
     )
+
+
+@pytest.mark.slow
+def test_a_disk_that_leans_is_heard_as_elements_in_space_found():
+    """Without losses, from 0.1 to 0.6 rad and from k R = 0.3 to 5: as far off as the plan says. To that comes what the
+    elements miss: 0.4 dB at 0.1 rad, where their contact is not quite closed, and 0.2 dB."""
+    found = json.loads((Path(__file__).parent / "references" / "steep_air.json").read_text("utf-8"))
+    scene = load_scene("granite")
+    scene = scene.replace(f"air.viscosity={1e-4 * scene.air.viscosity}")
+    disk, k = scene.disk, np.array(found["number"])
+    source, hertz = VibratingDisk(scene, listener_of(scene)), k * scene.air.sound_speed / (2 * np.pi * disk.radius)
+    for beta, level in zip(found["inclination"], found["level_db"], strict=True):
+        loudness = source.loudness(beta, hertz) * (disk.mass / (scene.air.density * disk.radius)) ** 2
+        off = 10 * np.log10(loudness) - level
+        misses = 0.6 if beta == 0.1 else 0.2
+        low, high = STEEP if beta > 0.35 else (-LEANING, LEANING)
+        assert off[k <= 2].max() <= LEANING + misses
+        assert off.min() >= low - misses
+        assert off.max() <= high + misses
 
 
 @pytest.mark.slow
