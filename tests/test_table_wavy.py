@@ -70,7 +70,6 @@ def test_what_is_not_solved_with_waves_is_refused_in_one_line(wavy):
     plate = "surface={kind='plate', radius=0.1, thickness=0.01, young=7e10, poisson=0.22, density=2500.0}"
     for change, said in (
         (("contact.law=rigid",), "contact.law"),
-        (("roughness.rms=1e-8",), "roughness"),
         (("numerics.contact=filter",), "numerics.contact"),
         ((plate, "surface.action=motion"), "is wavy or acts back"),
         (("imperfection.order=1",), "imperfection.order"),

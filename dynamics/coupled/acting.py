@@ -31,7 +31,7 @@ def acting(scene, modes) -> Acting:
     """Return the `Acting` of a scene on a table of these modes (`modal.SurfaceModes`), where surface.action = 'auto'.
 
     Asked of the steady motion, its centre where the disk is at the release, its force the weight. Two ways are
-    solved with a smooth contact, elastic from there on.
+    solved with an elastic contact from there on.
     """
     beta, energy, power = shares(scene, modes)
     more = np.flatnonzero((energy > ACTS) | (power > ACTS))
@@ -49,13 +49,13 @@ def unsolved(scene) -> str:
     """Return why the table of a scene cannot act back, whatever its modes; nothing if it can."""
     if scene.surface.kind in ("rigid", "infinite"):
         return f"surface.kind = '{scene.surface.kind}': a table that acts back must have modes"
+    if scene.roughness and scene.surface.action == "auto":
+        return "roughness: a rough contact is not handed over, surface.action = 'motion' solves it from the release on"
     return "imperfection: a table is wavy or acts back" if scene.imperfection else no_one_contact(scene)
 
 
 def no_one_contact(scene) -> str:
     """Return why the disk of a scene has no elastic contact at the least gap of a table; nothing if it has one."""
-    if scene.roughness:
-        return "roughness: the rim may stand on several waves, and heights are read along one path"
     try:
         contact_law(scene)
     except ValueError as error:

@@ -51,7 +51,7 @@ def _march(y, count, law, powers, start, per_unit, spline, table, rim, waves, h,
                 break
             before, sine = y[GAP], y[SINE]
             if waving:
-                solved = step_waving(y, law, start, per_unit, spline, waves, scratch, h)
+                solved = step_waving(y, law, start, per_unit, spline, table, rim, waves, scratch, h)
                 waves.contact[FLAT_FOR] = waves.contact[FLAT_FOR] + 1 if y[SINE] < LIES else 0
                 flat = waves.contact[FLAT_FOR] * h > RESTS or y[OWED] > 0
             else:

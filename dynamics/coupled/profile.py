@@ -28,6 +28,8 @@ class Profile(NamedTuple):
 
 
 SMOOTH = Profile(np.zeros(6), 1.0)
+FINE = 1 / 32
+"""Slopes are differences of heights that are so much of the half-length of the ellipse apart: right to 1 %."""
 
 
 def spline_profile(waves, period, n=None):
@@ -78,6 +80,24 @@ def height(coefficients, cells_per_metre, s, a):
     third1, second1 = integrals(coefficients, cells_per_metre, s + a)
     third0, second0 = integrals(coefficients, cells_per_metre, s - a)
     return 1.5 * (second1 + second0 - (third1 - third0) / a) / (a * a)
+
+
+@kernel
+def rim_heights(table, rim, path, edge, half, reach, radius, turn, out):
+    """Add to out (3,) how high table and edge are where the contact has turned by `turn` [rad] from the places `path`,
+    `edge` [m] on them, and slope and bend of that by the angle."""
+    if table.coefficients.size == 6 and rim.coefficients.size == 6:
+        return
+    fine = FINE * half / radius
+    low, here, high = 0.0, 0.0, 0.0
+    for profile, place, arm in ((table, path, reach), (rim, edge, radius)):
+        cells, start = profile.cells_per_metre, place + arm * turn
+        low += height(profile.coefficients, cells, start - arm * fine, half)
+        here += height(profile.coefficients, cells, start, half)
+        high += height(profile.coefficients, cells, start + arm * fine, half)
+    out[0] += here
+    out[1] += (high - low) / (2 * fine)
+    out[2] += (high - 2 * here + low) / fine**2
 
 
 @outermost

@@ -13,10 +13,13 @@ from scipy.interpolate import make_interp_spline
 
 from .bending import RIGID, Bending, read_rim, rim_shapes, ripple
 from .compiled import kernel
+from .profile import rim_heights
 from .state import AXIS, BODY, FORCE, FREE, HALF, J1, MOMENTUM, NEXT, NOW, RADIUS, SPRING, SURFACE, Q, V
 
 SCANNED, OFTEN, SELDOM = 48, 16, 256
 """Places at which the whole rim is looked at, and after so many steps, where the table is bent or hardly is."""
+BESIDE = 3 * np.pi / SCANNED
+"""What is as near to the contact [rad] is no other one."""
 BENT = 1e-3
 """A table hardly is bent whose heights along the rim differ by less than this part of R sin(beta)."""
 STIFFNESS, DAMPING, EASE = range(3)
@@ -171,22 +174,30 @@ def deflection(waves, x, y, bx, by, out):
 
 
 @kernel
+def turned_by(before, after):
+    """Return the turn from one direction to another, the shorter way round."""
+    return after - before - 2 * np.pi * np.rint((after - before) / (2 * np.pi))
+
+
+@kernel
 def look_round(waves, law, x, y, n0, n1, n2, scratch):
-    """Note the directions, at most MOST, in which the rim has a minimum of its gap, of SCANNED."""
+    """Note the directions, at most MOST, in which the rim has a minimum of its gap, of SCANNED; beside the contact it
+    is the contact, which is followed on."""
     bx, by, field, R = scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6], law[RADIUS]
     bent = scratch[7]
     most, least, count = -np.inf, np.inf, 0
     before = now = 0.0
     for n in range(SCANNED + 2):
         c, s = np.cos(2 * np.pi * n / SCANNED), np.sin(2 * np.pi * n / SCANNED)
-        reach = R - (n0 * c + n1 * s) * law[HALF]
+        reach = R * n2 - (n0 * c + n1 * s) * law[HALF]
         deflection(waves, x + reach * c, y + reach * s, bx, by, field)
         angle, down = 2 * np.pi * n / SCANNED, n0 * c + n1 * s
         ripple(waves.rim, waves.state, angle - waves.contact[TWIST], down, n2, bent)
         most, least = max(most, field[0] + bent[0]), min(least, field[0] + bent[0])
         value = field[0] + bent[0] + R * down
         if n > 1 and now >= before and now > value and count < MOST:
-            waves.contact[PLACES + count] = 2 * np.pi * (n - 1) / SCANNED
+            turn = turned_by(waves.contact[ANGLE], 2 * np.pi * (n - 1) / SCANNED)
+            waves.contact[PLACES + count] = waves.contact[ANGLE] + (turn if abs(turn) > BESIDE else 0.0)
             count += 1
         before, now = now, value
     waves.contact[COUNT] = count
@@ -195,25 +206,28 @@ def look_round(waves, law, x, y, n0, n1, n2, scratch):
 
 
 @kernel
-def follow(waves, law, x, y, n0, n1, n2, scratch):
-    """Find in which direction a disk with the axis (n0, n1, n2) at (x, y) touches, write the shapes there as NEXT.
+def follow(waves, law, x, y, n0, n1, n2, rough, scratch):
+    """Find in which direction a disk with the axis (n0, n1, n2) at (x, y) touches, write the shapes there as NEXT;
+    return it, how high table and edge are there, and how far it is along the path.
 
     Each minimum of the gap is followed by a step of Newton's method from where it was; the lowest is the contact.
+    `rough` are the profiles of table and edge, the places [m] on them in the last direction, and the ellipse's half.
     """
     bx, by, field, R = scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6], law[RADIUS]
     x, y = waves.stays * x, waves.stays * y
     waves.contact[LEFT] -= 1
     if waves.contact[LEFT] < 0:
         look_round(waves, law, x, y, n0, n1, n2, scratch)
-    bent, twist = scratch[7], waves.contact[TWIST]
-    best, found = -np.inf, waves.contact[ANGLE]
+    bent, twist, last = scratch[7], waves.contact[TWIST], waves.contact[ANGLE]
+    best, found = -np.inf, last
     for n in range(int(waves.contact[COUNT])):
         angle = waves.contact[PLACES + n]
         c, s = np.cos(angle), np.sin(angle)
-        reach = R - (n0 * c + n1 * s) * law[HALF]
+        reach = R * n2 - (n0 * c + n1 * s) * law[HALF]
         deflection(waves, x + reach * c, y + reach * s, bx, by, field)
         down, side = R * (n0 * c + n1 * s), R * (n1 * c - n0 * s)  # of the rim, and its slope
         ripple(waves.rim, waves.state, angle - twist, down / R, n2, bent)
+        rim_heights(*rough, reach, R, turned_by(last, angle), bent)
         slope = side + reach * (field[2] * c - field[1] * s) + bent[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
         bend += bent[2] - reach * (field[1] * c + field[2] * s)
@@ -224,10 +238,12 @@ def follow(waves, law, x, y, n0, n1, n2, scratch):
         if value > best:
             best, found = value, angle + step
     c, s = np.cos(found), np.sin(found)
-    reach = R - (n0 * c + n1 * s) * law[HALF]
+    reach = R * n2 - (n0 * c + n1 * s) * law[HALF]
     read_shapes(waves, x + reach * c, y + reach * s, bx, by, NEXT)
     read_rim(waves.rim, waves.state, found - twist, n0 * c + n1 * s, n2, NEXT)
-    return found
+    bent[:] = 0.0
+    rim_heights(*rough, reach, R, turned_by(last, found), bent)
+    return found, bent[0], reach * turned_by(last, found)
 
 
 @kernel

@@ -1,9 +1,10 @@
 """The normal part of a step on a table of modes, regular where the disk lies flat. It cannot gain energy (compiled).
 
-The rim touches in the horizontal direction e where its gap G = z - R n.e + H (1 - c) - sum q_m w_m is least, n being
-the axis and c = n_z. With e and the shapes w_m of that place at both ends of a step h, and ~ for the mean of both ends,
+The rim touches in the horizontal direction e where its gap G = z - R n.e + H (1 - c) - sum q_m w_m - r is least, n
+being the axis, c = n_z, and r how high table and edge are along the path of the contact and round the edge. With e and
+the shapes w_m of that place at both ends of a step h, and ~ for the mean of both ends,
 
-    dG = dz - u.dn - sum w~ dq + T,    u = (R e~, H),    T = -R n~.de - sum q~ dw,
+    dG = dz - u.dn - sum w~ dq + T,    u = (R e~, H),    T = -R n~.de - sum q~ dw - dr,
 
 without a remainder; T is of the third order, because G is least. With U = 2/5 K (-G)^2.5 and the quotient N = -dU/dG
 the force N on the centre, the torque N u x n~ and -N w~ on every mode do the work N (dG - T), so that kinetic energy +
@@ -26,6 +27,7 @@ from .state import (
     FORCE,
     GAP,
     HALF,
+    HEIGHTS,
     J1,
     J2,
     LAST,
@@ -33,6 +35,7 @@ from .state import (
     MASS,
     OWED,
     PART,
+    PATH,
     RADIUS,
     SINE,
     SPEED,
@@ -42,9 +45,9 @@ from .state import (
     WEIGHT,
     V,
 )
-from .table import LOSS, K
+from .table import LOSS, A, K
 from .tangential import hold_at
-from .waves import ANGLE, STIFF, TWIST, fall_free, follow, move_modes, sums
+from .waves import ANGLE, STIFF, TWIST, fall_free, follow, move_modes, sums, turned_by
 
 JUMP = 0.3
 """Where the contact turns by more [rad] in a step it is another one: it did not roll there."""
@@ -63,7 +66,7 @@ def soften(y, waves, spline):
 
 
 @kernel
-def step_waving(y, law, start, per_unit, spline, waves, scratch, h):
+def step_waving(y, law, start, per_unit, spline, table, rim, waves, scratch, h):
     """Advance the state y and the modes by the normal part of a step h; return whether the equation was solved."""
     m, J, R, H, weight = law[MASS], law[J1], law[RADIUS], law[HALF], law[WEIGHT]
     twist, i, u = h / (2 * J), int(y[CELL]), y[PART]
@@ -75,7 +78,11 @@ def step_waving(y, law, start, per_unit, spline, waves, scratch, h):
     fall_free(waves, h)
     before, twisted = waves.contact[ANGLE], h * twist_rate(law, n0, n1, n2, L0, L1, L2)
     waves.contact[TWIST] += twisted
-    angle = follow(waves, law, y[0] + h * v0, y[1] + h * v1, a0, a1, a2, scratch)
+    along = y[PATH] + h * (v1 * np.cos(before) - v0 * np.sin(before))
+    edge = y[EDGE] + R * (turned_by(np.arctan2(n1, n0), before) - twisted)
+    rough = table, rim, along, edge, column(spline, i, u, A)
+    angle, high, far = follow(waves, law, y[0] + h * v0, y[1] + h * v1, a0, a1, a2, rough, scratch)
+    rise = high - y[HEIGHTS] - y[HEIGHTS + 1]
     D, E, P, S = sums(waves, h)
     e0, e1 = (np.cos(before) + np.cos(angle)) / 2, (np.sin(before) + np.sin(angle)) / 2
     c0, c1 = np.cos(angle) - np.cos(before), np.sin(angle) - np.sin(before)
@@ -93,7 +100,7 @@ def step_waving(y, law, start, per_unit, spline, waves, scratch, h):
         q0, q1, q2 = turned(n0, n1, n2, twist * M0, twist * M1, twist * M2)
         missed = abs(n0 + q0 - a0) + abs(n1 + q1 - a1) + abs(n2 + q2 - a2)
         a0, a1, a2 = n0 + q0, n1 + q1, n2 + q2
-        T = -R * ((n0 + a0) * c0 + (n1 + a1) * c1) / 2 - (P - S * N)
+        T = -R * ((n0 + a0) * c0 + (n1 + a1) * c1) / 2 - (P - S * N) - rise
         dgap = h * V2 - R * (e0 * q0 + e1 * q1) - H * q2 - (D - E * N) + T
         gap = gap0 + dgap
         r1 = root(gap)
@@ -112,7 +119,8 @@ def step_waving(y, law, start, per_unit, spline, waves, scratch, h):
     y[0], y[1], y[2] = y[0] + h * v0, y[1] + h * v1, y[2] + h * V2
     y[5], y[6], y[7], y[8] = 2 * V2 - v2, a0, a1, a2
     y[9], y[10], y[11] = 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
-    turn = abs(angle - before - 2 * np.pi * np.rint((angle - before) / (2 * np.pi)))
+    turn = abs(turned_by(before, angle))
+    y[PATH], y[HEIGHTS], y[HEIGHTS + 1] = along + far, high, 0.0
     if turn < JUMP:
         y[SPEED] = R * turn / h
     waves.contact[ANGLE] = angle

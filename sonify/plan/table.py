@@ -88,9 +88,8 @@ def with_table_heard(predictions, scene: Scene) -> tuple[Prediction, ...]:
 
     Of a rough contact the sound is that contact's.
     """
-    if scene.roughness:
-        return predictions
-    unknown = {SOUND, END} if acts_back(scene) or scene.imperfection else {SOUND}
+    unknown = set() if scene.roughness else {SOUND}
+    unknown |= {END} if acts_back(scene) or scene.imperfection else set()
     return tuple(p for p in predictions if p.name not in unknown)
 
 
