@@ -23,6 +23,7 @@ from dynamics.coupled.from_scene import contact_law, step_rate
 from dynamics.coupled.full import Compliant
 from dynamics.coupled.handover import columns, energy, release
 from dynamics.coupled.march import FLAT, LIES
+from dynamics.coupled.motion import Losses
 from dynamics.coupled.roughness import profiles
 from dynamics.coupled.sections import Roughness
 from dynamics.coupled.state import FORCE, HEIGHTS, LOSSES
@@ -340,6 +341,12 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     for judge in (two_ways.waves_make_the_halt, two_ways.table_rings_at_the_halt, two_ways.disk_rings_at_the_halt):
         one = found[judge.__name__]
         assert one.margin >= max(abs(judge(scene, other).value - one.value) for other in others.values()) > 0
+    lossy = replace(motion.then, contact_losses=Losses(np.array([[0.1, 1e-4, 1e-7]])))
+    kept = replace(motion.then, contact_losses=Losses(np.zeros((0, 3))))
+    for one, other, answer in ((lossy, lossy, "yes"), (kept, kept, "no"), (lossy, kept, "yes, near its bar")):
+        monkeypatch.setattr(two_ways, "reruns", lambda *_, other=other: {"another": other})
+        monkeypatch.setattr(two_ways, "varied", lambda *_: None)
+        assert two_ways.motion_findings(scene, replace(motion, then=one))[0].answer == answer
     assert two_ways.motion_findings(scene, motion.first) == []
     with pytest.raises(ValueError, match="does not act back"):
         two_ways.energy_budget(motion.first, t)

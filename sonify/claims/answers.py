@@ -32,6 +32,7 @@ CELLS = {
         "pitch_rises": ("yes, {:.1f} times", "no, {:.1f} times"),
     },
     "is contact lost": {
+        "table_breaks_contact": ("yes", "no"),
         "contact_is_lost": ("yes, {:.1%} of the time", "no, {:.1%} of the time"),
         "contact_kept": ("no, the least force is {:.1f} of the weight", "yes"),
     },
