@@ -170,7 +170,7 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion) -> Finding:
 
 @finding(
     "A table that acts back breaks the contact",
-    "losses of contact; how many is chaotic, whether there are any is asked with half the step and on a stiffer one, too",
+    "losses of contact; how many is chaotic, whether any is asked with half the step and a stiffer contact too",
     "abstract: the vibrations will result in a loss of contact",
     at_least=1.0,
 )
