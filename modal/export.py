@@ -56,7 +56,7 @@ def write_uff(modes: Modes, path: str | Path) -> None:
     try:
         import pyuff
     except ModuleNotFoundError:
-        raise ModuleNotFoundError("write_uff needs pyuff: python -m pip install pyuff", name="pyuff") from None
+        raise ModuleNotFoundError('uff needs pyuff: python -m pip install -e ".[uff]"', name="pyuff") from None
     body, number = modes.body, np.arange(1, len(modes.body.points) + 1)
     x, y, z = body.points.T
     same = np.ones(len(number), int)
