@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 from dynamics.coupled.profile import SMOOTH, heights, profile_from_csv
-from dynamics.coupled.roughness import edge_profile, shift_of_contact, spectrum, table_profile, window
+from dynamics.coupled.roughness import density, edge_profile, shift_of_contact, spectrum, table_profile, window
 from dynamics.coupled.sections import Roughness, require_seen
 
 ROUGH = Roughness(rms=3e-8, shortest=1e-4, longest=0.1)
@@ -122,6 +122,17 @@ def test_contact_runs_along_a_rough_edge():
     require_seen(wave, a)
     with pytest.raises(ValueError, match="must exceed the contact"):
         require_seen(wave, 6e-4)
+
+
+@pytest.mark.parametrize("exponent", [0.0, 2.0, 4.0])
+@pytest.mark.parametrize("radius", [0.012875, 0.03755])
+def test_the_edge_has_its_rms_in_the_waves_that_fit_it(exponent, radius):
+    """Of the density, what is not the table's is the mean square of each wave over the step from one to the next."""
+    edge, table = Roughness(rms=3e-8, exponent=exponent), Roughness(rms=3e-8, rms_edge=0.0, exponent=exponent)
+    (k, both), (_, alone) = density(edge, radius), density(table, radius)
+    lines, squares = spectrum(edge, 2 * np.pi * radius)
+    some = (lines > 1.01 * k[0]) & (lines < 0.99 * k[-1])
+    assert np.interp(lines, k, both - alone)[some] == pytest.approx(squares[some] * radius, rel=1e-4)
 
 
 def test_wrong_files(tmp_path):

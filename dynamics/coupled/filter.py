@@ -106,9 +106,9 @@ def _coefficients(table, block, rate, impedance):
 def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, speed, impedance=np.inf, above=AUDIBLE):
     """Return the rms [N] of the force above a frequency [Hz] in steady motion, (k,), from the spectrum of the heights.
 
-    Table and edge are read at `speed` (k,) [m/s]; both are taken as endless.
+    Table and edge are read at `speed` (k,) [m/s], as long as they have many waves.
     """
-    k, _ = density(roughness)
+    k, _ = density(roughness, table.law.disk.radius)
     steady = np.broadcast_arrays(inclination, load, np.abs(speed))
     square = []
     for one in zip(*map(np.atleast_1d, steady), strict=True):
@@ -121,7 +121,7 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
 def predicted_power(table: LawTable, roughness: Roughness, inclination, load, speed) -> np.ndarray:
     """Return the mean power (k,) [W] that heights take from a disk in steady motion: N' times the rate at which they
     rise, the sum over the waves z of their spectrum of omega Im(N'/z)."""
-    (k, heights), powers = density(roughness), []
+    (k, heights), powers = density(roughness, table.law.disk.radius), []
     for steady in np.broadcast(inclination, load, np.abs(speed)):
         one = np.reshape(steady, (3, 1))
         a, response = table.springs(*one[:2])[1], gain(table.system(*one), k * one[2])
@@ -136,7 +136,7 @@ def predicted_spectrum(
     steady = np.array([[inclination], [load], [speed]])
     a, system = table.springs(*steady[:2])[1], table.system(*steady, impedance, rolls)
     k = 2 * np.pi * frequency / abs(speed)
-    heights = np.interp(k, *density(roughness), left=0.0, right=0.0) * window(k * a) ** 2
+    heights = np.interp(k, *density(roughness, table.law.disk.radius), left=0.0, right=0.0) * window(k * a) ** 2
     return heights * np.abs(gain(system, 2 * np.pi * frequency)) ** 2 * 2 * np.pi / abs(speed)
 
 

@@ -83,13 +83,14 @@ def window(ka):
     return np.where(small, 1 - ka * ka / 10, 3 * (np.sin(x) - x * np.cos(x)) / x**3)
 
 
-def density(roughness: Roughness, waves: int = 8192) -> tuple[np.ndarray, np.ndarray]:
+def density(roughness: Roughness, radius: float, waves: int = 8192) -> tuple[np.ndarray, np.ndarray]:
     """Return wave numbers (w,) [rad/m], evenly spaced in their logarithm, and the mean square per wave number [m^3].
 
-    It is that of table and edge together, which are independent. Raises ValueError where a file is no profile.
+    It is that of table and edge together, which are independent; the edge of a disk of that radius [m] has its rms in
+    the waves that fit its circumference. Raises ValueError where a file is no profile.
     """
     files = [profile_from_csv(file) for file in (roughness.profile, roughness.profile_edge) if file is not None]
-    drawn = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2
+    drawn = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2 * fitting(roughness, 2 * pi * radius)
     longest = max([p.period for p in files] + [roughness.longest] * (drawn > 0))
     shortest = min([2 / p.cells_per_metre for p in files] + [roughness.shortest] * (drawn > 0))
     k = np.geomspace(2 * pi / longest, 2 * pi / shortest, waves)
@@ -99,13 +100,21 @@ def density(roughness: Roughness, waves: int = 8192) -> tuple[np.ndarray, np.nda
     return k, power + sum(_measured(profile, k) for profile in files)
 
 
+def fitting(roughness: Roughness, period: float) -> float:
+    """Return how much stronger each wave is that fits a period [m] than in an endless profile of the same rms; 1 where
+    none fits."""
+    low, high, p = period / roughness.longest, period / roughness.shortest, roughness.exponent
+    order, n = np.arange(max(np.ceil(low * (1 - 1e-12)), 1), high * (1 + 1e-12)), np.geomspace(low, high, 8192)
+    return float(trapezoid((n / low) ** -p, n) / np.sum((order / low) ** -p)) if len(order) else 1.0
+
+
 def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
     """Return rms(z'') R/beta (n,): how far, in radians per radian, the true contact runs along the edge.
 
     Table and edge, each averaged over the ellipse of half-length a (n,) [m] at inclinations (n,). Where it exceeds 1
     the disk touches at several places at once, and one ellipse is no more than an approximation.
     """
-    k, power = density(roughness)
+    k, power = density(roughness, radius)
     curvature = [trapezoid(power * k**4 * window(k * a) ** 2, k) for a in np.atleast_1d(half_length)]
     return np.sqrt(curvature) * radius / np.sin(inclination)
 
