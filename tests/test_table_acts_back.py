@@ -230,12 +230,16 @@ def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(
 
 @pytest.mark.parametrize("order", [1, 2])
 def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
-    """A tilted table, or one of two waves, on which a disk would rattle on for as long as it is followed."""
+    """A tilted table, or one of two waves, on which a disk would rattle on for as long as it is followed.
+
+    The rattle is chaotic: whether the disk still turns as it comes flat hangs on the last bits.
+    """
     low = "release.inclination_deg=0.3", "release.omega=[0,0.39134,2.29607]", "numerics.accuracy=draft"
     light = TABLE.replace("order=2", f"order={order}").replace("modal_mass=1.0", "modal_mass=0.05")
     scene = elastic.replace(light, *low, "numerics.time_limit=6")
     motion = solve_motion(scene, table=surface_modes(scene))
-    assert motion.outcome is Outcome.SETTLED
+    assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
+    assert motion.t[-1] < 2
     assert motion.largest_regain() < 1e-12 * motion.energy(0.0)[0]
 
 
