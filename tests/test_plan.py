@@ -59,7 +59,8 @@ def disagreements(scene):
     return wrong
 
 
-@pytest.mark.parametrize("support", ["patch", pytest.param("free", marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("support", ["patch", "free"])
 def test_the_published_run_is_as_wrong_as_predicted(scene, support):
     assert disagreements(scene.replace(f"support.kind={support}")) == []
 
