@@ -36,6 +36,8 @@ OUTCOMES = {
 
 CARRIES = 0.01
 """Part of the weight that a film bears at least where it, and not the turning of the disk, takes the contact force."""
+GONE = 1e-9
+"""Part of the weight below which the contact force is gone, where regimes change at one instant without end."""
 
 
 class MotionScene(Protocol):
@@ -110,7 +112,10 @@ def simulate(
         )
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
-    return _motion(disk, system, path, outcome_of(guard, last, system), integrator_of(scene.numerics.integrator))
+    motion = _motion(disk, system, path, outcome_of(guard, last, system), integrator_of(scene.numerics.integrator))
+    if guard == CASCADE and motion.normal_load(motion.t[-1])[0] < GONE:  # friction of no force holds nothing
+        return replace(motion, outcome=outcome_of(guards.LIFT_OFF, last, system))
+    return motion
 
 
 def outcome_of(guard: str | None, y, system: RollingDisk) -> Outcome:
