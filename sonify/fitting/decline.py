@@ -60,6 +60,15 @@ LEAST_GROWTH = 0.49
 with none under a film that is squeezed, which alone would never let the disk down."""
 
 
+def left_out(scene: Scene) -> list[str]:
+    """Return what of a scene no decline has, as sentences: its shares then stand for more than their names say."""
+    from sonify.plan.table import acts_back  # modes load slowly
+
+    means = "what it takes counts as rolling, air or law, whose intervals need not hold the truth: no verdict is told"
+    found = {"the table acts back": acts_back(scene), "the table is wavy": scene.imperfection is not None}
+    return [f"{what}: {means}" for what, here in found.items() if here]
+
+
 def has_film(scene: Scene) -> bool:
     """Return whether there is air under the disk of a scene whose film is known."""
     return scene.disk.shape == "solid" and scene.air.film != "none" and scene.air.pressure > 0
@@ -104,6 +113,11 @@ class Decline:
     def has_law(self) -> bool:
         """Whether the scene names another resistance than contour friction and the film."""
         return bool(self.powers[2].any())
+
+    @cached_property
+    def left_out(self) -> list[str]:
+        """What of the scene it does not have."""
+        return left_out(self.scene)
 
     @cached_property
     def _slope(self):

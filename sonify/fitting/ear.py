@@ -32,6 +32,8 @@ where the shares are so many times as large, and may explain a sound as well."""
 AS_WELL, OTHER = 2.0, 0.3
 """So does a motion whose spread is not so many times as large, nor what is heard along it so many times less; a film
 that is so far from that of theory is another."""
+UNEXPLAINED = 0.01
+"""A motion that leaves more of the rates than this, and than noise, does not explain them."""
 STARTS = (1e-4, 1.0, 1.0)
 """Shares of the LAWS with which the search begins."""
 RIDGE_ERROR = 0.03
@@ -60,7 +62,8 @@ class Sound:
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Judged:
     """What sounds tell together: the `fit` of the LAWS to their `signal` (tone, envelope), heard as a `line` of the
-    decline, of the `model` steady or solved; `verdict` is one of rolling, air, both, cannot tell."""
+    decline, of the `model` steady or solved; `verdict` is one of rolling, air, both, cannot tell. Where no motion has
+    `explained` it, the line may be any other that was followed."""
 
     sounds: tuple[Sound, ...]
     signal: str
@@ -69,6 +72,7 @@ class Judged:
     decline: Decline
     streams: list[Heard]
     fit: Fit
+    explained: bool
     verdict: str
 
     @property
@@ -125,20 +129,28 @@ def _refuse_clipped(samples, name):
 def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged:
     """Return what sounds of the same disk tell. Raises RecordingError if none of them can be followed.
 
-    `correct` by a solved motion where steady ones leave more than noise.
+    `correct` by solved motions, unless a steady one leaves but noise and these fit worse.
     """
     tracks = _tracks(decline, sounds)
-    first = max(track.score for track in tracks)
+    first, lines = max(track.score for track in tracks), tracks
     rivals = tracks = [track for track in tracks if track.score > first - MARGIN]
     likeliest = max(tracks, key=lambda track: track.score).fit
-    correct = correct and likeliest.spread > AS_WELL * np.median(likeliest.sigma)
+    but_noise = likeliest.spread < AS_WELL * np.median(likeliest.sigma)
     for _ in range(TIMES if correct else 0):
         tracks = [solved for track in tracks for solved in _along(track, decline)]
         rivals = rivals + tracks
+        if but_noise and all(track.fit.spread > AS_WELL * likeliest.spread for track in tracks):
+            correct = False
+        if not correct or len(tracks) == 1:  # one line alone is followed on below
+            break
     best = max(rivals, key=lambda track: track.score)
     same = [track for track in rivals if (track.signal, track.line) == (best.signal, best.line)]
     best = min(same, key=lambda track: track.fit.spread)
     one = _settled(best, same, decline) if correct else best.fit
+    explained = not correct or best.fit.spread < max(UNEXPLAINED, AS_WELL * np.median(best.fit.sigma))
+    if not explained:
+        others = [track.fit for track in lines if (track.signal, track.line) != (best.signal, best.line)]
+        one = mixed([best.fit, *others])
     return Judged(
         sounds=tuple(sounds),
         signal=best.signal,
@@ -147,6 +159,7 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
         decline=best.decline,
         streams=best.streams,
         fit=one,
+        explained=explained,
         verdict=verdict_of(decline, one),
     )
 
@@ -205,16 +218,26 @@ def _tracks(decline, sounds):
             (signal, line): _evidence(decline.lines[line], streams[signal], moved, shares, LENGTHS[0])
             for signal, line in product(signals, MAIN)
         }
-        best_first = sorted(heard, key=heard.__getitem__, reverse=True)
-        tracks = (_track(decline, streams, *pair, moved, shares) for pair in best_first if heard[pair])
+        best_first = sorted(filter(heard.get, heard), key=heard.__getitem__, reverse=True)
+        if best_first and any(_leads_to(track, moved, shares) for track in found.get(best_first[0], ())):
+            continue
+        tracks = (_track(decline, streams, *pair, moved, shares) for pair in best_first)
         track = next((track for track in tracks if track is not None), None)
         if track is not None:
-            place = track.signal, track.line
-            found[place] = max(found.get(place, track), track, key=lambda track: track.score)
+            found.setdefault((track.signal, track.line), []).append(track)
     if not found:
         name, disk = sounds[0].name, decline.scene.name
         raise RecordingError(f"{name}: its tone cannot be followed by a decline of the disk '{disk}'")
-    return list(found.values())
+    return [max(tracks, key=lambda track: track.score) for tracks in found.values()]
+
+
+def _leads_to(track, ends, shares):
+    """Whether a guess of ends [s] and shares is so near to what was heard along a track that it would be followed to
+    the same fit."""
+    pairs = (
+        (h.rates.frequency, track.decline.frequency(ends[h.sound] - h.rates.time, shares)) for h in track.fit.heard
+    )
+    return all(np.median(np.abs(np.log(guess / frequency))) < NEAR for frequency, guess in pairs)
 
 
 def _track(decline, streams, signal, line, ends, shares):
@@ -327,7 +350,10 @@ def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]
 
 
 def verdict_of(decline: Decline, one: Fit) -> str:
-    """Return rolling, air or both, where 95 % of what is as likely as the fit agrees on it; else cannot tell."""
+    """Return rolling, air or both, where 95 % of what is as likely as the fit agrees on it; else, and where the scene
+    has what no decline has, cannot tell."""
+    if decline.left_out:
+        return "cannot tell"
     share = shares_of_power(decline, one)
     if 2 in one.free and share.pop("law")[1] > ABSENT:
         return "cannot tell"

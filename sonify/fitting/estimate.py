@@ -1,7 +1,7 @@
 """RATES -> SHARES: the end of the motion and the shares of what slows it, with intervals, by robust least squares."""
 
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -86,13 +86,18 @@ class Heard:
     first: float
     filtered: bool = False
 
+    @cached_property
+    def integral(self) -> np.ndarray:
+        """The sum (n + 1,) of the samples before each."""
+        return np.append(0.0, np.cumsum(self.samples))
+
 
 def tracked(decline: Decline, sound: Heard, end, shares, length, **how) -> Rates:
     """Return the rates of a sound beside the decline of an end [s] and shares (3,); `how` as for `rates`."""
     left, turned, frequency = decline.course(shares)
     here = left > LAST
     course = np.array([end - left, -turned, frequency])[:, here][:, ::-1]
-    return rates(sound.samples, sound.rate, sound.first, course, length, **how)
+    return rates(sound.samples, sound.rate, sound.first, course, length, integral=sound.integral, **how)
 
 
 def fit(line: Decline, sounds: list[Heard], ends, shares, free: tuple[int, ...], lengths=LENGTHS, least=0.05) -> Fit:

@@ -35,14 +35,16 @@ class Rates(NamedTuple):
     clear: np.ndarray
 
 
-def rates(samples, rate: float, first: float, course, length: float, noise_of=np.mean) -> Rates:
+def rates(samples, rate: float, first: float, course, length: float, noise_of=np.mean, integral=None) -> Rates:
     """Return the rates of the tone in samples (n,) at `rate` [Hz], of which the first is at the time `first` [s].
 
     `course`, times [s], turns and turns a second [Hz] (3, k), rising, is what the tone is expected to do; between these
     it is a cubic. What was heard before the tone began is left out. Blocks are `length` turns long, or longer where
-    there would be more than MOST_BLOCKS. The noise is `noise_of` the powers beside the tone.
+    there would be more than MOST_BLOCKS. The noise is `noise_of` the powers beside the tone. Who asks often hands over
+    the `integral` (n + 1,) of the samples.
     """
-    heard = _binned(samples, rate, first, course)
+    integral = np.append(0.0, np.cumsum(samples)) if integral is None else integral
+    heard = _binned(samples, integral, rate, first, course)
     begin = _beginning(_told(heard, length, noise_of)[0]) * _step(length)
     heard = [x[begin:] for x in heard]
     length = max(length, OVERLAP * len(heard[0]) / BINS / MOST_BLOCKS)
@@ -73,7 +75,7 @@ def _told(heard, length, noise_of):
     return told, middle, expected + missed, error, clear
 
 
-def _binned(samples, rate, first, course):
+def _binned(samples, integral, rate, first, course):
     """Means (b,) of the still tone over every bin of a turn, their times [s], and the turns a second expected there."""
     time, turned, frequency = course[:, course[2] < rate / 2.5]
     last = first + (len(samples) - 1) / rate
@@ -82,7 +84,7 @@ def _binned(samples, rate, first, course):
     begin, stop = CubicHermiteSpline(time, turned, frequency)(np.clip([first, last], time[0], time[-1]))
     edge = np.arange(np.ceil(BINS * begin), BINS * stop)
     t = CubicHermiteSpline(turned, time, 1 / frequency)(edge / BINS)
-    integral, place = np.append(0.0, np.cumsum(samples)), (t - first) * rate + 0.5
+    place = (t - first) * rate + 0.5
     sample = np.clip(place.astype(int), 0, len(samples) - 1)
     mean = np.diff(integral[sample] + (place - sample) * samples[sample]) / np.diff(place)
     still = mean * np.exp(-2j * np.pi * ((edge[:-1] + 0.5) % BINS) / BINS)

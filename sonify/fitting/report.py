@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from sonify.files import claimed, numbered, whole
+from sonify.fitting.decline import left_out
 from sonify.fitting.ear import shares_of_power
 from sonify.fitting.estimate import LAST, in_words
 from sonify.fitting.result import Fits, Fitted
@@ -43,7 +44,12 @@ def as_json(fits: Fits) -> dict[str, Any]:
     pool = {"t_end": value(fits.pool.value(0)) if single else None} | _values(fits.values()) | {"verdict": fits.verdict}
     shares = {name: list(share) for name, share in shares_of_power(fits.files[0].judged.decline, fits.pool).items()}
     files = [_one(f, fits.resonances) for f in fits.files]
-    return {"scene": fits.scene.name, "files": files, "pooled": pool | {"power_shares": shares}}
+    return {
+        "scene": fits.scene.name,
+        "left_out": left_out(fits.scene),
+        "files": files,
+        "pooled": pool | {"power_shares": shares},
+    }
 
 
 def _one(fitted: Fitted, known) -> dict[str, Any]:
@@ -52,6 +58,7 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
     return head | {
         "verdict": judged.verdict,
         "contour_friction_fits": judged.contour_fits,
+        "explained": judged.explained,
         "signal": judged.signal,
         "line": judged.line,
         "model": judged.model,
@@ -111,9 +118,7 @@ def sentences(fits: Fits) -> list[str]:
     said = [line for fitted in fits.files for line in _of_one(fitted)]
     if len(fits.files) > 1:
         said.append(f"together: {fits.verdict}; {in_words(fits.values())}")
-    if fits.scene.surface.kind != "rigid":
-        said.append("what a table that acts back takes is not told apart: it counts as friction or air")
-    return said
+    return said + left_out(fits.scene)
 
 
 def _of_one(fitted):
@@ -121,6 +126,8 @@ def _of_one(fitted):
     told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.1%}"
     yield f"{fitted.file}: {judged.verdict}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
     yield f"  {in_words(judged.values())}"
+    if not judged.explained:
+        yield "  no motion explains it: it may be another line, and the intervals hold what every line would tell"
     if not judged.contour_fits:
         yield "  contour friction and film do not explain it; the scene's own law takes more than a tenth of the power"
     yield f"  a radius 10 % off {'would show' if fitted.radius_shows else 'cannot be told: the shares take it up'}"

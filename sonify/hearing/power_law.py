@@ -1,7 +1,7 @@
 """PEAKS -> POWER LAW: the curve f = a (t_end - t)^-p that most peaks of a spectrogram are near, and its errors.
 
-A curve is (end [s], exponent, log2 of a). Peaks (3, n) are times [s], log2 frequencies and levels [dB] of the lines in
-each frame of a spectrogram; those of other tones and of noise are far from the curve and do not count.
+A curve is (end [s], exponent, log2 of a). Peaks (3, n) are times [s], rising, log2 frequencies and levels [dB] of the
+lines in each frame of a spectrogram; those of other tones and of noise are far from the curve and do not count.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ first."""
 BESIDE = 0.4
 """So far from the curve a line is still told as one of the tone [octaves]: the nutation is 0.3 below the precession."""
 BINS, RIVAL = 32, 0.85
-"""Bins of an octave when peaks are counted; a rival has at least this share of the peaks of the best."""
+"""Bins of an octave when peaks are counted, a power of two; a rival has at least so large a share of the most peaks."""
 BLOCKS, RESOLUTION = 12, (0.0005, 0.001, 0.0)
 """Parts of the ridge for the jackknife; errors of end [s] and exponent that no sound is without: a tenth of a hop, and
 the bend of the tone within a window."""
@@ -49,16 +49,21 @@ def octaves(peaks: np.ndarray, curve: np.ndarray) -> float:
 
 def ridge(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
     """Return the strongest peak (3, r) of every frame that has one beside the curve, be it on another line."""
-    beside = peaks[:, np.abs(_residual(peaks, curve)) < BESIDE]
+    inside = peaks[:, _inside(peaks, curve[0])]
+    beside = inside[:, np.abs(_residual(inside, curve)) < BESIDE]
     beside = beside[:, np.lexsort((-beside[2], beside[0]))]
     return beside[:, np.unique(beside[0], return_index=True)[1]]
 
 
+def _inside(peaks, end):
+    """Where among peaks are those in the TIME_LEFT before an end [s]."""
+    since = peaks[0] - end
+    return slice(np.searchsorted(since, -TIME_LEFT[1], "right"), np.searchsorted(since, -TIME_LEFT[0]))
+
+
 def _residual(peaks, curve):
-    """How far peaks are above a curve (n,) [octaves], infinite outside TIME_LEFT."""
-    left = curve[0] - peaks[0]
-    inside = (left > TIME_LEFT[0]) & (left < TIME_LEFT[1])
-    return np.where(inside, peaks[1] - curve[2] + curve[1] * np.log2(np.where(inside, left, 1.0)), np.inf)
+    """How far peaks in TIME_LEFT are above a curve (n,) [octaves]."""
+    return peaks[1] - curve[2] + curve[1] * np.log2(curve[0] - peaks[0])
 
 
 def _fit(peaks, curve, widths):
@@ -76,6 +81,7 @@ def _normal(peaks, curve, width):
     The residual is log2 f - log2 a + p log2(t_end - t), to the nearest of three octaves. Tukey's biweight is 0 from
     `width` on. Every octave of the time left counts the same.
     """
+    peaks = peaks[:, _inside(peaks, curve[0])]
     residual = _residual(peaks, curve)
     residual -= np.clip(np.round(residual), -1, 1)
     near = np.abs(residual) < width
@@ -99,11 +105,11 @@ def _count(peaks, end, exponent):
     count, scale = np.empty((2, len(end), len(exponent)))
     rows = BINS * np.arange(len(exponent))[:, None]
     for i in range(len(end)):
-        left = end[i] - peaks[0]
-        inside = (left > TIME_LEFT[0]) & (left < TIME_LEFT[1])
-        place = BINS * (peaks[1, inside] + np.outer(exponent, np.log2(left[inside])))
-        bins = np.floor(place, out=place).astype(int) % BINS + rows
-        weight = np.tile(1 / left[inside], len(exponent))
+        inside = peaks[:, _inside(peaks, end[i])]
+        left = end[i] - inside[0]
+        place = BINS * (inside[1] + np.outer(exponent, np.log2(left)))
+        bins = (np.floor(place, out=place).astype(int) & BINS - 1) + rows
+        weight = np.tile(1 / left, len(exponent))
         bins = np.bincount(bins.ravel(), weight, rows.size * BINS).reshape(-1, BINS)
         pairs = bins + np.roll(bins, -1, axis=1)
         count[i], scale[i] = pairs.max(axis=1), (pairs.argmax(axis=1) + 1) / BINS
@@ -121,6 +127,6 @@ def _jackknife(peaks, curve):
 
 def _lowest(peaks, curve):
     """The curve in the lowest of its octaves that has its share of the peaks: what repeats, not its harmonic."""
-    moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
+    moved, peaks = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)], peaks[:, _inside(peaks, curve[0])]
     count = np.array([np.sum((np.abs(_residual(peaks, x)) < NARROW[-1]) / np.abs(x[0] - peaks[0])) for x in moved])
     return moved[np.argmax(count > SHARE * count.max())]
