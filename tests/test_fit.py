@@ -17,8 +17,8 @@ from scipy.signal import butter, sosfilt
 from sonify import RecordingError, load_scene
 from sonify.__main__ import main
 from sonify.claims.carriers import resonances
-from sonify.fitting.decline import Decline
-from sonify.fitting.ear import heard, judge
+from sonify.fitting.decline import Decline, left_out
+from sonify.fitting.ear import heard, judge, verdict_of
 from sonify.fitting.fu_berlin import exponents
 from sonify.fitting.phase import rates
 from sonify.fitting.readings import source, takes
@@ -162,9 +162,17 @@ def test_what_cannot_be_told_is_not_told(decline):
     assert "rolling" not in verdicts
 
 
-def test_a_radius_that_the_shares_take_up_is_said_to_be_so(decline):
+def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_on_a_wavy_table(decline):
     found = judge(decline, [listened(decline, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False)
     assert not radius_shows(found)
+    assert found.verdict == "rolling"
+    assert verdict_of(Decline(load_scene("wavy")), found.fit) == "cannot tell"
+
+
+@pytest.mark.parametrize(("name", "what"), [("light-plate", "acts back"), ("wavy", "wavy"), ("thorne", "")])
+def test_what_no_decline_has_is_told(name, what):
+    found = left_out(load_scene(name))
+    assert [what in sentence for sentence in found] == [True] * bool(what)
 
 
 def test_the_published_chain_reads_less_than_the_true_exponent(decline):

@@ -83,6 +83,7 @@ class Decline:
     def __init__(self, scene: Scene):
         self.scene, self.disk = scene, scene.disk
         self._known: dict[bytes, np.ndarray] = {}
+        self._solved: dict[bytes, dict[str, Decline]] = {}
         law = law_of(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
         steepest = 0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h)) if law.h else 1.2
         self.beta = np.geomspace(FLATTEST, min(steepest, 1.2), POINTS)
@@ -208,8 +209,15 @@ class Decline:
     def solved(self, shares) -> dict[str, "Decline"]:
         """Return the lines corrected by a solved motion: its centre moves, which no steady motion's does, and it slips.
 
-        The motion is that of the scene, with shares (3,) of the LAWS. Raises ValueError where it cannot be solved.
+        The motion is that of the scene, with shares (3,) of the LAWS; the lines are remembered. Raises ValueError where
+        it cannot be solved.
         """
+        key = np.asarray(shares, float).tobytes()
+        if key not in self._solved:
+            self._solved[key] = self._lines_of(shares)
+        return self._solved[key]
+
+    def _lines_of(self, shares):
         motion = simulate(self._scene_of(*map(float, shares)))
         end = motion.t[-1] + self._left_at(motion.at(motion.t[-1:])[0, 1], shares)
         peaks = load_peaks(motion)

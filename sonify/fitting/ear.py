@@ -141,13 +141,12 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
         rivals = rivals + tracks
         if but_noise and all(track.fit.spread > AS_WELL * likeliest.spread for track in tracks):
             correct = False
-        if not correct or len(tracks) == 1:  # one line alone is followed on below
             break
     best = max(rivals, key=lambda track: track.score)
     same = [track for track in rivals if (track.signal, track.line) == (best.signal, best.line)]
     best = min(same, key=lambda track: track.fit.spread)
     one = _settled(best, same, decline) if correct else best.fit
-    explained = not correct or best.fit.spread < max(UNEXPLAINED, AS_WELL * np.median(best.fit.sigma))
+    explained = not correct or one.spread < max(UNEXPLAINED, AS_WELL * np.median(one.sigma))
     if not explained:
         others = [track.fit for track in lines if (track.signal, track.line) != (best.signal, best.line)]
         one = mixed([best.fit, *others])
@@ -218,26 +217,16 @@ def _tracks(decline, sounds):
             (signal, line): _evidence(decline.lines[line], streams[signal], moved, shares, LENGTHS[0])
             for signal, line in product(signals, MAIN)
         }
-        best_first = sorted(filter(heard.get, heard), key=heard.__getitem__, reverse=True)
-        if best_first and any(_leads_to(track, moved, shares) for track in found.get(best_first[0], ())):
-            continue
-        tracks = (_track(decline, streams, *pair, moved, shares) for pair in best_first)
+        best_first = sorted(heard, key=heard.__getitem__, reverse=True)
+        tracks = (_track(decline, streams, *pair, moved, shares) for pair in best_first if heard[pair])
         track = next((track for track in tracks if track is not None), None)
         if track is not None:
-            found.setdefault((track.signal, track.line), []).append(track)
+            place = track.signal, track.line
+            found[place] = max(found.get(place, track), track, key=lambda track: track.score)
     if not found:
         name, disk = sounds[0].name, decline.scene.name
         raise RecordingError(f"{name}: its tone cannot be followed by a decline of the disk '{disk}'")
-    return [max(tracks, key=lambda track: track.score) for tracks in found.values()]
-
-
-def _leads_to(track, ends, shares):
-    """Whether a guess of ends [s] and shares is so near to what was heard along a track that it would be followed to
-    the same fit."""
-    pairs = (
-        (h.rates.frequency, track.decline.frequency(ends[h.sound] - h.rates.time, shares)) for h in track.fit.heard
-    )
-    return all(np.median(np.abs(np.log(guess / frequency))) < NEAR for frequency, guess in pairs)
+    return list(found.values())
 
 
 def _track(decline, streams, signal, line, ends, shares):

@@ -123,7 +123,7 @@ def sentences(fits: Fits) -> list[str]:
 
 def _of_one(fitted):
     judged, end = fitted.judged, fitted.judged.fit.value(0)
-    told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.1%}"
+    told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.2%}"
     yield f"{fitted.file}: {judged.verdict}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
     yield f"  {in_words(judged.values())}"
     if not judged.explained:
