@@ -16,6 +16,7 @@ from sonify.claims.literature import literature_findings
 from sonify.claims.motion import all_findings
 from sonify.claims.sound import all_verdicts, hear
 from sonify.claims.table import table_findings
+from sonify.claims.two_ways import motion_findings as halt_findings
 from sonify.files import claimed
 from sonify.plan.air import beyond_the_film, with_air
 from sonify.plan.plan import with_end
@@ -67,6 +68,7 @@ def solve(
         motion = solve_motion(scene, watched, elastic.result()[2] if acts_back(scene) else None)
         plan, modes, table = elastic.result()
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion))
+    halt = beside(halt_findings, scene, motion)  # solves the end of a motion on a table that acts back anew
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion, sound=sound))
@@ -75,6 +77,7 @@ def solve(
         checks, findings = all_checks(scene, motion, modes, sound), all_findings(motion, modes)
         heard, silence = hearing.result()
         findings += all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
+        findings += halt.result()
         findings += table_findings(scene, motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND))
         on_contact, several = contact_findings(scene, motion, sound, heard)
         findings += air_findings(scene, motion, sound) + on_contact + literature_findings(scene, motion, modes, sound)

@@ -9,8 +9,8 @@ kernel = njit(error_model="numpy", fastmath={"contract", "nsz", "arcp"}, forcein
 """Compile a function that others call: division by zero gives infinity, and costs no branch. Products and sums may be
 fused, and one reciprocal serve several divisions: this moves the last bits, and no order of sums. What is called is
 made part of what calls it: arrays are counted at every call, and that took a third of a step."""
-outermost = njit(error_model="numpy", cache=True)
-"""Compile a function that Python calls, and keep its machine code."""
+outermost = njit(error_model="numpy", cache=True, nogil=True)
+"""Compile a function that Python calls, and keep its machine code; other threads go on while it runs."""
 
 
 def fingerprint(*modules) -> str:

@@ -27,11 +27,12 @@ ENDS = ("SETTLED", "FELL")
 def table_findings(
     scene: Scene, motion: Motion, sound: Sound, listener: Listener, tone, error: float = 0.0
 ) -> list[Finding]:
-    """Every claim on a wavy table, or an elastic one: none of a rigid one, nor on an end that was not reached.
+    """Every claim on a wavy table, or the sound of an elastic one: none of a rigid one, nor on an end that was not
+    reached.
 
     `tone` is the rising tone of the whole sound, or None; `error` the relative one of the sound, in quadratic mean.
     """
-    found = motion_findings(scene, motion) + two_ways.motion_findings(scene, motion)
+    found = motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
     apart = scene.roughness is None or scene.contact.law == "rigid"  # else the contact's stem is the table's as well
