@@ -53,5 +53,5 @@ def holds(s, rate, number, ambient, slip):
     """
     lam = number * rate / (s * s + slip * s)
     u = ((1.0 + lam * lam) ** 0.5) ** 0.5 - 1.0
-    share = u * (0.000558 + u * (0.000712 + u * 0.000269)) / (1.0 + u * u * (0.00916 + u * 0.000565))
+    share = u * (0.000572 + u * (0.00073 + u * 0.000276)) / (1.0 + u * u * (0.00916 + u * 0.000565))
     return ambient * s * share

@@ -15,10 +15,12 @@ from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
 from skfem import Basis, BilinearForm, ElementQuad2, LinearForm, MeshQuad
 
-TOLERANCE, MOST_STEPS = 1e-9, 30
-"""Of Newton's method for the compressible film."""
-LARGEST_FALL = 0.7
-"""Part of a pressure that a step of it takes away at most: behind the contact it comes near to nothing."""
+TOLERANCE, MOST_STEPS, MOST_HALVED = 1e-9, 30, 6
+"""Of Newton's method for the compressible film, and of the halvings of a step of it."""
+LEAST_PRESSURE, NEAR = 0.01, (0.005, 0.05)
+"""Pressure of which air is driven on however the nodes next to the contact swing; and the gap, over the mean one, below
+which the elements are too long for what happens along them, so that air is spread over them: the second on meshes on
+which the first is not enough."""
 
 
 def wedge(x, y):
@@ -60,11 +62,17 @@ class FilmMesh:
         self._metric = {"first": dY / dX, "second": dX / dY}
         self._around = {"first": around.real * dY, "second": around.imag * dX}
         self._measure = 4 / np.abs(t) ** 4 * dX * dY
+        corners = self.basis.mesh.p[:, self.basis.mesh.t]
+        sizes = np.ptp(corners, axis=1)[:, :, None] * self._measure
+        rate = sum(np.abs(turn) / size for turn, size in zip(self._around.values(), sizes, strict=True))
+        self._crossed = 1 / (4 * rate)  # a quarter of the angle in which the turning crosses an element
         self.height = height(self.points.real, self.points.imag)
         each = [shape[0] for shape in self.basis.basis]
         self._shapes = np.array([np.hstack([*s.grad, np.asarray(s)]) for s in each], complex).swapaxes(0, 1).copy()
         a, b = self.basis.doflocs
         self.nodes = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1
+        self._known_waves: dict = {}
+        self._node_height = height(self.nodes.real, self.nodes.imag)
         self._inner = np.flatnonzero((a > 1e-9) & ((b > 1e-9) | (parity != -1)))
         self._prepare()
 
@@ -90,7 +98,8 @@ class FilmMesh:
         """
         mobility = mobility_of(self.height, inertia) + 6 * slip * self.height**2
         pairs, matrix = self._stiffness(mobility, 1j * sigma * self.height)
-        loads, works = (self._loads(some) for some in (velocities, shapes))
+        loads = self._loads(velocities)
+        works = loads if shapes is velocities else self._loads(shapes)
         inner, p = self._inner, np.zeros(loads.shape, complex)
         factors, rest = splu(matrix), loads.astype(complex)
         p[:, inner] = [factors.solve(-row[inner]) for row in rest]
@@ -114,15 +123,28 @@ class FilmMesh:
         div(P h^3 grad P) = -Lam d(P h)/dtheta - falling P h in the frame that turns, isothermal, by Newton's method
         from `guess`; `falling` is 12 mu omega_1/(p_a beta^3). Raises ArithmeticError where that does not converge.
         """
-        P, inner = np.ones(self.basis.N) if guess is None else guess.copy(), self._inner
-        for _ in range(MOST_STEPS):
-            slope = self._assembled(_turning_slope, P, Lam, falling)[inner][:, inner].tocsc()
-            step = splu(slope).solve(-self._assembled(_turning, P, Lam, falling)[inner])
-            change = np.maximum(step, -LARGEST_FALL * P[inner])
-            P[inner] += change
-            if np.abs(change).max() < TOLERANCE * P.max():
+        for near in NEAR:
+            P = self._newton(np.ones(self.basis.N) if guess is None else guess, Lam, falling, near)
+            if P is not None:
                 return P
         raise ArithmeticError(f"the compressible film does not converge at Lam = {Lam:g}, falling = {falling:g}")
+
+    def _newton(self, P, Lam, falling, near):
+        """The pressure (n,) by damped steps, None where they do not converge."""
+        inner, rest = self._inner, self._assembled(_turning, P, Lam, falling, near)[self._inner]
+        for _ in range(MOST_STEPS):
+            factors = splu(self._assembled(_turning_slope, P, Lam, falling, near)[inner][:, inner].tocsc())
+            step = factors.solve(-rest)
+            for part in 0.5 ** np.arange(MOST_HALVED):
+                ahead = P.copy()
+                ahead[inner] += part * step
+                rest = self._assembled(_turning, ahead, Lam, falling, near)[inner]
+                if np.abs(factors.solve(rest)).max() <= (1 - part / 4) * np.abs(step).max():
+                    break
+            P = ahead
+            if np.abs(step).max() < TOLERANCE * P.max():
+                return P
+        return None
 
     def flow_out(self, P, Lam: float, orders: int = 3) -> np.ndarray:
         """Return the mass that leaves at the rim under `turning`, as Response.rim, over p_a g^3/(12 mu)."""
@@ -134,10 +156,13 @@ class FilmMesh:
 
     def _waves(self, orders):
         """exp(-i n theta) on the rim, continued inwards as z^n, at the nodes, (n, 2 k + 1)."""
+        if orders in self._known_waves:
+            return self._known_waves[orders]
         n = np.concatenate([np.arange(orders + 1), np.arange(-orders, 0)])
         z, other = self.nodes[:, None] ** np.abs(n), np.conj(self.nodes)[:, None] ** np.abs(n)
         waves, mirrored = np.where(n > 0, other, z), np.where(n > 0, z, other)
-        return (waves + self.parity * mirrored) / 2 if self.parity else waves
+        self._known_waves[orders] = (waves + self.parity * mirrored) / 2 if self.parity else waves
+        return self._known_waves[orders]
 
     def _stiffness(self, mobility, storage):
         """int m grad p . grad q + i sigma h p q dA of all pairs (e, i, j) in the elements, and the matrix of the inner
@@ -162,11 +187,14 @@ class FilmMesh:
         np.add.at(loads, self.basis.element_dofs.T, parts)
         return loads.T
 
-    def _assembled(self, form, P, Lam, falling=0.0):
+    def _assembled(self, form, P, Lam, falling=0.0, near=NEAR[0]):
         cube, flow = self.height**3, Lam * self.height
         fields = {f"along_{key}": cube * value for key, value in self._metric.items()}
         fields |= {f"around_{key}": flow * value for key, value in self._around.items()}
         fields["source"] = falling * self.height * self._measure
+        fields |= {f"turn_{key}": value / self._measure for key, value in self._around.items()}
+        fields["spread"] = Lam * self._crossed / (1 + (self.height / near) ** 2) * self._measure
+        fields["h"] = self.basis.interpolate(self._node_height)
         return form.assemble(self.basis, P=self.basis.interpolate(P), **fields)
 
 
@@ -201,12 +229,30 @@ def _around(q, w):
     return w.around_first * q.grad[0] + w.around_second * q.grad[1]
 
 
+def _turned(p, w):
+    return w.turn_first * p.grad[0] + w.turn_second * p.grad[1]
+
+
+def _spread(p, q, w):
+    return w.spread * (w.h * _turned(p, w) + p * _turned(w.h, w)) * _turned(q, w)
+
+
 @LinearForm
 def _turning(q, w):
-    """int P h^3 grad P . grad q + Lam P h dq/dtheta - falling P h q dA."""
-    return w.P * (_along(w.P, q, w) + _around(q, w) - w.source * q)
+    """int P h^3 grad P . grad q + Lam P h dq/dtheta - falling P h q dA, and what spreads air next to the contact."""
+    return _driven(w.P) * _along(w.P, q, w) + w.P * (_around(q, w) - w.source * q) + _spread(w.P, q, w)
 
 
 @BilinearForm
 def _turning_slope(p, q, w):
-    return p * (_along(w.P, q, w) + _around(q, w) - w.source * q) + w.P * _along(p, q, w)
+    carried = p * (_around(q, w) - w.source * q) + _spread(p, q, w)
+    return p * _driven_slope(w.P) * _along(w.P, q, w) + _driven(w.P) * _along(p, q, w) + carried
+
+
+def _driven(P):
+    """A pressure P, kept above nothing."""
+    return (P + np.sqrt(P * P + 4 * LEAST_PRESSURE**2)) / 2
+
+
+def _driven_slope(P):
+    return (1 + P / np.sqrt(P * P + 4 * LEAST_PRESSURE**2)) / 2

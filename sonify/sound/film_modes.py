@@ -32,7 +32,7 @@ HIGHEST = 0.45
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Filmed:
-    """What the film makes of m modes at the logarithms `gap` (a,) of mean gaps [m], in descending order.
+    """What the film makes of m modes at the even logarithms `gap` (a,) of mean gaps [m], in descending order.
 
     frequency [Hz] of the damped mode, `added` decay rate [1/s] (a, m) beside `decay_rate` (m,) without the film; gain
     (a, m): pressure over that above a closed film.
@@ -46,7 +46,9 @@ class Filmed:
 
     def heard(self, ringing, gap) -> np.ndarray:
         """Return accelerations `ringing` (s, k, m), which are overwritten, as heard at logarithms of gaps (k,)."""
-        return _times(ringing, np.interp(gap, self.gap[::-1], np.arange(len(self.gap))[::-1]), self.gain)
+        between = len(self.gap) - 1  # the logarithms lie evenly
+        where = (gap - self.gap[0]) * (between / (self.gap[-1] - self.gap[0]))
+        return _times(ringing, np.clip(where, 0.0, between), self.gain)
 
     def tuned(self, gap) -> tuple[np.ndarray, np.ndarray]:
         """Return frequency and decay rate (..., m) at logarithms of gaps (...)."""
@@ -97,7 +99,7 @@ def _by_parity(modes, i, halves, radius):
 def _answer(parts, g, rate, radius, air):
     """The work of the film's pressure on a mode that goes with its velocity, and the orders of the flow at the rim."""
     numbers = 12 * air.viscosity * rate * radius**2 / (air.pressure * g**2), layered(g, rate, air), ORDERS
-    answers = [mesh.linear([w], [w], *numbers)[0] for mesh, w in parts]
+    answers = [mesh.linear(each, each, *numbers)[0] for mesh, w in parts for each in [[w]]]
     return sum(a.works[0] for a in answers), sum(a.rim for a in answers)
 
 
