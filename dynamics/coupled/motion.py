@@ -323,11 +323,17 @@ def followed(
         impulses=impulses.rows()[: STATES * (len(written) - 1) + 1],
         rows=written,
         slides=slides.rows(),
-        contact_losses=Losses(flights[flights[:, 0] < (len(written) - 1) * STATES * dt]),  # none of a disk that is flat
+        contact_losses=Losses(_before_flat(flights, written, STATES * dt, last)),
         excess=float(y[EXCESS]),
         outcome=OUTCOMES[piece.why],
     )
     return replace(motion, outcome=Outcome.FELL) if motion.fell else motion
+
+
+def _before_flat(flights, rows, dt, last):
+    """Return the flights (f, 3) that begin before the end of `rows`, dt apart, while the disk is above `last` [rad]."""
+    row = (flights[:, 0] / dt).astype(int)
+    return flights[(row < len(rows) - 1) & (rows[np.minimum(row, len(rows) - 1), 1] >= last)]
 
 
 def compliant(scene, modes=None) -> Compliant:
