@@ -93,7 +93,8 @@ def _turnings(i: int) -> tuple[Guard, Guard]:
 
 
 FLAT = Guard("flat", Kind.END, lambda at: at.r - at.r_end)
-UPRIGHT = Guard("upright", Kind.END, lambda at: at.cos(at.r * at.r))
+UPRIGHT = Guard("upright", Kind.END, lambda at: FALLING * at.cos(at.r * at.r))
+"""As large as FALLS, against which Taylor's steps measure their error: so they are as long in air as in a vacuum."""
 FALLS = Guard("falls", Kind.END, lambda at: FALLING - at.w1, lambda b: not (b.loads and b.loads.carries))
 LIFT_OFF = Guard("lift-off", Kind.END, lambda at: at.contact.Phi)
 JAMS = Guard("jams", Kind.JAM, lambda at: at.contact.inertia, lambda b: b.sliding and b.can_grip and not b.stuck[0])
