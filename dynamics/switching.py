@@ -56,11 +56,11 @@ def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, S
 
 
 def _separates(y, law, loads) -> bool:
-    """Tell whether the disk, left alone, would rise from the plane."""
+    """Tell whether the disk, left alone, would rise from the plane, or by no more than rounding stays on it."""
     r = y[R]
     omega, slip = (r * y[W1], r * y[W2], r * y[W3]), (r * y[V1], r * y[V2])
     applied = loads(r * r, omega, slip, law, FLOAT) if loads else UNLOADED
-    return separation(r * r, *omega, law, applied) > 0
+    return separation(r * r, *omega, law, applied) > -ROUND_OFF
 
 
 def _candidates(y, law, at_zero, leaving, senses):

