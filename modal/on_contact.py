@@ -26,8 +26,9 @@ TOO_STIFF = (
     "support.kind = 'contact': so stiff a contact is no longer small against the disk: it has no springs; "
     "hold the disk 'free' or by a 'patch'"
 )
-LOSSLESS = 1e-6
-"""Growth of a mode over its angular frequency that is the round-off of one without loss."""
+LOSSLESS, ROUND_OFF = 1e-6, 100 * np.finfo(float).eps
+"""Growth of a mode over its angular frequency that is the round-off of one without loss; and over the greatest square
+[1/s^2] of those that it is solved with, for softer springs."""
 
 
 class Suspension(Protocol):
@@ -61,7 +62,8 @@ def contact_modes(plate: Plate, suspension: Suspension, inclination: float, belo
     roots, swings = ringing(free, at_contact, rest, suspension)
     mode, root = linear_sum_assignment(-(np.abs(shares.T @ swings) ** 2))
     mode, root = np.compress(roots.imag[root] < 2 * pi * below, [mode, root], axis=1)
-    if (roots[root].real > LOSSLESS * np.abs(roots[root])).any():  # what the body yields would give energy
+    round_off = np.maximum(LOSSLESS * np.abs(roots[root]), ROUND_OFF * matrix.max())
+    if (roots[root].real > round_off).any():  # what the body yields would give energy
         raise UnsolvableError(TOO_STIFF)
     square, shares = square[mode], shares[:, mode]
     force = turn.T @ np.linalg.solve(yields, at_contact @ shares)

@@ -131,11 +131,16 @@ def test_it_ends_with_a_name(elastic, changes, outcome):
     assert np.isfinite(motion.state).all()
 
 
-def test_threads_find_the_same_bytes(elastic):
+EPS = np.finfo(float).eps
+
+
+def test_threads_find_the_same(elastic):
+    """To the last units: NumPy's sines hang on where an array begins, in its older versions."""
     scene = elastic.replace("roughness.rms=1e-7", "numerics.time_limit=0.02", "numerics.contact_rate=2e5")
     with ThreadPoolExecutor(2) as pool:
-        motions = list(pool.map(simulate, [scene] * 2))
-    assert len({motion.rows.tobytes() + motion.impulses.tobytes() for motion in motions}) == 1
+        one, other = pool.map(simulate, [scene] * 2)
+    assert one.impulses.tobytes() == other.impulses.tobytes()
+    assert (np.abs(one.rows - other.rows).max(axis=0) <= 8 * EPS * np.abs(one.rows).max(axis=0)).all()
 
 
 def test_viscous_loads_take_what_they_take_of_a_rigid_disk(elastic):

@@ -24,7 +24,7 @@ from sonify.sweeps.version import version
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parent.parent
-LONG = QUICK | {"axes": QUICK["axes"] | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 30}}}
+LONG = QUICK | {"axes": QUICK["axes"] | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 120}}}
 WORKER = "sonify.sweeps.worker"
 PATIENCE = 120.0
 
