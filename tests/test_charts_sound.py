@@ -44,6 +44,7 @@ def test_the_closed_form_is_the_solution_of_the_equation():
     assert np.abs(case._acceleration(t, w, d) - expected).max() < 1e-6 * np.abs(expected).max()
 
 
+@pytest.mark.slow
 def test_every_method_solves_the_same_equation():
     assert len(sound.prove()) == len(STEPS)
 
@@ -84,6 +85,7 @@ def test_explicit_steps_have_the_known_limit_of_stability(name, limit):
     assert growth[1] > 1 + 1e-3
 
 
+@pytest.mark.slow
 def test_the_quick_chart_is_written(tmp_path):
     done = CliRunner().invoke(main, ["chart", "sound", "--quick", "--out", str(tmp_path)])
     assert done.exit_code == 0, done.output

@@ -25,6 +25,7 @@ AS_LONG = 13.0
 """How long [s] the sound of the published motion stays the same, whatever solves it."""
 
 
+@pytest.mark.slow
 def test_another_process_writes_the_same_bytes(tmp_path):
     changes = ["numerics.time_limit=0.6", "name=cut"]
     run(load_scene("published").replace(*changes), out=tmp_path / "here")
@@ -71,6 +72,7 @@ def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
     assert difference_db(scene, modes, *ways).max() < SAME_DB
 
 
+@pytest.mark.slow
 def test_finer_tolerances_sound_the_same_for_longer(scene, modes):
     pytest.importorskip("heyoka", reason="heyoka is not installed")
     limit = f"numerics.time_limit={AS_LONG}"

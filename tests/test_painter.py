@@ -45,6 +45,7 @@ def test_what_goes_wrong_there_is_raised_here(painter):
         painter.draw("motion", "draw_motion", lambda: {"curves": CURVES["curves"]}).result()
 
 
+@pytest.mark.slow
 def test_modes_are_solved_beside_once_that_process_is_ready_and_are_the_same(painter):
     scene = load_scene("published").replace("numerics.accuracy=draft")
     here = eigenmodes(scene)
