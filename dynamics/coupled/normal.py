@@ -112,7 +112,7 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     A0, A1, A2, inverse, lean = 2 * p0, 2 * p1, 2 * p2, 0.5 / sp, R - H * sp / p2
     wd = (L0 * d0 + L1 * d1) * ease + e * spin * sp
     dpath, dedge = h * (d0 * y[4] - d1 * y[3] + reach * (L2 * ease + e * spin * p2) - lever * wd), -h * rim_lever * wd
-    z0, z1, read_path, read_edge, left, near = rough0, rough1, np.inf, np.inf, MOST, False
+    z0, z1, mt, mr, read_path, read_edge, left, near = rough0, rough1, 0.0, 0.0, np.inf, np.inf, MOST, False
     while not near:
         if left == 0:
             return False
@@ -120,7 +120,7 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
         if left >= MOST - READS and max(abs(dpath - read_path), abs(dedge - read_edge)) > READ:
             read_path, read_edge = dpath, dedge
             z0, z1 = read(table, y[PATH], dpath, half, rough0), read(rim, y[EDGE], dedge, half, rough1)
-        mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
+            mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
         turn, roll = (N * lean + g) * A2 * inverse / 2, N * (mt * lever + mr * rim_lever)
         V0, V1, V2, M0, M1, M2 = half_way(N, turn, roll, mt, A0, A1, reach, d0, d1, y, push, h, weight)
         q0, q1, q2 = turned(n0, n1, n2, twist * M0, twist * M1, twist * M2)
@@ -144,12 +144,10 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
         W, stiffness = 1 / m + (lean * A2) ** 2 / (4 * J), K1 * (r0 / 2 + r1)
         more = error / (1 + stiffness * (h * h / 4 * W + yields / 2) + h * h / 2 * loss * kept * W)
         more = max(more, -N)
-        missed = abs(g - used) + abs(
-            N * (secant(rough0, z0, dpath) * lever + secant(rough1, z1, dedge) * rim_lever) - roll
-        )
+        mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
+        missed = abs(g - used) + abs(N * (mt * lever + mr * rim_lever) - roll)
         near = max(abs(more), missed / R) <= NEAR * (N + weight)
         N += more
-    mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
     turn, roll, before = (N * lean + g) * A2 * inverse / 2, N * (mt * lever + mr * rim_lever), V2
     b0, b1, b2 = M0, M1, M2
     V0, V1, V2, M0, M1, M2 = half_way(N, turn, roll, mt, A0, A1, reach, d0, d1, y, push, h, weight)

@@ -55,8 +55,10 @@ CAUSE = "What ends the motion is "
 
 def answers(findings: Iterable[Finding]) -> dict[str, str]:
     """Return the answer to each question from the findings of a run. Raises LookupError where none of them answers."""
-    by_key = {finding.key: finding for finding in findings}
-    return {question: _told(by_key, cells) for question, cells in CELLS.items()}
+    told = in_short(findings)
+    for question in CELLS.keys() - told.keys():
+        raise LookupError(f"none of the findings {', '.join(CELLS[question])}")
+    return told
 
 
 def in_short(findings: Iterable[Finding]) -> dict[str, str]:
@@ -66,9 +68,7 @@ def in_short(findings: Iterable[Finding]) -> dict[str, str]:
 
 
 def _told(by_key, cells):
-    key = next((key for key in cells if key in by_key), None)
-    if key is None:
-        raise LookupError(f"none of the findings {', '.join(cells)}")
+    key = next(key for key in cells if key in by_key)
     finding = by_key[key]
     words = cells[key][0 if finding.holds else 1]
     words = re.sub("^(yes|no)", "uncertain", words) if finding.near else words
