@@ -6,7 +6,7 @@ import signal
 import subprocess
 import sys
 import threading
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
+from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
 from stat import S_ISREG
 
@@ -108,3 +108,9 @@ def started(python: str, module: str, **how) -> subprocess.Popen:
         start_new_session=True,  # Ctrl-C of a terminal is for the driver
         **how,
     )
+
+
+def ended(process: subprocess.Popen):
+    """Kill a process, wait until it is gone, and close the pipes to it."""
+    with suppress(OSError), process:
+        process.kill()

@@ -35,6 +35,15 @@ def test_both_processes_draw_the_same_bytes_also_once_one_is_dead(painter):
     assert painter.draw("motion", "draw_motion", lambda: CURVES).result() == here
 
 
+def test_a_process_that_is_ended_leaves_no_pipe():
+    painter = Painter()
+    process = painter._process.result()
+    painter.close()
+    assert process.returncode is not None
+    assert process.stdin.closed
+    assert process.stdout.closed
+
+
 def test_where_no_process_can_be_had_this_one_draws(monkeypatch):
     monkeypatch.setattr(sys, "executable", "")
     assert Painter().draw("motion", "draw_motion", lambda: CURVES).result() == drawn("motion", "draw_motion", CURVES)

@@ -8,7 +8,7 @@ from queue import SimpleQueue
 from typing import IO, Any, cast
 
 from sonify.hearing.recording import RecordingError
-from sonify.process import started
+from sonify.process import ended, started
 
 
 def each(tasks: list[tuple], count: int) -> Iterator[Any]:
@@ -38,5 +38,4 @@ def each(tasks: list[tuple], count: int) -> Iterator[Any]:
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
         for process in processes:
-            process.kill()
-            process.wait()
+            ended(process)

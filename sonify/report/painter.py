@@ -16,6 +16,8 @@ from io import BytesIO
 from subprocess import PIPE, Popen
 from typing import Any
 
+from sonify.process import ended
+
 MODULES = ("motion", "sound", "mode_shapes")
 """Of this package: they draw, and load slowly."""
 
@@ -53,7 +55,7 @@ class Painter:
             pickle.dump(work, process.stdin)
             process.stdin.flush()
             answer, error = pickle.load(process.stdout)
-        except (OSError, EOFError, pickle.UnpicklingError):  # there is none, or it is dead
+        except (OSError, EOFError, pickle.UnpicklingError):  # there is none, or it died
             return function(*arguments, **options)
         if error:
             raise error
@@ -63,9 +65,9 @@ class Painter:
     def close(self):
         """End the process."""
         with suppress(OSError):
-            process = self._process.result()
-            process.kill()
-            process.wait()
+            ended(self._process.result())
+        self._process = Future()
+        self._process.set_exception(BrokenPipeError("ended"))
 
 
 def _started():

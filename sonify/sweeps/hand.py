@@ -8,7 +8,7 @@ import sys
 import threading
 from typing import IO, Any, cast
 
-from sonify.process import started
+from sonify.process import ended, started
 
 TRIES = 2
 """Processes that a run may bring down before that is its result."""
@@ -24,34 +24,35 @@ class Hand:
         self._tasks, self._answers = cast(IO[str], self.process.stdin), cast(IO[str], self.process.stdout)
         self.late = False
         HANDS.add(self)
-        self.version = (self._answer() or {}).get("version")
+        self.version = (_read(self._answers.readline()) or {}).get("version")
 
     def row(self, task: dict, limit: float) -> dict[str, Any] | None:
         """Return the row of a task, None if the process has died of it."""
+        asked = json.dumps(task) + "\n"
         clock = threading.Timer(limit, self._too_late)
         clock.start()
         try:
-            self._tasks.write(json.dumps(task) + "\n")
+            self._tasks.write(asked)
             self._tasks.flush()
-            return self._answer()
-        except OSError:
+            answer = self._answers.readline()
+        except (OSError, ValueError):  # it is dead, or its pipes are closed
             return None
         finally:
             clock.cancel()
+        return _read(answer)
 
     def end(self):
         """End the process, whatever it does."""
         HANDS.discard(self)
-        self.process.kill()
-        self.process.wait()
-
-    def _answer(self):
-        line = self._answers.readline()
-        return json.loads(line) if line.endswith("\n") else None
+        ended(self.process)
 
     def _too_late(self):
         self.late = True
         self.process.kill()
+
+
+def _read(line):
+    return json.loads(line) if line.endswith("\n") else None
 
 
 class EndedError(Exception):
@@ -80,8 +81,10 @@ def solve_apart(task: dict, limit: float) -> dict[str, Any]:
 def own_hand() -> Hand:
     """Return the living process of this thread; one that had nothing to do has ended itself."""
     hand: Hand | None = getattr(OWN, "hand", None)
-    if hand is None or hand.process.poll() is not None:
-        HANDS.discard(hand)  # type: ignore[arg-type]
+    if hand and hand.process.poll() is not None:
+        hand.end()
+        hand = None
+    if hand is None:
         hand = OWN.hand = Hand()
     return hand
 
