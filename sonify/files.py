@@ -35,14 +35,15 @@ def numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
 
 @contextmanager
 def claimed(folder: str | Path):
-    """Yield the `claim`ed folder; it is removed again if nothing came to be written in it. Raises OutputError."""
-    new = not os.path.exists(folder)  # unlike Path.exists, False for a path that is too long
-    folder = claim(folder)
+    """Yield the `claim`ed folder; what was made for it goes again if nothing is written in it. Raises OutputError."""
+    path = Path(folder)
+    new = [made for made in (path, *path.parents) if not os.path.exists(made)]  # Path.exists raises if it is too long
     try:
-        yield folder
+        yield claim(folder)
     finally:
-        if new and not any(folder.iterdir()):
-            folder.rmdir()
+        for made in new:
+            with suppress(OSError):  # it holds something, or was not made
+                made.rmdir()
 
 
 @contextmanager

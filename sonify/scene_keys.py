@@ -86,8 +86,9 @@ def _range(key):
     if "$ref" in key:
         return "sections"
     if key["type"] == "array":
-        parts = key.get("prefixItems") or [key["items"]]
-        return f"list of {len(parts) if 'prefixItems' in key else 'any length'}: {_range(parts[0])}"
+        parts, most = key.get("prefixItems") or [key["items"]], key.get("maxItems")
+        length = len(parts) if "prefixItems" in key else f"at most {most}" if most else "any length"
+        return f"list of {length}: {_range(parts[0])}"
     bounds = [f"{sign} {key[name]:g}" for name, sign in BOUNDS.items() if name in key]
     return ", ".join(bounds) or KINDS[key["type"]]
 

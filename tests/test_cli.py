@@ -61,6 +61,7 @@ def test_the_keys_of_a_scene_and_their_schema_are_printed():
     listed = ask("scenes", "--keys").stdout.splitlines()
     assert listed[0].split() == list(Key._fields)
     assert len(listed) == 1 + len(keys())
+    assert any(line.startswith("audio.listeners") and "at most 16" in line for line in listed)
     assert json.loads(ask("scenes", "--schema").stdout) == schema()
 
 

@@ -13,7 +13,7 @@ import pytest
 from click.testing import CliRunner
 
 from sonify.__main__ import main
-from sonify.files import HIDDEN, OutputError, claim, whole
+from sonify.files import HIDDEN, OutputError, claim, claimed, whole
 
 ROOT = Path(__file__).parent.parent
 COMMAND = """
@@ -91,6 +91,15 @@ def test_what_a_killed_run_left_goes_with_the_next_file_and_what_a_living_one_wr
     with whole(tmp_path / "one.txt") as first:
         first.write_text("three")
     assert names(tmp_path) == {"one.txt", "two.txt"}
+
+
+def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_it(tmp_path):
+    with pytest.raises(ValueError, match="refused"), claimed(tmp_path / "outputs" / "runs" / "one"):
+        raise ValueError("refused")
+    assert names(tmp_path) == set()
+    with claimed(tmp_path / "outputs" / "runs" / "two") as folder:
+        (folder.parent / "kept").touch()
+    assert names(tmp_path / "outputs" / "runs") == {"kept"}
 
 
 def test_hidden_files_of_others_are_left_alone(tmp_path):

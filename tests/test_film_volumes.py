@@ -76,6 +76,17 @@ def test_the_compressible_film_is_solved_on_every_mesh(nearest):
         assert np.abs(flow[:, 0]).max() < 1e-9
 
 
+@pytest.mark.parametrize(("nearest", "falling"), [(5.0, 0.0), (7.0, 0.5)])
+def test_what_leaves_at_the_rim_is_told_by_the_rim_alone(nearest, falling):
+    """However the waves by which it is told go on inwards, where the equation is solved: on a mesh on which the air is
+    spread farther (nearest 5), and where the gap closes as well."""
+    mesh = FilmMesh(6, nearest=nearest)
+    P = mesh.turning(100.0, falling=falling)
+    out = mesh.flow_out(P, 100.0, falling=falling)
+    mesh._waves(3)[mesh._inner] = 0
+    np.testing.assert_allclose(mesh.flow_out(P, 100.0, falling=falling), out, atol=1e-9)
+
+
 @pytest.mark.parametrize("falling", [3.0])
 def test_so_is_one_that_falls_as_it_turns(falling):
     """A fall bears more, at once and on every mesh."""

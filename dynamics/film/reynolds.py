@@ -146,9 +146,13 @@ class FilmMesh:
                 return P
         return None
 
-    def flow_out(self, P, Lam: float, orders: int = 3) -> np.ndarray:
-        """Return the mass that leaves at the rim under `turning`, as Response.rim, over p_a g^3/(12 mu)."""
-        return -self._assembled(_turning, P, Lam) @ self._waves(orders)
+    def flow_out(self, P, Lam: float, orders: int = 3, falling: float = 0.0) -> np.ndarray:
+        """Return the mass that leaves at the rim under `turning`, as Response.rim, over p_a g^3/(12 mu).
+
+        It is what the equation that P solves, whichever of NEAR that is, leaves at the rim.
+        """
+        left = (self._assembled(_turning, P, Lam, falling, near) for near in NEAR)
+        return -min(left, key=lambda rest: np.abs(rest[self._inner]).max()) @ self._waves(orders)
 
     def integral(self, p, shape=1.0) -> float:
         """Return int p W dA over the face, of a nodal field p (n,) and a shape W at the points."""
@@ -187,7 +191,7 @@ class FilmMesh:
         np.add.at(loads, self.basis.element_dofs.T, parts)
         return loads.T
 
-    def _assembled(self, form, P, Lam, falling=0.0, near=NEAR[0]):
+    def _assembled(self, form, P, Lam, falling, near):
         cube, flow = self.height**3, Lam * self.height
         fields = {f"along_{key}": cube * value for key, value in self._metric.items()}
         fields |= {f"around_{key}": flow * value for key, value in self._around.items()}
