@@ -66,7 +66,7 @@ def hidden(folder):
 def test_a_signal_that_ends_leaves_nothing_and_says_so(writer, tmp_path, name, status):
     process = writer("sound.wav")
     process.send_signal(getattr(signal, name))
-    assert process.communicate(timeout=30)[1] == "sonify: interrupted\n"
+    assert process.communicate(timeout=60)[1] == "sonify: interrupted\n"
     assert process.returncode == status
     assert names(tmp_path) == set()
 
@@ -181,5 +181,5 @@ def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path
     process = subprocess.Popen(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     assert process.stdout.readline() == "importing\n"
     process.send_signal(signal.SIGTERM)
-    assert process.communicate(timeout=30)[1] == "sonify: interrupted\n"
+    assert process.communicate(timeout=60)[1] == "sonify: interrupted\n"
     assert process.returncode == 143

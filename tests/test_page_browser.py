@@ -259,7 +259,7 @@ def test_two_runs_are_heard_in_turn_on_one_axis_of_time(browser, folder):
     told = queue.Queue()
     threading.Thread(target=serve, args=(folder.parent, "127.0.0.1", 0, told.put), daemon=True).start()
     page = browser.new_page(viewport={"width": 1280, "height": 900})
-    page.goto(f"{told.get(timeout=20)}compare?a={folder.name}&b={folder.name}")
+    page.goto(f"{told.get(timeout=60)}compare?a={folder.name}&b={folder.name}")
     page.wait_for_function(f"{READY.removeprefix('() => ')} && sonify.spectrograms.length == 2", timeout=60_000)
     page.evaluate("sonify.player.seek(10.0)")
     page.click("#play")
@@ -293,12 +293,12 @@ def test_a_browser_that_keeps_silent_says_so(open_page):
     page = open_page(script="AudioContext.prototype.resume = () => new Promise(() => {})")
     page.wait_for_function(READY, timeout=60_000)
     page.click("#play")
-    page.wait_for_selector("#notice:not([hidden])", timeout=5000)
+    page.wait_for_selector("#notice:not([hidden])", timeout=60_000)
     assert page.locator("#notice").inner_text().startswith("No sound: ")
 
 
 def test_a_browser_that_decodes_nothing_still_tells_everything(open_page):
     page = open_page(script="OfflineAudioContext.prototype.decodeAudioData = () => Promise.reject(new Error('no'))")
-    page.wait_for_selector("#notice:not([hidden])", timeout=10_000)
+    page.wait_for_selector("#notice:not([hidden])", timeout=60_000)
     assert "cannot be decoded" in page.locator("#notice").inner_text()
     assert page.locator("h2:has-text('Findings')").is_visible()

@@ -40,10 +40,10 @@ def get(root):
     """Return get(path, **headers) -> status, headers, body, of a server that runs."""
     told = queue.Queue()
     threading.Thread(target=serve, args=(root, "127.0.0.1", 0, told.put), daemon=True).start()
-    port = int(told.get(timeout=10).rstrip("/").rpartition(":")[2])
+    port = int(told.get(timeout=60).rstrip("/").rpartition(":")[2])
 
     def get(path, **headers):
-        connection = HTTPConnection("127.0.0.1", port, timeout=10)
+        connection = HTTPConnection("127.0.0.1", port, timeout=60)
         connection.request("GET", path, headers=headers)
         answer = connection.getresponse()
         return SimpleNamespace(status=answer.status, headers=answer.headers, body=answer.read())
