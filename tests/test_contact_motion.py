@@ -135,7 +135,7 @@ EPS = np.finfo(float).eps
 
 
 def test_threads_find_the_same(elastic):
-    """To the last units of what they are sums of: NumPy's sines hang on where an array begins, in its older versions."""
+    """To the last units of what they are sums of: the sines of older NumPys hang on where an array begins."""
     scene = elastic.replace("roughness.rms=1e-7", "numerics.time_limit=0.02", "numerics.contact_rate=2e5")
     with ThreadPoolExecutor(2) as pool:
         one, other = pool.map(simulate, [scene] * 2)
