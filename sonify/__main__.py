@@ -187,15 +187,15 @@ def serve(folder, port, host):
 @click.option("--retry", is_flag=True, help="Solve runs with an error again.")
 def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     """Run the scenes of SWEEP, a shipped name or a TOML file, of which a table has no row yet; draw the table."""
+    from sonify.console import Console
     from sonify.sweeps.command import plan, says
     from sonify.sweeps.command import sweep as run_all
 
     if planned:
-        for line in plan(sweep, processes):
-            click.echo(line)
+        with Console() as stages:
+            lines = plan(sweep, processes, stages)
+        click.echo("\n".join(lines))
         return
-    from sonify.console import Console
-
     with Console() as stages:
         table = run_all(sweep, scheduler, out, processes, yes, retry, stages)
     click.echo(str(table))

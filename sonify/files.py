@@ -1,5 +1,6 @@
 """Files that are either whole or not there, and nothing left behind by whatever way a run ends."""
 
+import errno
 import os
 from collections.abc import Callable
 from contextlib import contextmanager, suppress
@@ -50,9 +51,12 @@ def claimed(folder: str | Path):
 def whole(path: str | Path):
     """Yield a temporary path beside `path`, renamed to it if the block ends well and removed if it does not.
 
-    What a process that was killed has left beside `path` is removed, too; tests/test_files.py kills some.
+    Raises IsADirectoryError where `path` is one. What a process that was killed has left beside it is removed, too;
+    tests/test_files.py kills some.
     """
     path = Path(path)
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     path.parent.mkdir(parents=True, exist_ok=True)
     _remove_orphans(path.parent)
     with _alive(path.parent) as name:

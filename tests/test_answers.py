@@ -4,12 +4,14 @@ Source: sonify/claims/answers.py. Oracle: findings whose values and answers are 
 """
 
 import re
+from dataclasses import replace
 from math import inf
 from pathlib import Path
 
 import pytest
 
-from sonify.claims.answers import CELLS, SURFACES, answer_table, answers, in_short
+from sonify.claims.air import LOST_TO_AIR
+from sonify.claims.answers import CELLS, LOST, SURFACES, answer_table, answers, in_short
 from sonify.claims.motion import Finding
 from sonify.examples import surfaces
 from sonify.scene import shipped_scenes
@@ -51,6 +53,17 @@ def test_the_first_finding_that_there_is_answers(rank):
     assert in_short([finding(keys[0], 0.25, True)]) == {
         next(iter(CELLS)): CELLS[next(iter(CELLS))][keys[0]][0].format(0.25)
     }
+
+
+@pytest.mark.parametrize("holds", [True, False])
+def test_contact_that_is_lost_to_the_air_is_told_beside_what_vibrations_do(holds):
+    """In the words of the run alone: where the film is left out, the disk keeps its contact."""
+    key = "contact_is_lost" if holds else "contact_kept"  # the second does not hold where the air carries the disk
+    kept, air = finding(key, 0.0, False), finding("carried_by_air", 1.0, True)
+    told = in_short([kept])[LOST]
+    assert in_short([kept, air])[LOST] == told
+    air = replace(air, claim=LOST_TO_AIR)
+    assert in_short([kept, air])[LOST] == told + ("; at last the air carries the disk" if holds else ", to the air")
 
 
 def shown(text):

@@ -219,14 +219,22 @@ def test_the_same_sweep_again_runs_nothing_and_another_is_refused(done, monkeypa
 
 def test_maps_are_drawn_from_the_table_alone(done, tmp_path):
     for n, (axes, of) in enumerate(
-        [([], "t_end"), ([], "outcome"), (["--x", AXIS], "passed"), (["--x", "outcome"], "t_end")]
+        [
+            ([], "t_end"),
+            ([], "outcome"),
+            (["--x", AXIS], "passed"),
+            (["--x", "outcome"], "t_end"),
+            (["--x", "t_end", "--y", "t_end"], "t_end"),  # on a line
+        ]
     ):
         asked = CliRunner().invoke(main, ["map", str(done), *axes, "--of", of, "--out", str(tmp_path / f"{n}.png")])
         assert asked.exit_code == 0, asked.output
         assert (tmp_path / f"{n}.png").stat().st_size > 5000
-    for wrong in (["--of", "nothing"], ["--of", "t_end", "--x", "nothing"]):
+    folder = ["--out", "."]
+    for wrong in (["--of", "nothing"], ["--of", "t_end", "--x", "nothing"], ["--of", "t_end", *folder]):
         asked = CliRunner().invoke(main, ["map", str(done), *wrong])
         assert (asked.exit_code, len(asked.stderr.splitlines())) == (2, 1)
+    assert asked.stderr.startswith("sonify: .: ")
     assert CliRunner().invoke(main, ["map", str(tmp_path / "0.png"), "--of", "t_end"]).exit_code == 2
 
 

@@ -22,6 +22,7 @@ from sonify.sound.pressure import Sound
 
 MEASURED, SPREAD = 0.31, 0.03
 """Exponent of the precession rate in the time left, of recordings of disks on granite (2026), and its error."""
+LOST_TO_AIR = "The contact is lost to the air"
 LAST = 0.1
 """The end of a motion is what takes this last part of its energy."""
 LOST_TO = (
@@ -146,9 +147,7 @@ def carried_by_air(motion: Motion, film: Film) -> Finding:
     when = f", lost at {motion.t[-1]:.5g} s, {motion.state[-1, 1]:.3g} rad, {turns:.3g} turns a second"
     return Finding(
         key="carried_by_air",
-        claim="The contact is lost to the air"
-        if acts
-        else "In its air, which is left out, the contact would be lost to it",
+        claim=LOST_TO_AIR if acts else "In its air, which is left out, the contact would be lost to it",
         value=1.0 if carried else float(share),
         unit="greatest lift of the film / vertical force" + (when if carried else ""),
         at_least=1.0,

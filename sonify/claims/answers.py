@@ -3,6 +3,7 @@
 import re
 from collections.abc import Iterable, Mapping
 
+from sonify.claims.air import LOST_TO_AIR
 from sonify.claims.motion import Finding
 
 SURFACES = {
@@ -51,6 +52,7 @@ CELLS = {
 """Question -> key of a finding, the first that a run has -> answer where its claim holds, and where not; a yes or no
 that is near its bar is uncertain."""
 CAUSE = "What ends the motion is "
+LOST, CARRIED = "is contact lost", "carried_by_air"
 
 
 def answers(findings: Iterable[Finding]) -> dict[str, str]:
@@ -62,9 +64,13 @@ def answers(findings: Iterable[Finding]) -> dict[str, str]:
 
 
 def in_short(findings: Iterable[Finding]) -> dict[str, str]:
-    """Return the answer to each question that findings of this run do answer."""
+    """Return the answer to each question that findings of this run do answer; a disk that the air carries has lost its
+    contact at the end, whatever vibrations do."""
     by_key = {finding.key: finding for finding in findings}
-    return {question: _told(by_key, cells) for question, cells in CELLS.items() if by_key.keys() & cells}
+    told = {question: _told(by_key, cells) for question, cells in CELLS.items() if by_key.keys() & cells}
+    if LOST in told and CARRIED in by_key and by_key[CARRIED].holds and by_key[CARRIED].claim == LOST_TO_AIR:
+        told[LOST] += ", to the air" if told[LOST] == "yes" else "; at last the air carries the disk"
+    return told
 
 
 def _told(by_key, cells):

@@ -127,7 +127,7 @@ def load_frequency_rises(motion: Motion):
 
 @finding(
     "The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
-    "chi from the release until it does",
+    "chi from the release until it does, inf if it never does",
     "figure 4 (b), read in quadruple precision; footnote 3",
     at_most=FIGURE_4[1],
     tolerance=0.5,

@@ -90,10 +90,11 @@ def _numbers(figure, panel, places, values, what):
         panel.set_ylabel(what.of)
         return
     scaled = np.column_stack([np.log(p) if n in what.logs else p for n, p in zip(what.over, places.T, strict=True)])
-    if min(len(set(column)) for column in scaled.T) < 2 or len(places) < 4:
+    within = (scaled - scaled.min(axis=0)) / np.maximum(np.ptp(scaled, axis=0), 1e-300)
+    if np.linalg.matrix_rank(within - within.mean(axis=0), 1e-6) < 2 or len(places) < 4:  # on a line, or few
         drawn = panel.scatter(*places.T, c=values, cmap="viridis")
     else:
-        around = Triangulation(*((scaled - scaled.min(axis=0)) / np.ptp(scaled, axis=0)).T)
+        around = Triangulation(*within.T)
         mesh = Triangulation(*places.T, around.triangles)
         levels, scale = _levels(values)
         drawn = panel.tricontourf(mesh, values, levels, cmap="viridis", norm=scale)

@@ -42,7 +42,8 @@ def sweep(
     asked, stages = load_sweep(source), stages or Stages()
     folder = Path(out or Path("outputs") / "sweeps" / asked.name)
     if asked.points.count > UNASKED and not yes:
-        hours = hours_of(asked, asked.points.count, processes)
+        with stages.stage("estimate"):
+            hours = hours_of(asked, asked.points.count, processes)
         raise InputError(f"{asked.points.count} runs, about {hours:.3g} hours on this machine: add --yes to begin them")
     axes = [key for axis in asked.points.axes for key in axis.keys]
     with (
@@ -82,10 +83,12 @@ def says(path: str | Path) -> tuple[list[str], bool]:
     return [f"{len(table['run'])} runs: {', '.join(told)}"], not failed
 
 
-def plan(source: str | Path | dict[str, Any], processes: int | None = None) -> list[str]:
+def plan(source: str | Path | dict[str, Any], processes: int | None = None, stages: Stages | None = None) -> list[str]:
     """Return what a sweep would do, line by line; one run of it is solved, to know how long one takes."""
     asked, processes = load_sweep(source), processes or cores()
-    points, first = asked.points, _probe(asked)
+    points = asked.points
+    with (stages or Stages()).stage("estimate"):
+        first = _probe(asked)
     hours = hours_of(asked, points.count, processes, first)
     drawn = f"{points.samples.method}, seed {points.samples.seed}, over" if points.samples else "a grid over"
     return [

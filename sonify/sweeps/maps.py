@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from sonify.files import whole
 from sonify.report.maps import Map, draw_map
 from sonify.scene_errors import InputError
 from sonify.scene_keys import keys as scene_keys
@@ -30,7 +31,8 @@ def make_map(
     out = Path(out or Path(path).with_name(f"{of}.png"))
     columns = {name: table[name].to_pylist() for name in (x, y, of) if name}
     units = {key.name: key.unit for key in scene_keys() if key.unit != "-"}
-    draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs, units=units), out)
+    with whole(out) as temporary:
+        draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs, units=units), temporary)
     return out
 
 

@@ -131,6 +131,8 @@ class Table:
 
 def read_table(path: str | Path) -> tuple[pa.Table, dict]:
     """Return a table and what its sweep was. Raises InputError where the file is no table of a sweep."""
+    if not Path(path).is_file():
+        raise InputError(f"{path}: no such file")
     try:
         table = pq.read_table(path)
         return table, json.loads(table.schema.metadata[KEY])
