@@ -236,3 +236,17 @@ def test_a_disk_that_loses_nothing_has_all_the_time_there_is(scene):
     still = scene.replace(*lossless, "numerics.time_limit=1")
     assert time_left(1e-3, still.disk, still.friction, still.dissipation) == inf
     assert plan_of(still).predictions[0].error == 0
+
+
+def test_a_disk_that_moves_with_its_table_is_not_said_to_stay_rigid_on_a_plane(scene):
+    """On one light mode it moves with the table at last, on one of a thousand kilograms it never does."""
+    surface = "surface={{kind='modes', modes=[{{order=2, frequency=600.0, damping_ratio=0.02, modal_mass={}}}]}}"
+    moves, still = (
+        with_table(plan_of(on), on)[0] for on in (scene.replace(surface.format(mass)) for mass in (1.0, 1e6))
+    )
+    plane = plan_of(scene).modelled[0]
+    assert plane in still.modelled
+    assert plane not in moves.modelled
+    assert still.left_out[0] != moves.left_out[0]
+    for plan, told in ((still, "rigid in the motion"), (moves, "rigid, until the table moves with the disk")):
+        assert told in [decision.choice for decision in plan.decisions if decision.subject == "disk"]

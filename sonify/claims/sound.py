@@ -138,7 +138,7 @@ def tone_is_heard(tone, sound: Sound):
 
 
 @finding(
-    "The vibration of the modes is what is heard in the last second",
+    "What is heard of the disk in the last second is the vibration of its modes",
     "dB(A), ringing of the modes over rigid motion of the disk",
     "section 8: this is not the primary sound source; the forcing excites modes",
     at_least=0.0,
@@ -182,7 +182,7 @@ def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -
 
 
 @finding(
-    "The strongest carrier keeps its pitch: no mode rises",
+    "The strongest steady tone keeps its pitch: no mode rises",
     "cents, spread over the sound",
     "linear modes; from the sound alone",
     at_most=5.0,
@@ -194,7 +194,7 @@ def carriers_are_steady(heard: Heard):
     return max(one.spread, drift), max(one.spread / 2, 2 * error)
 
 
-@finding("The strongest carrier is a mode of the disk", "cents to the nearest mode", "section 8", at_most=5.0)
+@finding("The strongest steady tone is a mode of the disk", "cents to the nearest mode", "section 8", at_most=5.0)
 def carriers_are_modes(heard: Heard, modes: Modes):
     """The distance of the strongest carrier from the nearest mode [cents]."""
     strongest = heard.carriers[0].frequency

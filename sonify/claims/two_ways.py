@@ -25,6 +25,7 @@ ALL_BUT_FLAT = 2 * LIES
 """An inclination [rad] below which a disk touches and leaves a table that waves with one step and not with another."""
 LAST = 0.1
 """The part of the energy at which the halt begins."""
+LEFT = "that was left when the table began to act back"
 EVERY = 20
 """Steps between rows of a motion of which only the end is looked at."""
 NEAR = 0.2
@@ -136,7 +137,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion) -> Finding:
         key="waves_make_the_halt",
         claim="The waves of the table, and not impacts or friction, take the last energy",
         value=shares["table"] / whole,
-        unit=f"of the last {LAST:.0%} of the energy; {told}",
+        unit=f"of the last {LAST:.0%} of the energy {LEFT}; {told}",
         at_least=0.5,
         source="section 8: contact that is lost and regained ends the motion",
     )
@@ -164,7 +165,7 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion) -> Finding:
         key="disk_rings_at_the_halt",
         claim="The vibrations of the disk, and not those of the table alone, have a part in the halt",
         value=budget.bending.max() / (budget.disk[0] + budget.table[0]),
-        unit=f"of the last {LAST:.0%} of the energy is the most that its elastic modes hold",
+        unit=f"of the last {LAST:.0%} of the energy {LEFT} is the most that its elastic modes hold",
         at_least=0.1,
         source="abstract: the vibrations of disk and surface",
     )

@@ -94,7 +94,7 @@ def plan_of(scene: Scene) -> Plan:
             damping(scene.material),
         ),
         predictions=() if numerics.accuracy == "reference" else (predicted_end(scene, final),),
-        modelled=("A rigid disk rolls and slides on a rigid plane.", CONTACT[scene.support.kind], *HEARD),
+        modelled=(ON_A_PLANE, CONTACT[scene.support.kind], *HEARD),
         left_out=(
             *LEFT_OUT,
             *WALL[scene.disk.shape],
@@ -195,8 +195,10 @@ WALL = {
         "upper edge of the wall alone radiates.",
     ),
 }
+ON_A_PLANE = "A rigid disk rolls and slides on a rigid plane."
+NO_ACTION = "Sound of impacts; the action of the elastic modes on the motion."
 LEFT_OUT = (
-    "Sound of impacts; the action of the elastic modes on the motion.",
+    NO_ACTION,
     "The resisting moments and the centrifugal loads as drivers of the modes.",
 )
 IMPACT = "The impact of the face on the table that ends the fall, and all that it would ring."

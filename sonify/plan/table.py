@@ -8,7 +8,7 @@ import numpy as np
 from dynamics import Motion
 from dynamics.coupled.acting import acting, no_one_contact, unsolved
 from modal import SurfaceModes, UnsolvableError, surface_modes
-from sonify.plan.plan import ENERGY_SHARE, Decision, Plan
+from sonify.plan.plan import ENERGY_SHARE, NO_ACTION, ON_A_PLANE, Decision, Plan
 from sonify.plan.predictions import END, SOUND, Prediction
 from sonify.scene import Scene, SceneError
 from sonify.sound.table import after_a_newton, contact_place
@@ -80,7 +80,21 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     plan = replace(plan, predictions=with_table_heard(plan.predictions, scene))
     plan = replace(plan, decisions=(*plan.decisions, *told), modelled=(*plan.modelled, *MODELLED[scene.surface.kind]))
     left_out = (*LEFT_OUT[told[0].choice != SOUNDS :], UNTOLD)
+    plan = plan if told[0].choice == SOUNDS else moving(plan, scene)
     return replace(plan, left_out=(*plan.left_out, *left_out, *bending(every, scene))), modes
+
+
+def moving(plan: Plan, scene: Scene) -> Plan:
+    """Return a plan which says of a disk that moves with its table what holds in place of a rigid one on a plane."""
+    bends = scene.contact.body == "elastic" and scene.disk.shape == "solid"
+    others = {ON_A_PLANE: MOVES + BENDS * bends, NO_ACTION: NO_ACTION[:-1] + BEFORE}
+    disk = Decision(subject="disk", choice="rigid" + BEFORE[:-1], reason=(MOVES + BENDS * bends)[:-1])
+    return replace(
+        plan,
+        decisions=tuple(disk if decision.subject == "disk" else decision for decision in plan.decisions),
+        modelled=tuple(others.get(sentence, sentence) for sentence in plan.modelled),
+        left_out=tuple(others.get(sentence, sentence) for sentence in plan.left_out),
+    )
 
 
 def with_table_heard(predictions, scene: Scene) -> tuple[Prediction, ...]:
@@ -147,6 +161,12 @@ def off_mesh(file: str, place) -> np.ndarray:
     return ~on_top(top_triangles(read_checked(file)[0], file), place)
 
 
+BEFORE = ", until the table moves with the disk."
+MOVES = (
+    "A rigid disk rolls and slides on a rigid plane until the table moves with it; from then on its contact is elastic "
+    "and lies at the least gap between rim and deflected table."
+)
+BENDS = " The elastic modes of the disk below 20 kHz move with it, too."
 WAVY = (
     "The table is wavy round the circle of the contact, which goes with the disk; the contact is where the gap between "
     "rim and waves is least."
