@@ -16,12 +16,11 @@ from ..disk import LARGEST, Friction
 from ..film.law import Film
 from .bending import RIGID, Bending
 from .contact import LEAST_INCLINATION
-from .handover import inclination
 from .march import CARRIED, FLAT, GOES, UNSOLVED, UPRIGHT, march
 from .profile import SMOOTH, Profile
 from .resonance import inertias, rate_needed
 from .sections import Imperfection
-from .state import SIZE
+from .state import AXIS, SIZE
 from .table import STEP, LawTable
 from .waves import settle, still, wavy
 
@@ -29,6 +28,8 @@ RATE = 400e3
 """Steps a second: safe to 1e-6 rad."""
 STEPS = 2**15
 """Steps that are taken together, or one row where it takes more."""
+NODES = 10
+"""Nodes of the table of the law from one to the next at which the rate needed is known: between, right to 2e-4."""
 ENDS = {
     FLAT: "the inclination reached its final value: below, one ellipse is not the contact",
     UPRIGHT: "the disk stood upright on a generator of its lateral surface: contact passes to the other rim",
@@ -101,6 +102,11 @@ class Compliant:
         """The table of the law (intervals, columns, 4), each cubic in the part of its interval."""
         return np.ascontiguousarray(self.table.spline.c.transpose(1, 2, 0) * STEP ** np.array([3, 2, 1, 0]))
 
+    @cached_property
+    def _needed(self) -> np.ndarray:
+        """The rate (n,) [1/s] needed at every NODES-th node of the table of the law."""
+        return rate_needed(self.table.law, np.arcsin(np.exp(self.table.grid[::NODES])))
+
     def finer(self) -> "Compliant":
         """Return the same in steps of half the length."""
         return replace(self, rate=2 * self.rate)
@@ -155,6 +161,6 @@ class Compliant:
 
     def _hold(self, y):
         """Raise ValueError where a resonance turns too far in a step."""
-        fastest = float(rate_needed(self.table.law, np.maximum(inclination(y[None]), LEAST_INCLINATION))[0])
+        fastest = np.interp(np.hypot(*y[AXIS : AXIS + 2]), np.exp(self.table.grid[::NODES]), self._needed)
         if fastest > self.rate:
             raise ValueError(f"rate = {self.rate:g}: too low for so stiff a contact, at least {fastest:.4g} 1/s needed")

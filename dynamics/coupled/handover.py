@@ -75,25 +75,23 @@ def inclination(y) -> np.ndarray:
 def energy(model, y) -> np.ndarray:
     """Return kinetic, potential and elastic energy [J] of states (n, SIZE), zero for the disk lying flat, with that of
     the modes of table and disk and of squeezed air."""
-    (J1, J2), L, n = inertias(model.table.law.disk), y[:, MOMENTUM : MOMENTUM + 3], y[:, AXIS : AXIS + 3]
-    moving = model.table.law.disk.mass * np.sum(y[:, VELOCITY:AXIS] ** 2, axis=1)
-    turning = np.sum(L * L, axis=1) / J1 + (1 / J2 - 1 / J1) * np.sum(L * n, axis=1) ** 2
-    stiffness = model.table.columns(np.maximum(inclination(y), LEAST_INCLINATION))[:, K]
-    pressed = 0.8 * stiffness * np.maximum(0.0, -y[:, GAP]) ** 2.5
-    springs = np.sum(y[:, STIFFNESS : STIFFNESS + 2] * y[:, SPRING : SPRING + 2] ** 2, axis=1)
-    moved = (moving + turning + pressed + springs) / 2
-    return moved + model.constants[WEIGHT] * (y[:, 2] - y[:, TABLE]) + y[:, SURFACE] + y[:, BODY] + y[:, SQUEEZED]
+    y, (J1, J2), disk = np.ascontiguousarray(y.T), inertias(model.table.law.disk), model.table.law.disk
+    v, n, L = y[VELOCITY:AXIS], y[AXIS:MOMENTUM], y[MOMENTUM:SPRING]
+    moved = disk.mass * (v * v).sum(axis=0) + (L * L).sum(axis=0) / J1 + (1 / J2 - 1 / J1) * (L * n).sum(axis=0) ** 2
+    x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(LEAST_INCLINATION)))
+    moved += 0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[GAP])) ** 5
+    moved += (y[STIFFNESS : STIFFNESS + 2] * y[SPRING : SPRING + 2] ** 2).sum(axis=0)
+    return moved / 2 + model.constants[WEIGHT] * (y[2] - y[TABLE]) + y[SURFACE] + y[BODY] + y[SQUEEZED]
 
 
 def columns(model, y) -> np.ndarray:
     """Return the columns of a Motion (n, 11) at states y (n, SIZE); the precession is in (-pi, pi]."""
-    disk, (J1, J2) = model.table.law.disk, inertias(model.table.law.disk)
-    R, H, beta, n, L = disk.radius, disk.thickness / 2, inclination(y), y[:, AXIS:MOMENTUM], y[:, MOMENTUM:SPRING]
-    s, c = np.sin(beta), np.cos(beta)
-    d = n[:, :2] / s[:, None]
-    w1, w2 = (L[:, 0] * d[:, 1] - L[:, 1] * d[:, 0]) / J1, np.sum(n * L, axis=1) / J2
-    w3 = (L[:, 2] * s - np.sum(L[:, :2] * d, axis=1) * c) / J1
-    u1 = y[:, 3] * d[:, 1] - y[:, 4] * d[:, 0] - R * w2 + H * w3
-    u2 = np.sum(y[:, 3:5] * d, axis=1) + (R * s + H * c) * w1
-    lost = y[:, LOSSES : LOSSES + len(CAUSES)].sum(axis=1)
-    return np.column_stack([np.arctan2(-d[:, 0], d[:, 1]), beta, -y[:, EDGE] / R, y[:, :2], w1, w2, w3, u1, u2, lost])
+    disk, (J1, J2), beta = model.table.law.disk, inertias(model.table.law.disk), inclination(y)
+    y, R, H, s, c = np.ascontiguousarray(y.T), disk.radius, disk.thickness / 2, np.sin(beta), np.cos(beta)
+    d0, d1, L = y[AXIS] / s, y[AXIS + 1] / s, y[MOMENTUM:SPRING]
+    w1, w2 = (L[0] * d1 - L[1] * d0) / J1, (y[AXIS:MOMENTUM] * L).sum(axis=0) / J2
+    w3 = (L[2] * s - (L[0] * d0 + L[1] * d1) * c) / J1
+    u1 = y[3] * d1 - y[4] * d0 - R * w2 + H * w3
+    u2 = y[3] * d0 + y[4] * d1 + (R * s + H * c) * w1
+    lost = y[LOSSES : LOSSES + len(CAUSES)].sum(axis=0)
+    return np.column_stack([np.arctan2(-d0, d1), beta, -y[EDGE] / R, y[0], y[1], w1, w2, w3, u1, u2, lost])

@@ -30,12 +30,12 @@ from .state import (
     IMPEDANCE,
     J1,
     J2,
-    LAST,
     LOSSES,
     MASS,
     PART,
     PATH,
     RADIUS,
+    RISES,
     SINE,
     SPEED,
     TABLE,
@@ -107,8 +107,8 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     sp = np.sqrt(p0 * p0 + p1 * p1)
     d0, d1, reach, rim_lever = p0 / sp, p1 / sp, R * p2 - H * sp, R / sp
     lever = reach * p2 / sp
-    # a first guess
-    N, g = max(0.0, 3 * (y[FORCE] - y[LAST]) + y[LAST + 1]), U0 * dK
+    # a first guess: without the heights the gap is far smoother than the force
+    N, g, rises = 0.0, U0 * dK, 3 * (y[RISES] - y[RISES + 1]) + y[RISES + 2]
     A0, A1, A2, inverse, lean = 2 * p0, 2 * p1, 2 * p2, 0.5 / sp, R - H * sp / p2
     wd = (L0 * d0 + L1 * d1) * ease + e * spin * sp
     dpath, dedge = h * (d0 * y[4] - d1 * y[3] + reach * (L2 * ease + e * spin * p2) - lever * wd), -h * rim_lever * wd
@@ -121,6 +121,9 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
             read_path, read_edge = dpath, dedge
             z0, z1 = read(table, y[PATH], dpath, half, rough0), read(rim, y[EDGE], dedge, half, rough1)
             mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
+            if left == MOST - 1:
+                dgap = rises - (z0 - rough0) - (z1 - rough1)
+                N = max(0.0, K0 * mean_force(r0, root(gap0 + dgap), gap0, gap0 + dgap) * (1 - loss * dgap))
         turn, roll = (N * lean + g) * A2 * inverse / 2, N * (mt * lever + mr * rim_lever)
         V0, V1, V2, M0, M1, M2 = half_way(N, turn, roll, mt, A0, A1, reach, d0, d1, y, push, h, weight)
         q0, q1, q2 = turned(n0, n1, n2, twist * M0, twist * M1, twist * M2)
@@ -163,6 +166,7 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     y[3], y[4], y[5] = 2 * V0 - y[3], 2 * V1 - y[4], 2 * V2 - y[5]
     y[6], y[7], y[8], y[9], y[10], y[11] = a0 + q0, a1 + q1, a2 + q2, 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
     y[PATH], y[EDGE], y[TABLE] = y[PATH] + dpath, y[EDGE] + dedge, y[TABLE] - yields * (N - weight)
-    y[LAST + 1], y[LAST], y[FORCE], y[SPEED], y[GAP] = y[LAST], y[FORCE], N, abs(dpath) / h, gap0 + dgap
+    y[RISES + 2], y[RISES + 1], y[RISES] = y[RISES + 1], y[RISES], dgap + (z0 - rough0) + (z1 - rough1)
+    y[FORCE], y[SPEED], y[GAP] = N, abs(dpath) / h, gap0 + dgap
     y[HEIGHTS], y[HEIGHTS + 1], y[SINE], y[CELL], y[PART] = z0, z1, s1 + ds, i, u
     return True

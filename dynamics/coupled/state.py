@@ -26,7 +26,9 @@ OWED = 46
 """Energy [J] that a change to another wave of the table took, and that nothing had which moved."""
 BODY = 47
 """Energy [J] of the modes of the disk."""
-SIZE = 48
+RISES = 48
+"""By how much [m] the gap opened in each of the last three steps, but for what the heights under it did."""
+SIZE = 51
 MASS, J1, J2, RADIUS, HALF, WEIGHT, MU_S, MU_D, ARMS, IMPEDANCE, VISCOUS_MOMENT, VISCOUS_FORCE = *range(9), 11, 12, 13
 """Constants: mass, moments of inertia, R, H, m g, friction, arms k1 to k3, impedance of the table, viscous loads."""
 TURNING, FALLING, INERTIA, NUMBER, AMBIENT, SLIP, FITTED = range(14, 21)

@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import Protocol
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+from scipy.interpolate import CubicSpline, PPoly
 
 from .contact import LEAST_INCLINATION, ContactLaw, Springs
 from .resonance import RIGID, Linear, Resonances, damping, linear, mobility, resonances
@@ -61,6 +61,11 @@ class LawTable:
     def spline(self) -> CubicSpline:
         """The columns over the grid."""
         return CubicSpline(self.grid, self._tabulated())
+
+    @cached_property
+    def stiffness(self) -> PPoly:
+        """K [N/m^1.5] over x."""
+        return PPoly(self.spline.c[:, :, K], self.grid)
 
     def _tabulated(self) -> np.ndarray:
         beta, load = self._inclinations, self.law.disk.weight
