@@ -108,7 +108,7 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     d0, d1, reach, rim_lever = p0 / sp, p1 / sp, R * p2 - H * sp, R / sp
     lever = reach * p2 / sp
     # a first guess: without the heights the gap is far smoother than the force
-    N, g, rises = 0.0, U0 * dK, 3 * (y[RISES] - y[RISES + 1]) + y[RISES + 2]
+    N, g, rises = 0.0, 0.0, 3 * (y[RISES] - y[RISES + 1]) + y[RISES + 2]
     A0, A1, A2, inverse, lean = 2 * p0, 2 * p1, 2 * p2, 0.5 / sp, R - H * sp / p2
     wd = (L0 * d0 + L1 * d1) * ease + e * spin * sp
     dpath, dedge = h * (d0 * y[4] - d1 * y[3] + reach * (L2 * ease + e * spin * p2) - lever * wd), -h * rim_lever * wd
@@ -123,7 +123,9 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
             mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
             if left == MOST - 1:
                 dgap = rises - (z0 - rough0) - (z1 - rough1)
-                N = max(0.0, K0 * mean_force(r0, root(gap0 + dgap), gap0, gap0 + dgap) * (1 - loss * dgap))
+                r1 = root(gap0 + dgap)
+                N = max(0.0, K0 * mean_force(r0, r1, gap0, gap0 + dgap) * (1 - loss * dgap))
+                g = (U0 + 0.4 * r1**5) / 2 * dK
         turn, roll = (N * lean + g) * A2 * inverse / 2, N * (mt * lever + mr * rim_lever)
         V0, V1, V2, M0, M1, M2 = half_way(N, turn, roll, mt, A0, A1, reach, d0, d1, y, push, h, weight)
         q0, q1, q2 = turned(n0, n1, n2, twist * M0, twist * M1, twist * M2)
