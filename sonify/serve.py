@@ -18,6 +18,7 @@ from sonify.report.page import bundle, templates
 from sonify.scene_errors import InputError
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
+LAST_PORT = 65535
 RUN = re.compile(r'<script type="application/json" class="run">(.*?)</script>', re.DOTALL)
 """The numbers of a run in its page."""
 DEEPEST = 4
@@ -31,13 +32,16 @@ def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=pr
     """
     if not Path(folder).is_dir():
         raise InputError(f"{folder}: no such folder; python -m sonify run makes one with its first run in it")
+    if not 0 <= port <= LAST_PORT:
+        raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
     try:
         listening = socket.create_server((host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET)
-    except (OSError, OverflowError) as error:
-        raise InputError(f"--port = {port}: cannot be had on {host}: {getattr(error, 'strerror', error)}") from None
+    except OSError as error:
+        raise InputError(f"--port = {port}: cannot be had on {host}: {error.strerror}") from None
     note(f"http://{f'[{host}]' if ':' in host else host}:{listening.getsockname()[1]}/")
     config = uvicorn.Config(application(folder, host), log_level="warning", timeout_graceful_shutdown=1)
-    uvicorn.Server(config).run(sockets=[listening])
+    with listening:
+        uvicorn.Server(config).run(sockets=[listening])
 
 
 def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:

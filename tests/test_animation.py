@@ -7,6 +7,7 @@ lowest point of the rim and at rest while the disk rolls; the film decoded again
 import signal
 import subprocess
 import sys
+from contextlib import closing
 from types import SimpleNamespace
 
 import numpy as np
@@ -102,9 +103,11 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
     done = []
     path = animate(result, done.append)
     assert done[-1] == pytest.approx(1.0)
-    reader = ffmpeg.read_frames(path)
-    about = next(reader)
-    frames = [np.frombuffer(frame, np.uint8).reshape(SIZE[1], SIZE[0], 3) for frame in reader]
+    with closing(ffmpeg.read_frames(path)) as reader:  # read to its end it would leave pipes open
+        about = next(reader)
+    command = [ffmpeg.get_ffmpeg_exe(), "-v", "error", "-i", str(path)]
+    raw = subprocess.run([*command, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, stdout=subprocess.PIPE)
+    frames = np.frombuffer(raw.stdout, np.uint8).reshape(-1, SIZE[1], SIZE[0], 3)
     assert about["codec"] == "h264"
     assert about["pix_fmt"].startswith("yuv420p")
     assert about["audio_codec"] == "aac"
@@ -114,8 +117,7 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
     assert changed[: STAGE[1], : STAGE[0]].mean() > 0.02  # the disk has moved, and so has the cursor
     assert changed[STAGE[1] :].any(axis=0).sum() < 20
     heard = path.with_name("heard.wav")
-    command = [ffmpeg.get_ffmpeg_exe(), "-v", "error", "-i", str(path), "-vn", str(heard)]
-    subprocess.run(command, check=True)
+    subprocess.run([*command, "-vn", str(heard)], check=True)
     samples, rate = soundfile.read(heard)
     whole, _ = soundfile.read(result.out / "sound.wav")
     lag = np.argmax(correlate(samples, whole[: len(samples)])) - (len(samples) - 1)

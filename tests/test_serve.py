@@ -6,6 +6,7 @@ Source: RFC 9110, section 14 (ranges); the README's command line. Oracle: the by
 import json
 import queue
 import threading
+from contextlib import closing
 from http.client import HTTPConnection
 from types import SimpleNamespace
 
@@ -43,10 +44,10 @@ def get(root):
     port = int(told.get(timeout=60).rstrip("/").rpartition(":")[2])
 
     def get(path, **headers):
-        connection = HTTPConnection("127.0.0.1", port, timeout=60)
-        connection.request("GET", path, headers=headers)
-        answer = connection.getresponse()
-        return SimpleNamespace(status=answer.status, headers=answer.headers, body=answer.read())
+        with closing(HTTPConnection("127.0.0.1", port, timeout=60)) as connection:
+            connection.request("GET", path, headers=headers)
+            answer = connection.getresponse()
+            return SimpleNamespace(status=answer.status, headers=answer.headers, body=answer.read())
 
     return get
 
