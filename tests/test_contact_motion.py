@@ -8,18 +8,23 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from psutil import Process
 
 from dynamics import Motion, simulate
 from dynamics.coupled.contact import LEAST_INCLINATION
+from dynamics.coupled.march import march
 from dynamics.coupled.motion import STATES
+from dynamics.coupled.profile import heights
 from dynamics.coupled.record import NODES, Record, between
 from dynamics.coupled.state import CAUSES
 from dynamics.rates import precession_rate
+from modal import surface_modes
 from sonify import load_scene
 from sonify.claims.checks import motion_checks
 from sonify.claims.motion import contact_kept
 
 BRIEF = "numerics.time_limit=0.3", "numerics.contact_rate=2e5"
+MEBIBYTE = 2**20
 FLAT = "release.inclination_deg=0.02", "numerics.contact_rate=2e5", "friction.arm_rolling=1e-3"
 
 
@@ -31,6 +36,34 @@ def elastic():
 @pytest.fixture(scope="module")
 def rough(elastic):
     return simulate(elastic.replace("roughness.rms=1e-7", *BRIEF))
+
+
+def of_other_numbers(elastic, i):
+    """A scene whose numbers depend on i: every third has a film, every third a rough table that moves."""
+    mode = f"{{order=2, frequency={600 + i}, damping_ratio=0.02, modal_mass={1 + 0.1 * i}}}"
+    table = "surface.kind=modes", f"surface.modes=[{mode}]", "surface.action=motion"
+    rough = (f"roughness.rms={1e-8 + 1e-10 * i}",)
+    film = "air.film=acts", f"air.viscosity={1e-5 + 1e-7 * i}"
+    disk = f"disk.radius={0.03 + 1e-4 * i}", f"disk.thickness={0.01 + 1e-5 * i}", f"disk.mass={0.4 + 1e-3 * i}"
+    contact = "contact.body=rigid", f"contact.young={5e10 + 1e9 * i}", f"contact.fillet={1e-3 + 1e-5 * i}"
+    friction = (f"friction.mu_static={0.4 + 1e-3 * i}",)
+    start = f"release.inclination_deg={20 + 0.1 * i}", "numerics.time_limit=0.004", "numerics.contact_rate=2e5"
+    return elastic.replace(*disk, *contact, *friction, *start, *((), film, (*table, *rough))[i % 3])
+
+
+@pytest.mark.slow
+def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(elastic):
+    """Fifty elastic contacts: a film and a table are numbers too, or empty arrays."""
+    ends, compiled, used = set(), [], []
+    for i in range(51):
+        scene = of_other_numbers(elastic, i)
+        motion = simulate(scene, surface_modes=surface_modes(scene) if i % 3 == 2 else None)
+        ends.add(float(motion.state[-1, 10]))
+        compiled.append(sum(len(machine.signatures) for machine in (march, between, heights)))
+        used.append(Process().memory_info().rss)
+    assert len(ends) == 51
+    assert compiled[2] == compiled[-1]
+    assert max(used[35:]) - max(used[18:35]) < 5 * MEBIBYTE  # sixteen laws are kept
 
 
 def test_a_polynomial_of_degree_five_is_read_exactly():
