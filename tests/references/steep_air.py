@@ -12,8 +12,10 @@ from netgen.occ import Axis, Box, Cylinder, OCCGeometry, Pnt, Sphere, Vec
 from ngsolve import ds, dx, grad, x, y, z
 from scipy.special import gammaln, lpmv, spherical_jn, spherical_yn
 
-RADIUS, HEIGHT, FILLET = 0.03755, 0.0128 / 0.03755, 1.6 / 37.55
-INCLINATIONS, NUMBERS = (0.1, 0.2, 0.35, 0.6), (0.3, 0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.2, 4.0, 5.0)
+RADIUS, NUMBERS = 0.03755, (0.3, 0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.2, 4.0, 5.0)
+TOY, COIN, STONE = (0.0128 / 0.03755, 1.6 / 37.55), (0.1, 0.03), (0.8, 1.6 / 37.55)
+"""Height and fillet of disks: the toy, a thinner and a thicker one."""
+INCLINATIONS = {TOY: (0.1, 0.2, 0.35, 0.6), COIN: (0.2, 0.35, 0.6), STONE: (0.2, 0.35, 0.6)}
 CLEAR = {0.1: 0.001, 0.2: 0.003, 0.35: 0.003, 0.6: 0.003}
 """Height of the lowest point over the table; a third of it changes 0.8 dB at 0.1 rad, half of it 0.12 dB at 0.35."""
 FAR, CELL, ORDER, DEGREES = 1.8, 0.55, 3, 9
@@ -21,13 +23,13 @@ SHIFTS, LEVELS = (1.3, 3.3), 3
 """Numbers at which it is factored, and powers of the inverse that span what is between."""
 
 
-def disk(beta, clear):
+def disk(height, fillet, beta, clear):
     """The disk, lowest at x < 0, its centre above the origin; the height of that."""
-    body = Cylinder(Pnt(0, 0, 0), Vec(0, 0, 1), 1.0, HEIGHT)
-    body = body.MakeFillet(body.edges, FILLET).Rotate(Axis(Pnt(0, 0, 0), Vec(0, -1, 0)), np.degrees(beta))
-    low = FILLET * np.cos(beta) - (1 - FILLET) * np.sin(beta) - FILLET
-    centre = HEIGHT / 2 * np.cos(beta) - low + clear
-    return body.Move(Vec(HEIGHT / 2 * np.sin(beta), 0, clear - low)), centre
+    body = Cylinder(Pnt(0, 0, 0), Vec(0, 0, 1), 1.0, height)
+    body = body.MakeFillet(body.edges, fillet).Rotate(Axis(Pnt(0, 0, 0), Vec(0, -1, 0)), np.degrees(beta))
+    low = fillet * np.cos(beta) - (1 - fillet) * np.sin(beta) - fillet
+    centre = height / 2 * np.cos(beta) - low + clear
+    return body.Move(Vec(height / 2 * np.sin(beta), 0, clear - low)), centre
 
 
 def meshed(body, gaps=(), least=0.02):
@@ -43,11 +45,11 @@ def meshed(body, gaps=(), least=0.02):
     return mesh.Curve(ORDER)
 
 
-def wedge(beta, centre):
+def wedge(height, beta, centre):
     """Places and gaps (x, y, gap) below the disk."""
     s, c = np.sin(beta), np.cos(beta)
     places = [(u, v) for u in np.linspace(-1, 1, 161) for v in np.linspace(0, 1, 81) if u * u + v * v <= 1]
-    return [(u * c + HEIGHT / 2 * s, v, u * s - HEIGHT / 2 * c + centre) for u, v in places]
+    return [(u * c + height / 2 * s, v, u * s - height / 2 * c + centre) for u, v in places]
 
 
 def size(degree, n):
@@ -128,24 +130,27 @@ def sphere(k=1.7, radius=0.8):
     return found / (-hankel(1, 5 * k) / (k * hankel(1, k * radius, True)))
 
 
-def levels(beta):
+def levels(height, fillet, beta):
     """The mean square [dB] round the disk at 0.5 m and 45 degrees of the pressure of a force 1 over the mass."""
-    body, centre = disk(beta, CLEAR[beta])
+    body, centre = disk(height, fillet, beta, CLEAR[beta])
     s, c = np.sin(beta), np.cos(beta)
     u, w = x * c + (z - centre) * s, -x * s + (z - centre) * c
-    arm = np.cos(beta) - HEIGHT / 2 * np.sin(beta)  # of the force; about a diameter the mass times 1/4 + HEIGHT^2/12
-    tilt = -arm / (1 / 4 + HEIGHT**2 / 12)
+    arm = np.cos(beta) - height / 2 * np.sin(beta)  # of the force; about a diameter the mass times 1/4 + height^2/12
+    tilt = -arm / (1 / 4 + height**2 / 12)
     moved = [(0, 0, 1), (-u * s - w * c, 0, u * c - w * s)]
     azimuth, found = np.pi * (np.arange(72) + 0.5) / 72, []
-    for k, amplitudes in zip(NUMBERS, multipoles(meshed(body, wedge(beta, centre)), moved, NUMBERS), strict=True):
+    for k, amplitudes in zip(
+        NUMBERS, multipoles(meshed(body, wedge(height, beta, centre)), moved, NUMBERS), strict=True
+    ):
         pressure = heard(amplitudes, k, 0.5 / RADIUS, np.pi / 4, azimuth) @ [1.0, tilt]
         found.append(10 * np.log10(np.mean(np.abs(pressure) ** 2)))
     return [round(float(level), 2) for level in found]
 
 
 if __name__ == "__main__":
-    table = [levels(beta) for beta in INCLINATIONS]
     off = abs(20 * np.log10(abs(sphere())))
-    print(
-        json.dumps({"inclination": INCLINATIONS, "number": NUMBERS, "level_db": table, "sphere_off_db": round(off, 4)})
-    )
+    disks = [
+        {"height": shape[0], "fillet": shape[1], "inclination": some, "level_db": [levels(*shape, b) for b in some]}
+        for shape, some in INCLINATIONS.items()
+    ]
+    print(json.dumps({"number": NUMBERS, "disks": disks, "sphere_off_db": round(off, 4)}))
