@@ -7,6 +7,7 @@ A system offers three calls:
 """
 
 from dataclasses import dataclass, field
+from itertools import repeat
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -20,7 +21,8 @@ class Arc(NamedTuple):
     """A stretch of one regime: ends of its n pieces, Taylor coefficients (n, order + 1, k), end state, guard fired.
 
     `passed` are the changes of regime that an integrator decides itself and goes on: the number of pieces before each,
-    the guard, and the regime after it.
+    the guard, and the regime after it. `origin` (k,), where there is one, is still to be added to the coefficients, not
+    to the end.
     """
 
     times: np.ndarray
@@ -28,6 +30,7 @@ class Arc(NamedTuple):
     end: list
     guard: str | None
     passed: tuple[tuple[int, str, Any], ...] = ()
+    origin: list | None = None
 
     def until(self, span: float) -> "Arc":
         """Return the part of it before `span`."""
@@ -36,7 +39,8 @@ class Arc(NamedTuple):
         n = int(np.searchsorted(self.times, span))
         last = Step(None, span - (self.times[n - 1] if n else 0.0), self.coefficients[n])
         passed = tuple(change for change in self.passed if change[0] <= n)
-        return Arc(np.append(self.times[:n], span), self.coefficients[: n + 1], last.end, None, passed)
+        end = [a + b for a, b in zip(last.end, self.origin or repeat(0.0), strict=False)]
+        return Arc(np.append(self.times[:n], span), self.coefficients[: n + 1], end, None, passed, self.origin)
 
 
 class Step(NamedTuple):
@@ -84,14 +88,23 @@ class Path:
 
     t: float = 0.0
     times: list = field(default_factory=lambda: [np.zeros(1)])
-    coefficients: list = field(default_factory=list)
+    blocks: list = field(default_factory=list)
+    origins: list = field(default_factory=list)
     regimes: list = field(default_factory=list)
     crossings: list = field(default_factory=list)
 
-    def extend(self, times, coefficients, regime, passed=()) -> Any:
+    @property
+    def coefficients(self) -> list:
+        """The coefficients of the pieces (n, order + 1, k), arc by arc."""
+        while self.origins:  # added at once: arc by arc, beside other work, it would take as long as a Taylor step
+            block, origin = self.origins.pop()
+            block[:, 0] += origin
+        return self.blocks
+
+    def extend(self, times, coefficients, regime, passed=(), origin=None) -> Any:
         """Append pieces that end at `times` (n,), counted from the present end; return the regime of the last.
 
-        `passed` are the changes of regime on the way, as in `Arc`.
+        `passed` and `origin` are those of an `Arc`.
         """
         times, done = self.t + times, 0
         for pieces, guard, after in passed:
@@ -99,7 +112,9 @@ class Path:
             self.crossings.append(Crossing(float(times[pieces - 1]), regime, after, guard))
             regime, done = after, pieces
         self.times.append(times)
-        self.coefficients.append(coefficients)
+        self.blocks.append(coefficients)
+        if origin:
+            self.origins.append((coefficients, origin))
         self.regimes.append((regime, len(times) - done))
         self.t = float(times[-1])
         return regime
@@ -133,7 +148,7 @@ def _follow(system, path, switch, span, watch) -> str | None:
     while path.t < span:
         start, regime, y = path.t, switch.regime, switch.state
         arc = switch.ahead.until(span - start) if switch.ahead else system.advance(y, regime, span - start)
-        regime, y = path.extend(arc.times, arc.coefficients, regime, arc.passed), arc.end
+        regime, y = path.extend(arc.times, arc.coefficients, regime, arc.passed, arc.origin), arc.end
         watch(path.t, y)
         if arc.guard is None:
             switch = Switch(regime, y)

@@ -142,23 +142,28 @@ class RollingDisk:
 
 
 def restarted(y):
-    """Return state y with precession and quadratures near zero, and what they have lost."""
+    """Return state y with precession and quadratures near zero, and what it has lost."""
     turned = math.remainder(y[PRECESSION], 2 * math.pi)
-    return [*y[:PRECESSION], turned, *[0.0] * 4], [y[PRECESSION] - turned, *y[SPIN:]]
+    lost = [*[0.0] * PRECESSION, y[PRECESSION] - turned, *y[SPIN:]]
+    return [*y[:PRECESSION], turned, *[0.0] * 4], lost
 
 
-def shifted(arc, offset):
-    """Return an arc with `offset` added to precession and quadratures."""
-    arc.coefficients[:, 0, PRECESSION:] += offset
-    return arc._replace(end=[*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], offset)])
+def shifted(arc, origin):
+    """Return an arc with an `origin` of its precession and quadratures."""
+    end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], origin[PRECESSION:])]
+    return Arc(*arc[:2], end, *arc[3:5], origin)
 
 
 def at_rest(y, i):
     """Return y with omega.a_(i+1) exactly zero."""
-    y, excess = list(y), turnings(y)[i]
-    sin_a, cos_a = math.cos(y[R] ** 2), math.sin(y[R] ** 2)
-    axis = ((1.0, 0.0, 0.0), (0.0, cos_a, -sin_a), (0.0, sin_a, cos_a))[i]
-    y[W1], y[W2], y[W3] = (w - excess * n for w, n in zip((y[W1], y[W2], y[W3]), axis, strict=True))
+    y = list(y)
+    if i == 0:
+        y[W1] = 0.0
+        return y
+    excess, sin_a, cos_a = turnings(y)[i], math.cos(y[R] ** 2), math.sin(y[R] ** 2)
+    along2, along3 = ((cos_a, -sin_a), (sin_a, cos_a))[i - 1]
+    y[W2] -= excess * along2
+    y[W3] -= excess * along3
     return y
 
 

@@ -65,7 +65,7 @@ def _separates(y, law, loads) -> bool:
 
 def _candidates(y, law, at_zero, leaving, senses):
     """Return the regimes to try: rolling before sliding; of a turning at zero the reversal, sticking, the old sense."""
-    turning = tuple(0.0 if i + 1 in at_zero else math.copysign(1.0, turn) for i, turn in enumerate(turnings(y)))
+    turning = tuple([0.0 if i in at_zero else math.copysign(1.0, turn) for i, turn in enumerate(turnings(y), 1)])
     resisted = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
     return _choices(turning, senses, resisted, law.mu_static < math.inf, 0 in at_zero, leaving)
 

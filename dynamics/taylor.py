@@ -45,7 +45,7 @@ class Compiled:
             [1.0] * len(y),
             tol=tolerance,
             compact_mode=any(branch.stuck) or (branch.sliding and not branch.loads) or not is_common(branch.loads),
-            opt_level=2,
+            opt_level=1,  # the same instructions as of level 2, a sixth sooner
             t_events=[heyoka.t_event(g + LIFT, direction=falling) for g in guards.values()],
         )
 
@@ -100,7 +100,7 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         kept.append(series.tobytes())  # faster than into an array
         times.append(integrator.time)
     ended, end = int(outcome), state.tolist()
-    coefficients = np.frombuffer(b"".join(kept)).reshape(-1, *series.shape).swapaxes(1, 2).copy()
+    coefficients = np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
     flow.give_back(borrowed)
     if ended == NOT_FINITE:
         from . import dop853  # numba loads slowly

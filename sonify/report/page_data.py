@@ -4,7 +4,7 @@ Arrays are base64 of little-endian floats or integers, sounds are data URLs of F
 """
 
 from base64 import b64encode
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -36,9 +36,11 @@ PER_SAMPLE = 1.0
 """Bytes that FLAC of 16 bits takes for a sample of a disk, or a little less."""
 
 
-def page_data(result: "Result", heard: dict[str, Any] | None = None) -> dict[str, Any]:
-    """Return the numbers of a page; of which the `sounds` are `heard`, if these are known already."""
+def page_data(result: "Result", heard: dict[str, Any] | None = None, colours: Future | None = None) -> dict[str, Any]:
+    """Return the numbers of a page; of which the `sounds` are `heard`, if these are known already, and `colours` those
+    that the painter has been asked for."""
     sound, motion = result.sound, result.motion
+    colours = colours or painter().draw("sound", "draw_colours", dict)
     return {
         "name": result.scene.name,
         "duration": sound.duration,
@@ -47,7 +49,7 @@ def page_data(result: "Result", heard: dict[str, Any] | None = None) -> dict[str
         "delay": sound.source_end - float(motion.t[-1]),
         "sounds": sounds(sound) if heard is None else heard,
         "lines": {"rates": rates(motion), "modes": packed(np.unique(result.modes.frequency.round(1)))},
-        "colours": packed(np.frombuffer(painter().draw("sound", "draw_colours", dict).result(), np.uint8)),
+        "colours": packed(np.frombuffer(colours.result(), np.uint8)),
         "disk": {
             "radius": motion.disk.radius,
             "thickness": motion.disk.thickness,

@@ -1,8 +1,10 @@
 """PICTURES: what was solved and what is heard, each readable without colour; this says what goes into them."""
 
+import os
+import pickle
 from collections.abc import Callable
 from concurrent.futures import Future
-from functools import partial
+from functools import lru_cache, partial
 from io import BytesIO
 from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
@@ -41,17 +43,19 @@ MOST_TABLE = 10
 
 
 class Pictures:
-    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and the sounds of its page."""
+    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and what its page needs: the
+    `colours` of a spectrogram and the sounds."""
 
     def __init__(self):
         self._futures: dict[str, Future] = {}
         self._sounds: Future | None = None
+        self.colours = painter().draw("sound", "draw_colours", dict)
 
     def begin(self, found: Any):
         """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as a Result has."""
-        for name, (needs, module, function, shown) in PICTURES.items():
+        for name, (needs, *_) in PICTURES.items():
             if hasattr(found, needs) and name not in self._futures and not _left_out(name, found):
-                self._futures[name] = painter().draw(module, function, partial(shown, found))
+                self._futures[name] = _begun(name, found)
         if hasattr(found, "sound") and not self._sounds:
             self._sounds = beside(_sounds, found.sound)
 
@@ -69,6 +73,24 @@ class Pictures:
                 continue
             with whole(path) as temporary:
                 temporary.write_bytes(self._futures[name].result())
+
+
+def _begun(name, found):
+    """The future of a picture, whose numbers a thread of the painter gathers."""
+    _, module, function, shown = PICTURES[name]
+    if name == "modes" and found.scene.support.kind != "contact":  # there they move over the run
+        return _of_the_modes(pickle.dumps(shown(found)))
+    return painter().draw(module, function, partial(shown, found))
+
+
+@lru_cache(2)
+def _of_the_modes(content):
+    """The modes of a disk that was drawn last are not drawn again, however it moves and sounds."""
+    return painter().draw(*PICTURES["modes"][1:3], partial(pickle.loads, content))
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_of_the_modes.cache_clear)  # what another process waits for does not come here
 
 
 def _sounds(sound):

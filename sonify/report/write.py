@@ -5,6 +5,7 @@ import shutil
 import subprocess
 from concurrent.futures import Future
 from dataclasses import asdict
+from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from platform import platform, python_version
@@ -36,7 +37,7 @@ def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
     """Return the numbers of the page of a result."""
     from sonify.report.page_data import page_data  # loads slowly
 
-    return page_data(result, pictures.sounds())
+    return page_data(result, pictures.sounds(), pictures.colours)
 
 
 def write_record(result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future):
@@ -197,6 +198,7 @@ def versions() -> dict[str, str]:
     return found | {name: version_of(name) for name in (NAME, *LIBRARIES)}
 
 
+@lru_cache
 def version_of(package: str) -> str:
     """Return the version of a package, or that it is not installed."""
     try:

@@ -147,7 +147,7 @@ class OscillatorBank:
         return self._observed(np.stack([q, v]) - self.late.reshape(2, -1, modes) * knots.jump)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _advance(g, own, state, step, stops, kicks, out):
     """Every sample comes from the same operations wherever a block begins: its bits do not depend on that. Every mode
     has a force of its `own` (1) or the same one (0); the kicks come before the samples `stops`."""
