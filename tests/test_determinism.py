@@ -13,10 +13,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.interpolate import BarycentricInterpolator
 
 from dynamics import simulate
 from modal import eigenmodes
 from sonify import load_scene, run
+from sonify.sound.film_modes import ORDERS, below
 from sonify.sound.render import Renderer
 
 HALF_SECOND = 24000
@@ -47,6 +49,16 @@ def test_another_process_writes_the_same_bytes(tmp_path):
 @pytest.fixture(scope="module")
 def modes(scene):
     return eigenmodes(scene, below=20e3)
+
+
+def test_the_shape_that_a_film_feels_is_the_same_bits_every_time(scene, modes):
+    along = np.linspace(0, 1, 200)
+    first = below(modes, 1, along, scene.disk.radius)
+    assert all((below(modes, 1, along, scene.disk.radius) == first).all() for _ in range(5))
+    wave = np.fft.rfft(modes.face_shape[1, 0], axis=1) / len(modes.face_angle)
+    opposite = (wave[:, :1] + 2 * wave[:, 1 : 2 * ORDERS] @ (-1.0) ** np.arange(1, 2 * ORDERS)[:, None]).real[:, 0]
+    through = BarycentricInterpolator(modes.face_radius / scene.disk.radius, opposite)(along)
+    assert first == pytest.approx(through, abs=1e-12 * np.abs(through).max())
 
 
 def difference_db(scene, modes, *ways):

@@ -6,10 +6,10 @@ from math import pi
 
 import numpy as np
 from numba import njit
-from scipy.interpolate import BarycentricInterpolator, CubicSpline
+from scipy.interpolate import CubicSpline
 
 from modal import Modes
-from sonify.sound.force import ContactForce
+from sonify.sound.force import ContactForce, lagrange
 from sonify.sound.oscillators import Knots, OscillatorBank
 from sonify.sound.radiation import directions, listener_of, position, rayleigh
 
@@ -119,7 +119,7 @@ def below(modes: Modes, i: int, points, radius: float) -> np.ndarray:
     """Return the axial shape of the bottom face at points x + i y over the radius, with the contact at x = -1."""
     wave = np.fft.rfft(modes.face_shape[i, 0], axis=1) / len(modes.face_angle)
     wave[:, 1:] *= 2
-    along = BarycentricInterpolator(modes.face_radius / radius, wave[:, : 2 * ORDERS])(np.abs(points).ravel())
+    along = lagrange(modes.face_radius / radius, np.abs(points).ravel()).T @ wave[:, : 2 * ORDERS]
     turn = np.exp(1j * np.outer(np.angle(points) + pi, np.arange(along.shape[1])))
     return (along * turn).real.sum(axis=1).reshape(points.shape)
 
