@@ -25,6 +25,8 @@ def claim(folder: str | Path) -> Path:
         folder.mkdir(parents=True, exist_ok=True)
         with _alive(folder):
             return folder
+    except OutputError:
+        raise
     except OSError as error:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
 
@@ -72,6 +74,10 @@ def whole(path: str | Path):
 def _alive(folder):
     """Yield a hidden name that no one else has in `folder`; its lock lasts no longer than this process."""
     lock = folder / f"{HIDDEN}{token_hex(6)}.lock"
+    try:
+        lock.touch()  # where none can be made FileLock may wait for ever
+    except FileNotFoundError as error:
+        raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
     try:
         with FileLock(lock, thread_local=False):
             yield lock.stem

@@ -32,6 +32,8 @@ def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=pr
     """
     if not Path(folder).is_dir():
         raise InputError(f"{folder}: no such folder; python -m sonify run makes one with its first run in it")
+    if not host:
+        raise InputError("--host = '': must be an address; 0.0.0.0 is every one of this machine")
     if not 0 <= port <= LAST_PORT:
         raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
     try:

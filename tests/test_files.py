@@ -3,17 +3,21 @@
 Source: the README's exit statuses. Oracle: real processes that are really ended, and what the folder then holds.
 """
 
+import gc
 import os
 import signal
 import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from dynamics.coupled.record import Record
 from sonify.__main__ import main
 from sonify.files import HIDDEN, OutputError, claim, claimed, whole
+from sonify.sound.pressure import Scratch
 
 ROOT = Path(__file__).parent.parent
 COMMAND = """
@@ -100,6 +104,26 @@ def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_i
     with claimed(tmp_path / "outputs" / "runs" / "two") as folder:
         (folder.parent / "kept").touch()
     assert names(tmp_path / "outputs" / "runs") == {"kept"}
+
+
+@pytest.mark.skipif(not Path("/proc/self").exists(), reason="a folder that is there and takes no file: Linux has one")
+@pytest.mark.parametrize("door", [whole, lambda path: claimed(Path(path).parent)])
+def test_a_folder_in_which_no_file_can_be_made_is_one_line_and_no_endless_wait(door):
+    with pytest.raises(OutputError, match="/proc: cannot be written"), door("/proc/sound.wav"):
+        pass
+
+
+@pytest.mark.parametrize("kind", [Scratch, lambda width: Record(np.zeros((0, width)))])
+def test_rows_on_disk_close_their_file_when_nobody_can_ask_for_more(kind):
+    """Their own views may stay; a file that its collector finds open is a warning, in some other place."""
+    rows = kind(2)
+    file = rows._file
+    rows.append(np.ones((3, 2), np.float32))
+    seen = rows[:] if isinstance(rows, Scratch) else rows.rows()
+    del rows
+    gc.collect()
+    assert file.closed
+    assert (seen == 1).all()
 
 
 def test_hidden_files_of_others_are_left_alone(tmp_path):

@@ -112,3 +112,5 @@ def test_a_folder_or_port_that_cannot_be_had_is_one_line(root):
         serve(root / "nowhere")
     with pytest.raises(InputError, match="--port"):
         serve(root, port=70_000)
+    with pytest.raises(InputError, match="--host"):
+        serve(root, host="")  # a socket would listen on every address

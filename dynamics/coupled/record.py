@@ -1,6 +1,7 @@
 """Rows that a long motion writes down, and what they say between their instants."""
 
 from tempfile import TemporaryFile
+from weakref import finalize
 
 import numpy as np
 
@@ -17,7 +18,8 @@ class Record:
     """
 
     def __init__(self, first):
-        self._file, self._width, self._rows = TemporaryFile(), first.shape[1], 0  # noqa: SIM115, it closes itself
+        self._file, self._width, self._rows = TemporaryFile(), first.shape[1], 0  # noqa: SIM115, closed below
+        finalize(self, self._file.close)
         self.append(first)
 
     def append(self, rows) -> None:

@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
 from tempfile import TemporaryFile
+from weakref import finalize
 
 import numpy as np
 
@@ -172,7 +173,8 @@ class Scratch:
     """Rows (n, width) in a nameless file that goes with the last reader; scratch[first:last] reads them."""
 
     def __init__(self, width: int):
-        self._file, self._rows, self._width = TemporaryFile(), 0, width  # noqa: SIM115, it closes with the last reader
+        self._file, self._rows, self._width = TemporaryFile(), 0, width  # noqa: SIM115, closed below
+        finalize(self, self._file.close)
 
     def append(self, rows):
         """Write rows (k, width), float32. Raises OSError when the disk is full."""
