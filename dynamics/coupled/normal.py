@@ -47,7 +47,7 @@ CLOSE, MOST = 1e-12, 40
 """The equation for N is solved to this part of N and the weight, within so many iterations."""
 NEAR = 3e-6
 """From so near the last step of Newton's method is taken along straight lines: an impact then keeps its energy to
-1e-12; from 1e-4 on it lost or won up to 3e-11 of it."""
+1e-12, for which what is guessed has to know the energy of the gap as well as the force."""
 STANDS, READ, READS = 1e-10, 1e-9, 3
 """A path that moves by less [m] in a step stands; heights are read again, a few times, where it moves by more [m].
 
