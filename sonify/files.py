@@ -2,7 +2,7 @@
 
 import errno
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from itertools import chain, count
 from pathlib import Path
@@ -37,7 +37,7 @@ def numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
 
 
 @contextmanager
-def claimed(folder: str | Path):
+def claimed(folder: str | Path) -> Iterator[Path]:
     """Yield the `claim`ed folder; what was made for it goes again if nothing is written in it. Raises OutputError."""
     path = Path(folder)
     new = [made for made in (path, *path.parents) if not os.path.exists(made)]  # Path.exists raises if it is too long

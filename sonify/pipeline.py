@@ -7,7 +7,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from dynamics.simulation import prepare
-from modal import Modes, eigenmodes
+from modal import Modes, SurfaceModes, eigenmodes
 from modal.one_thread import one_blas_thread
 from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
@@ -19,7 +19,7 @@ from sonify.claims.table import table_findings
 from sonify.claims.two_ways import motion_findings as halt_findings
 from sonify.files import claimed
 from sonify.plan.air import beyond_the_film, with_air
-from sonify.plan.plan import with_end
+from sonify.plan.plan import Plan, with_end
 from sonify.plan.predictions import SOUND
 from sonify.plan.solvable import planned, solvable, solve_motion
 from sonify.plan.table import acts_back, with_table
@@ -95,7 +95,7 @@ def solve(
     )
 
 
-def _elastic(scene, eigenmodes, stages):
+def _elastic(scene: Scene, eigenmodes: Callable[..., Modes], stages: Stages) -> tuple[Plan, Modes, SurfaceModes | None]:
     """What is to be computed, the modes of the disk and those of the table."""
     with stages.stage("modes"):
         plan, modes = planned(scene, eigenmodes)
@@ -147,7 +147,7 @@ def run(
         return write(result, folder, stages, pictures)
 
 
-def _known_modes(scene, below):
+def _known_modes(scene: Scene, below: float) -> Modes:
     """`eigenmodes`; but for a disk on its contact, they are the same whatever friction, release and air are."""
     if scene.support.kind == "contact":
         return painter().call(eigenmodes, scene, below=below)

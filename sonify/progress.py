@@ -4,7 +4,7 @@ from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from time import perf_counter
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from sonify.result import Result
@@ -28,7 +28,7 @@ class Stages:
         """Take note of what was found, before it is drawn and written."""
 
 
-def beside(work: Callable, *arguments) -> Future:
+def beside(work: Callable, *arguments: Any) -> Future:
     """Return the future of work in a thread of its own, for which nobody waits who does not ask for its result."""
     thread = ThreadPoolExecutor(1, work.__name__)
     try:

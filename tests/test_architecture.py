@@ -18,6 +18,7 @@ from importlinter.cli import lint_imports
 import dynamics
 import modal
 import sonify
+from sonify import pipeline
 
 ROOT = Path(__file__).parent.parent
 PACKAGES = ("dynamics", "modal", "sonify")
@@ -102,13 +103,24 @@ def test_everything_that_a_package_offers_says_what_it_takes_and_gives(package):
     offered = {name: getattr(package, name) for name in package.__all__}
     for name, thing in list(offered.items()):
         offered |= {f"{name}.{own}": plain(value) for own, value in vars(thing).items() if own[0] != "_"}
-    bare = []
-    for name, thing in offered.items():
-        if inspect.isfunction(thing):
-            told = inspect.signature(thing)
-            kinds = [told.return_annotation, *(p.annotation for p in told.parameters.values() if p.name != "self")]
-            bare += [name] * (inspect.Parameter.empty in kinds)
-    assert bare == []
+    assert bare(offered) == []
+
+
+def test_every_stage_of_a_run_says_what_it_takes_and_gives():
+    functions = {name: thing for name, thing in vars(pipeline).items() if inspect.isfunction(thing)}
+    stages = {name: thing for name, thing in functions.items() if thing.__module__.partition(".")[0] in PACKAGES}
+    assert {"solve_motion", "planned", "sound_of", "hear", "write_sound"} <= set(stages)
+    assert bare(stages) == []
+
+
+def bare(things):
+    """The names of the functions among things by name of which a parameter or what they return is not annotated."""
+    signatures = {name: inspect.signature(thing) for name, thing in things.items() if inspect.isfunction(thing)}
+    kinds = {
+        name: [told.return_annotation, *(p.annotation for p in told.parameters.values() if p.name != "self")]
+        for name, told in signatures.items()
+    }
+    return [name for name, found in kinds.items() if inspect.Parameter.empty in found]
 
 
 def plain(attribute):

@@ -8,7 +8,7 @@ from sonify.claims import two_ways
 from sonify.claims.motion import Finding, finding
 from sonify.claims.sound import LAST, since_as_much
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
-from sonify.hearing.rising_tone import rising_tone
+from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
@@ -25,7 +25,7 @@ ENDS = ("SETTLED", "FELL")
 
 
 def table_findings(
-    scene: Scene, motion: Motion, sound: Sound, listener: Listener, tone, error: float = 0.0
+    scene: Scene, motion: Motion, sound: Sound, listener: Listener, tone: RisingTone | None, error: float = 0.0
 ) -> list[Finding]:
     """Every claim on a wavy table, or the sound of an elastic one: none of a rigid one, nor on an end that was not
     reached.

@@ -1,5 +1,6 @@
 """SCENE -> PLAN: what a run computes and what it leaves out, why, and how wrong that makes it; decided beforehand."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import pi
 
@@ -134,7 +135,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
     return replace(plan, predictions=plan.predictions + further)
 
 
-def with_end(plan: Plan, motion: Motion, silence=()) -> Plan:
+def with_end(plan: Plan, motion: Motion, silence: Sequence[str] = ()) -> Plan:
     """Return the plan with how the motion ended, and why a sound tells nothing."""
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
     return replace(plan, modelled=(*plan.modelled, ending), left_out=(*plan.left_out, *unsettled(motion), *silence))

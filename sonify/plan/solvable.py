@@ -8,7 +8,7 @@ from typing import Any
 from dynamics import ImpossibleContactError, Motion, Outcome, simulate
 from dynamics.film.acting import film_of
 from dynamics.simulation import chosen_integrator
-from modal import Modes, UnsolvableError, eigenmodes, with_radiation
+from modal import Modes, SurfaceModes, UnsolvableError, eigenmodes, with_radiation
 from modal.radiation import TOP
 from modal.solve import check
 from sonify.plan.contact import with_contact
@@ -55,7 +55,11 @@ def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
     return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
 
 
-def solve_motion(scene: Scene, watch=lambda t, inclination, doing: None, table=None) -> Motion:
+def solve_motion(
+    scene: Scene,
+    watch: Callable[..., None] = lambda t, inclination, doing: None,
+    table: SurfaceModes | None = None,
+) -> Motion:
     """Return the motion of a scene, on a table with these modes, as far as it stays on a plate. Raises SceneError where
     no contact force satisfies the balance laws."""
     try:

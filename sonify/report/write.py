@@ -40,7 +40,7 @@ def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
     return page_data(result, pictures.sounds(), pictures.colours)
 
 
-def write_record(result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future):
+def write_record(result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future) -> None:
     """Write everything but the sound into the folder of the result; the stages are timed. `record` and `told` have
     become what run.json and the page hold."""
     from sonify.report import page  # loads slowly

@@ -54,7 +54,7 @@ def responses(omega, decay, t):
     return step, ramp
 
 
-def compile_oscillators():
+def compile_oscillators() -> None:
     """Compile what an OscillatorBank needs, beside other work."""
     OscillatorBank(np.ones(1), np.ones(1), 8.0).advance(np.zeros((1, 1)))
 

@@ -6,6 +6,7 @@ a motion, air flows round the rim and the true pressure is lower.
 """
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from scipy.signal import resample
@@ -48,7 +49,7 @@ class Listener:
         return radius * np.cos(self.elevation) / self.air.sound_speed
 
 
-def listeners_of(scene) -> list[Listener]:
+def listeners_of(scene: Any) -> list[Listener]:
     """Return the listeners of a scene, in its air: the one of its audio section, or the several that it names."""
     return [
         Listener(
@@ -61,7 +62,7 @@ def listeners_of(scene) -> list[Listener]:
     ]
 
 
-def listener_of(scene) -> Listener:
+def listener_of(scene: Any) -> Listener:
     """Return the first listener of a scene."""
     return listeners_of(scene)[0]
 

@@ -107,7 +107,7 @@ def _three_taps(ringing, turns, sharpness, table):
     return out
 
 
-def compile_radiators():
+def compile_radiators() -> None:
     """Compile what an ElasticFace needs, beside other work."""
     _three_taps(np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTHS, 1, 3)))
 

@@ -1,6 +1,7 @@
 """FORCE + MODES -> SOUND: the pressure at the listener, as separate causes that add up to it."""
 
 from collections import defaultdict
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from copy import copy
 from dataclasses import replace
@@ -10,6 +11,9 @@ from math import ceil
 
 import numpy as np
 
+from dynamics import Motion
+from modal import Modes, SurfaceModes
+from sonify.scene import Scene
 from sonify.sound.absorption import absorbing, reach
 from sonify.sound.audible_modes import sounding
 from sonify.sound.contact import with_contact
@@ -140,7 +144,15 @@ class Renderer:
         return stems * (np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2)[:, None]
 
 
-def sound_of(scene, motion, modes, wanted, calm: float, table, watch=lambda share: None) -> Sound:
+def sound_of(
+    scene: Scene,
+    motion: Motion,
+    modes: Modes,
+    wanted: Sequence[int] | None,
+    calm: float,
+    table: SurfaceModes | None,
+    watch: Callable[[float], None] = lambda share: None,
+) -> Sound:
     """Return the whole sound at every listener of the scene; the arguments are those of the Renderer.
 
     `watch(share)` is called with the share done.

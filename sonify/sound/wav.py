@@ -1,6 +1,7 @@
 """SOUND -> FILES: pascal in 32-bit float, one file for the whole and one for every cause, and copies to listen to."""
 
 import errno
+from collections.abc import Callable
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
@@ -17,7 +18,7 @@ MOST_BYTES = 2**32 - 2**12
 BYTES = {"FLOAT": 4, "PCM_24": 3}
 
 
-def write_sound(sound: Sound, folder: str | Path, watch=lambda share: None):
+def write_sound(sound: Sound, folder: str | Path, watch: Callable[[float], None] = lambda share: None) -> None:
     """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`, with what 1.0 is in each.
 
     Memory does not grow with the length. `watch(share)` is called with the share done. Raises OSError when the disk is
