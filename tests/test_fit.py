@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import soundfile
 from click.testing import CliRunner
-from scipy.signal import butter, sosfilt
+from scipy.signal import butter, resample_poly, sosfilt
 
 from sonify import RecordingError, load_scene
 from sonify.__main__ import main
@@ -24,6 +24,9 @@ from sonify.fitting.phase import rates
 from sonify.fitting.readings import source, takes
 from sonify.fitting.result import radius_shows
 from sonify.fitting.synthetic import Recording, recording
+from sonify.hearing import carriers
+from sonify.hearing.recording import AFTER, LONGEST, read
+from sonify.hearing.run import run_end
 
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
 RATE = 16000
@@ -139,6 +142,7 @@ def speech(seconds, seed):
     return band / band.std()
 
 
+@pytest.mark.slow
 def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
     """It is as loud as the disk, and lasts six times as long."""
     run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3)
@@ -151,6 +155,31 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
     assert values["air"].low <= 1.0 <= values["air"].high
     assert found.verdict == "both"
     assert end.value - found.fit.heard[0].rates.time.min() < 10.5
+
+
+def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(decline, tmp_path):
+    """Of five minutes: where the disk ends, what is read goes on for AFTER, and begins LONGEST before."""
+    rate = RATE // 2
+    run = recording(decline, [1e-4, 1.0, 0], noise=0.3, rate=rate, end=14.0, duration=15.0, seed=3)
+    samples = 0.02 * np.random.default_rng(0).standard_normal(300 * rate)
+    samples[130 * rate : 145 * rate] += run
+    samples[290 * rate : 290 * rate + 400] += 20.0
+    samples[20 * rate : 60 * rate] += 4 * run.std() * resample_poly(speech(40, 2), 1, 2)
+    long = Recording(samples=samples, sample_rate=rate)
+    assert run_end(long) == pytest.approx(144.0, abs=0.5)
+    found, _, start, _ = read(long)
+    assert start + len(found) / rate == pytest.approx(144.0 + AFTER, abs=0.5)
+    assert len(found) == LONGEST * rate
+    assert run_end(Recording(samples=samples[: 120 * rate], sample_rate=rate)) is None
+
+
+def test_of_many_tracks_as_speech_has_the_most_outstanding_are_looked_at(monkeypatch):
+    """All triples of tracks are, for sidebands: of an hour's hundreds they would take hours."""
+    looked = []
+    monkeypatch.setattr(carriers, "_sidebands", lambda tracks, spacing: looked.append(len(tracks)) or {})
+    t = np.arange(6 * RATE) / RATE
+    carriers.carriers(sum(np.sin(2 * np.pi * (400 + 60 * k) * t + k * k) for k in range(2 * carriers.MANY)), RATE)
+    assert looked == [carriers.MANY]
 
 
 @pytest.mark.slow

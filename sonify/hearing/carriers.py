@@ -18,6 +18,8 @@ REACH, LAST, GAP = 30.0, 5, 2
 BAND, WIDE = 30.0, 15.0
 """What is so many cents from a stronger carrier is part of it, or so many times as far as this goes from frame to
 frame, which is far in a band of noise."""
+MANY = 48
+"""So many of the most outstanding tracks are looked at: speech has hundreds."""
 FEWEST, SHARE = 8, 0.2
 """Frames that show a carrier: so many, or so large a share of them all and at least five."""
 PARTS, LEAST_PART = 8, 3
@@ -74,6 +76,7 @@ def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
     peaks = _peaks(10 * np.log10(power.T + 1e-300), rate / size)
     tracks = sorted(_tracks(peaks, power.shape[1]), key=lambda track: -np.median(track.level))
     hop, spacing = size // 2 / rate, rate / size
+    tracks = tracks[:MANY]
     found, apart = [], _sidebands(tracks, spacing)
     for i, track in enumerate(tracks):
         if not any(i in pair for pairs in apart.values() for pair, _ in pairs):

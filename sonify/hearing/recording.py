@@ -10,11 +10,13 @@ from scipy.signal import butter, resample_poly, sosfiltfilt
 
 from sonify.hearing.carriers import Carrier, carriers
 from sonify.hearing.rising_tone import RisingTone, rising_tone
+from sonify.hearing.run import run_end
 from sonify.hearing.source import Source, pieces, source_of, stretch
 from sonify.scene_errors import InputError
 
-LONGEST = 240.0
-"""Of a longer recording only so much is listened to, up to a little after its loudest second [s]."""
+LONGEST, AFTER = 120.0, 6.0
+"""Of a longer recording only so much is listened to, up to so long after a disk comes to rest in it, or else after
+its loudest second [s]."""
 SHORTEST, SLOWEST = 0.2, 1000
 """A recording that is shorter [s], or of fewer samples a second, tells nothing."""
 ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
@@ -103,13 +105,15 @@ def _later(tone, start):
 
 
 def _part(source):
-    """First frame to listen to and the one after the last: all, or LONGEST up to five seconds after the loudest
+    """First frame to listen to and the one after the last: all, or LONGEST up to AFTER the end of a run or the loudest
     second."""
     rate, most = source.sample_rate, int(LONGEST * source.sample_rate)
     if source.frames <= most:
         return 0, source.frames
-    power = [np.square(second, dtype=float).sum() for second in pieces(source, rate)]
-    stop = min((int(np.argmax(power)) + 6) * rate, source.frames)
+    end = run_end(source)
+    if end is None:
+        end = float(np.argmax([np.square(second, dtype=float).sum() for second in pieces(source, rate)]))
+    stop = min(int((end + AFTER) * rate), source.frames)
     return max(stop - most, 0), max(stop, most)
 
 
