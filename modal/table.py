@@ -72,9 +72,12 @@ class SurfaceModes:
         rest = {field.name: getattr(self, field.name) for field in fields(self) if field.name not in own}
         return SurfaceModes(**own, **rest | {"coefficients": self.coefficients[:, :, kept]})
 
-    def compliance(self) -> float:
-        """Return the static deflection [m] under 1 N at `place`, of the modes that there are."""
-        return float((self.at(*self.place[:, None]) ** 2 / (2 * np.pi * self.frequency) ** 2).sum())
+    def compliance(self, radius: float = 0.0) -> float:
+        """Return the static deflection [m] under 1 N, of the modes that there are: the greatest of 16 places on
+        the circle of `radius` [m] about `place`."""
+        angle = np.arange(16) * np.pi / 8
+        x, y = self.place[:, None] + radius * np.array([np.cos(angle), np.sin(angle)])
+        return float((self.at(x, y) ** 2 / (2 * np.pi * self.frequency) ** 2).sum(axis=1).max(initial=0.0))
 
 
 def splined(x, y, values):

@@ -21,7 +21,12 @@ from sonify.charts.steps import STEPS, growth_and_tuning, static_gain
 
 MOTIONS = {(w.case, w.family, w.method, w.setting): w for w in stability_motion.works(False)}
 MODES = {(w.case, w.family, w.method, w.setting): w for w in stability_modes.works(False)}
-OURS = [pytest.param(key, id=" ".join(key)) for key in MOTIONS if key[1] == "ours"]
+LONG = "small inclination", "0.1"
+OURS = [
+    pytest.param(key, id=" ".join(key), marks=[pytest.mark.slow] if (key[0], key[3]) == LONG else [])
+    for key in MOTIONS
+    if key[1] == "ours"
+]
 SLIP, NUTATION, PIVOT, FLAT = "small slip", "nutation sticks", "pivoting sticks", "small inclination"
 FAILS = {
     (FLAT, "Moreau", "step 1e-3", "1e-06"): "left the table",

@@ -133,6 +133,7 @@ def test_a_disk_of_too_many_modes_ends_with_2_and_says_how_many(tmp_path):
     assert not out.exists()
 
 
+@pytest.mark.slow
 def test_a_patch_lost_in_round_off_ends_with_2_and_writes_nothing(tmp_path):
     hinged = ["--set", "support.half_angle_deg=0.01", "--set", 'support.held=["tangential", "axial"]']
     out = tmp_path / "out"

@@ -111,6 +111,7 @@ def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
     assert lowest > -1e-9
 
 
+@pytest.mark.slow
 def test_equal_coefficients_slide_without_a_jump_of_the_force():
     """With mu_static = mu_dynamic a slide starts without acceleration, and the force is continuous there."""
     motion = simulate(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))

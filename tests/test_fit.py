@@ -283,6 +283,8 @@ def test_the_command_writes_what_it_found(decline, scene, tmp_path):
         str(tmp_path / "disk.toml"),
         "--out",
         str(tmp_path / "out"),
+        "--like",
+        "fu-berlin",
     ]
     answer = CliRunner().invoke(main, arguments, catch_exceptions=False)
     assert answer.exit_code == 0
@@ -296,6 +298,8 @@ def test_the_command_writes_what_it_found(decline, scene, tmp_path):
     assert "disk, " in (tmp_path / "out" / "fit.md").read_text()
     assert [n["truth"] for n in told["files"][0]["null_tests"]] == ["air"]
     assert told["files"][0]["null_tests"][0]["verdict"] != "rolling"
+    assert told["files"][0]["published_way"]["whole run"]["theirs"] == [0.309, 0.032]
+    assert "; theirs on granite 0.309, one run ± 0.032" in answer.output
     assert {p.name for p in (tmp_path / "out").iterdir()} == {"fit.json", "fit.csv", "fit.png", "fit.md"}
 
 

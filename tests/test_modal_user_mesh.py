@@ -41,6 +41,7 @@ def frequencies(path, support=None, **kwargs):
     return mesh_modes(path, STEEL, DENSITY, support or Support(), below=8e3, **kwargs)
 
 
+@pytest.mark.slow
 def test_curved_hexahedra_give_the_table(tmp_path):
     curved().save(str(tmp_path / "disk.vtu"))
     modes = frequencies(tmp_path / "disk.vtu")

@@ -231,6 +231,9 @@ def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(
     scene = elastic.replace(light, "release.inclination_deg=2.0", "release.omega=[0.0, 1.011, 5.929]")
     with pytest.raises(SceneError, match=r"no first step: the table bends"):
         solve_motion(scene, table=surface_modes(scene))
+    soft = elastic.replace(TABLE.replace("600.0", "0.001"))
+    with pytest.raises(SceneError, match=r"the weight of the disk would bend the table by \S+ m, more than the radius"):
+        solve_motion(soft, table=surface_modes(soft))
 
 
 @pytest.mark.parametrize("order", [1, 2])

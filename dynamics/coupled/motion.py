@@ -271,10 +271,16 @@ def solve(
 
     `surface_modes` are those of a table that acts back; `begin` the COLUMNS (11,) and the force (3,) [N] from which it
     goes on, those of the release unless given. Raises ValueError where a profile cannot be read, or where such
-    a table has no modes.
+    a table has no modes, and ImpossibleContactError where it bends by more than a disk is wide.
     """
     if acts_back(scene) and surface_modes is None:
         raise ValueError("surface.action = 'motion': simulate needs the surface_modes of the table")
+    radius = scene.disk.radius
+    if acts_back(scene) and (sag := surface_modes.compliance(radius) * scene.disk.weight) > radius:
+        raise ImpossibleContactError(
+            f"the weight of the disk would bend the table by {sag:.3g} m, more than the radius of the disk, "
+            f"{radius:g} m, and linear theory does not hold"
+        )
     model = compliant(scene, surface_modes if acts_back(scene) else None)
     last = LIES if model.modes is not None or model.imperfection is not None else last_inclination(scene)
     if begin is None:

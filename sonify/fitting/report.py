@@ -9,6 +9,7 @@ from sonify.files import claimed, numbered, whole
 from sonify.fitting.decline import left_out
 from sonify.fitting.ear import shares_of_power
 from sonify.fitting.estimate import LAST, in_words
+from sonify.fitting.fu_berlin import THEIRS
 from sonify.fitting.result import Fits, Fitted
 from sonify.report.figure import figure_at
 from sonify.report.recording import carrier_numbers
@@ -75,7 +76,10 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
             for n in fitted.nulls
         ],
         "carriers": [carrier_numbers(carrier, known) for carrier in fitted.carriers],
-        "published_way": {name: e._asdict() for name, e in (fitted.published_way or {}).items()},
+        "published_way": {
+            name: e._asdict() | ({"theirs": THEIRS[name]} if name in THEIRS else {})
+            for name, e in (fitted.published_way or {}).items()
+        },
         "residual": {
             "time": rates.time.tolist(),
             "heard_hz": rates.frequency.tolist(),
@@ -134,7 +138,8 @@ def _of_one(fitted):
     for null in fitted.nulls:
         yield f"  null test: a disk slowed by {null.truth} alone, with the same noise, is called: {null.verdict}"
     for name, e in (fitted.published_way or {}).items():
-        yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f} of a line through {e.columns} columns"
+        theirs = "; theirs on granite {:.3f}, one run ± {:.3f}".format(*THEIRS[name]) if name in THEIRS else ""
+        yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f}, {e.columns} columns{theirs}"
 
 
 def _carriers(fits: Fits) -> list[str]:
