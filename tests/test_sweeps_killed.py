@@ -6,6 +6,7 @@ Source: the README's `sweep`. Oracle: the table of an undisturbed sweep, value b
 
 import json
 import os
+import signal
 import socket
 import subprocess
 import sys
@@ -54,7 +55,11 @@ def until(true, what):
 def start(module, *arguments):
     call = [sys.executable, "-m", module, *map(str, arguments)]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    return subprocess.Popen(call, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    ours = signal.signal(signal.SIGINT, signal.default_int_handler)  # who started the tests may have it ignored
+    try:
+        return subprocess.Popen(call, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    finally:
+        signal.signal(signal.SIGINT, ours)
 
 
 @contextmanager
@@ -100,7 +105,7 @@ def test_a_killed_process_that_solves(file, truth):
 
 def test_an_interrupted_driver_keeps_its_rows(file, truth):
     with begun(file) as driver:
-        driver.send_signal(2)
+        driver.send_signal(signal.SIGINT)
         assert driver.communicate(timeout=PATIENCE)[1].splitlines()[-1] == "sonify: interrupted"
     assert driver.returncode == 130
     assert 5 <= found(file.parent / "out" / NAME).num_rows < truth.num_rows
