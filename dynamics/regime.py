@@ -63,9 +63,7 @@ def projections(beta, w1, w2, w3, sin, cos):
 
 def turnings(y) -> tuple[float, float, float]:
     """Return omega.a_i / r at a state y of floats."""
-    beta, w2, w3 = y[R] * y[R], y[W2], y[W3]
-    sin_a, cos_a = math.cos(beta), math.sin(beta)
-    return y[W1], w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
+    return projections(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
 
 
 def describe(y) -> str:

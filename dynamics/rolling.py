@@ -156,14 +156,10 @@ def shifted(arc, origin):
 
 def at_rest(y, i):
     """Return y with omega.a_(i+1) exactly zero."""
-    y = list(y)
-    if i == 0:
-        y[W1] = 0.0
-        return y
-    excess, sin_a, cos_a = turnings(y)[i], math.cos(y[R] ** 2), math.sin(y[R] ** 2)
-    along2, along3 = ((cos_a, -sin_a), (sin_a, cos_a))[i - 1]
-    y[W2] -= excess * along2
-    y[W3] -= excess * along3
+    y, excess = list(y), turnings(y)[i]
+    sin_a, cos_a = math.cos(y[R] ** 2), math.sin(y[R] ** 2)
+    axis = ((1.0, 0.0, 0.0), (0.0, cos_a, -sin_a), (0.0, sin_a, cos_a))[i]
+    y[W1], y[W2], y[W3] = (w - excess * n for w, n in zip((y[W1], y[W2], y[W3]), axis, strict=True))
     return y
 
 

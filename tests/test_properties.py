@@ -46,7 +46,7 @@ def solved(wanted):
         assume(False)
 
 
-@settings(max_examples=24, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
+@settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(scenes())
 def test_energy_load_and_cone(wanted):
     motion = solved(wanted)

@@ -105,7 +105,7 @@ class Compliant:
     @cached_property
     def _needed(self) -> np.ndarray:
         """The rate (n,) [1/s] needed at every NODES-th node of the table of the law."""
-        return rate_needed(self.table.law, np.arcsin(np.exp(self.table.grid[::NODES])))
+        return rate_needed(self.table.law, self.table.inclinations[::NODES])
 
     def finer(self) -> "Compliant":
         """Return the same in steps of half the length."""

@@ -54,7 +54,8 @@ class LawTable:
         return STEP * np.arange(np.floor(np.log(LEAST_INCLINATION / 2) / STEP), 1)
 
     @property
-    def _inclinations(self):
+    def inclinations(self) -> np.ndarray:
+        """The inclinations (n,) [rad] of the nodes."""
         return np.arcsin(np.minimum(np.exp(self.grid), 1.0))
 
     @cached_property
@@ -68,7 +69,7 @@ class LawTable:
         return PPoly(self.spline.c[:, :, K], self.grid)
 
     def _tabulated(self) -> np.ndarray:
-        beta, load = self._inclinations, self.law.disk.weight
+        beta, load = self.inclinations, self.law.disk.weight
         springs = self.law.springs(beta, load)
         c = damping(self.law, beta, load) if self.damping is None else np.full(len(beta), self.damping)
         columns = self.law.stiffness(beta), self.law.semi_axes(beta, load)[0], *springs[:2], *springs[3:], c / load
@@ -109,7 +110,7 @@ class LawTable:
     def yields(self) -> CubicSpline:
         """The flexibility (3, 3) of the edge over the grid, at the frequency w of the normal resonance under the
         weight: F(w) = F + sum of s s^T w^2/(w_i^2 (w_i^2 - w^2)) over the modes s, at which the carrier is exact."""
-        beta, edge = self._inclinations, self.edge
+        beta, edge = self.inclinations, self.edge
         turn = np.zeros((len(beta), 3, 3))  # from radius, rim, axis to a_1, a_2, a_3
         turn[:, 0, 1], turn[:, 1, 0], turn[:, 2, 2] = -1.0, np.cos(beta), np.cos(beta)
         turn[:, 1, 2], turn[:, 2, 0] = np.sin(beta), -np.sin(beta)
@@ -144,6 +145,6 @@ class InSeries(LawTable):
     def _tabulated(self) -> np.ndarray:
         columns, one = super()._tabulated(), np.ones(len(self.grid))
         kn = 1.5 * columns[:, K] ** (2 / 3) * np.cbrt(self.law.disk.weight)
-        held, yields = np.column_stack([columns[:, [K1, K2]], kn]), super().flexibility(self._inclinations)
+        held, yields = np.column_stack([columns[:, [K1, K2]], kn]), super().flexibility(self.inclinations)
         first, second, normal = (1 / (1 + held * np.diagonal(yields, axis1=-2, axis2=-1))).T
         return columns * np.column_stack([normal**1.5, one, first, second, 1 / first, 1 / second, normal**2])
