@@ -10,7 +10,7 @@ from scipy.signal import butter, sosfilt
 
 from sonify import load_scene
 from sonify.claims.carriers import matched, resonances
-from sonify.hearing.carriers import carriers
+from sonify.hearing.carriers import APART, _pairs, carriers
 
 RATE, LENGTH = 16000, 12.0
 TIME = np.arange(int(LENGTH * RATE)) / RATE
@@ -56,6 +56,44 @@ def test_sidebands_are_told_from_carriers():
     assert [one.frequency for one in found] == pytest.approx([1500, 2500], rel=1e-5)
     assert found[0].sidebands == pytest.approx((78.0,), rel=0.02)
     assert found[1].sidebands == ()
+
+
+def pair(low, high, seed=0):
+    """Two tones of such courses (n,) [Hz], in noise."""
+    sound = sum(np.cos(2 * np.pi * np.cumsum(course) / RATE) for course in (low, high))
+    return sound + 0.03 * np.random.default_rng(seed).standard_normal(len(TIME))
+
+
+@pytest.mark.parametrize("exponent", [0.3, 0.5, 1.0])
+def test_a_silent_carrier_is_told_by_its_sidebands(exponent):
+    """As of a shape that is odd about the contact: its factor swings about zero. At last it rings by itself."""
+    swing, rolls = 120 * (LENGTH - TIME + 1) ** -exponent, TIME < LENGTH - 3
+    ringing = np.cos(2 * np.pi * 2261 * TIME)
+    sound = np.where(rolls, pair(2261 - swing, 2261 + swing), ringing)
+    one, other = sorted(carriers(sound, RATE), key=lambda carrier: carrier.begin)
+    assert (one.heard, other.heard, other.rates) == (False, True, None)
+    assert one.frequency == pytest.approx(2261, abs=2 * one.error)
+    assert one.error < 0.2
+    assert one.course == "steady"
+    assert one.rates == pytest.approx(swing[[0, int((LENGTH - 3) * RATE)]], rel=0.15)
+    assert other.frequency == pytest.approx(2261, abs=2 * other.error)
+
+
+@pytest.mark.parametrize("falling", [0.0, -1.0, -3.0, -12.0])
+def test_two_carriers_that_do_not_mirror_each_other_stay_two(falling):
+    """One rises by 6 Hz a second; it would be a sideband if the other fell by as much."""
+    found = carriers(pair(2200 + falling * TIME, 2300 + 6 * TIME), RATE)
+    middles = [2200 + falling * LENGTH / 2, 2300 + 6 * LENGTH / 2]
+    assert sorted(one.frequency for one in found) == pytest.approx(middles, abs=2.0)
+    assert all(one.heard and not one.sidebands for one in found)
+    assert [one.course for one in sorted(found, key=lambda one: one.frequency)][1] == "rises"
+    assert len(carriers(pair(2200 - 6 * TIME, 2300 + 6 * TIME), RATE)) == 1
+
+
+def test_of_many_peaks_as_speech_has_only_near_ones_are_compared():
+    """Of an hour's, all pairs would take hours: so near the work grows with their number, not with its square."""
+    few, many = (np.array([[0] * n, 60.0 * np.arange(n), [20] * n]) for n in (1000, 2000))
+    assert 1900 < _pairs(many).shape[1] - _pairs(few).shape[1] <= 1000 * 2 * APART[1] / 60
 
 
 def test_noise_has_no_carriers():

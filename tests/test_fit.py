@@ -24,7 +24,6 @@ from sonify.fitting.phase import rates
 from sonify.fitting.readings import source, takes
 from sonify.fitting.result import radius_shows
 from sonify.fitting.synthetic import Recording, recording
-from sonify.hearing import carriers
 from sonify.hearing.recording import AFTER, LONGEST, read
 from sonify.hearing.run import run_end
 
@@ -171,15 +170,6 @@ def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(d
     assert start + len(found) / rate == pytest.approx(144.0 + AFTER, abs=0.5)
     assert len(found) == LONGEST * rate
     assert run_end(Recording(samples=samples[: 120 * rate], sample_rate=rate)) is None
-
-
-def test_of_many_tracks_as_speech_has_the_most_outstanding_are_looked_at(monkeypatch):
-    """All triples of tracks are, for sidebands: of an hour's hundreds they would take hours."""
-    looked = []
-    monkeypatch.setattr(carriers, "_sidebands", lambda tracks, spacing: looked.append(len(tracks)) or {})
-    t = np.arange(6 * RATE) / RATE
-    carriers.carriers(sum(np.sin(2 * np.pi * (400 + 60 * k) * t + k * k) for k in range(2 * carriers.MANY)), RATE)
-    assert looked == [carriers.MANY]
 
 
 @pytest.mark.slow

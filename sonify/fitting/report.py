@@ -153,6 +153,7 @@ def _carrier(name, c):
     near = "{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"]) if c["matched"] else ""
     drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
     place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
+    near += "" if c["heard"] else "; heard by its sidebands alone"
     return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {near}"
 
 

@@ -1,25 +1,25 @@
 """SOUND -> CARRIERS: peaks of the spectrum that last, how far and how fast each of them moves, and its sidebands."""
 
 from dataclasses import dataclass, replace
-from itertools import pairwise
+from itertools import compress, pairwise
 from statistics import median
 
 import numpy as np
+from scipy.interpolate import make_interp_spline
+from scipy.ndimage import maximum_filter1d
 from scipy.signal import ShortTimeFFT
 
 from sonify.hearing.hum import vertex
 
 WINDOW, LOWEST = 0.5, 300.0
 """Window in which carriers are told apart [s], and where they begin [Hz]."""
-STANDS_OUT_DB, MOST = 15.0, 12
+STANDS_OUT_DB, MOST, BANDS = 15.0, 12, 32
 """A peak stands out by as much; carriers at most."""
 REACH, LAST, GAP = 30.0, 5, 2
 """A carrier is so many cents from the middle of its LAST frames at most; so many frames may not show it."""
 BAND, WIDE = 30.0, 15.0
 """What is so many cents from a stronger carrier is part of it, or so many times as far as this goes from frame to
 frame, which is far in a band of noise."""
-MANY = 48
-"""So many of the most outstanding tracks are looked at: speech has hundreds."""
 FEWEST, SHARE = 8, 0.2
 """Frames that show a carrier: so many, or so large a share of them all and at least five."""
 PARTS, LEAST_PART = 8, 3
@@ -28,15 +28,19 @@ PLACE = 0.02
 """Error of the place of a peak between the bins of the spectrum, over their spacing, that no carrier is without."""
 SURE = 2.0
 """A carrier rises or falls if its drift is so many times its error."""
-MIRRORED = 1.5
-"""Two peaks are sidebands of the one between them if their distances to it differ by so many bins at most, median."""
+APART, FINE, BESIDE = (6.0, 300.0), 2, (6, 80)
+"""Sidebands are so far from their centre [Hz], which is known to a part of a bin; other centres, in such parts."""
+DISTANCES, COURSE, ORDER = 5, 0.5, 3
+"""A centre has sidebands at so many distances, one bin apart, at least, which change from frame to frame by less than
+this share of what they change by in all; what is left among them is one too, of up to this order."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Carrier:
     """A tone or narrow band from `begin` to `end` [s]: its `frequency` in the middle and the standard `error` [Hz], its
     `drift` and `drift_error` [cents/s], its `spread` about the drift [cents], how far it stands out (`level` [dB]), and
-    how far from it its sidebands are [Hz]."""
+    how far from it its sidebands are [Hz], in the middle and between which `rates`. Where a carrier is not `heard`
+    itself, all this is that of the middle of its sidebands."""
 
     frequency: float
     error: float
@@ -47,6 +51,8 @@ class Carrier:
     begin: float
     end: float
     sidebands: tuple[float, ...] = ()
+    rates: tuple[float, float] | None = None
+    heard: bool = True
 
     @property
     def course(self) -> str:
@@ -73,24 +79,47 @@ def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
         return []
     windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
     power = np.abs(windows.stft(samples, 1, 2 + (len(samples) - size) // (size // 2))) ** 2  # none beyond the samples
-    peaks = _peaks(10 * np.log10(power.T + 1e-300), rate / size)
-    tracks = sorted(_tracks(peaks, power.shape[1]), key=lambda track: -np.median(track.level))
     hop, spacing = size // 2 / rate, rate / size
-    tracks = tracks[:MANY]
-    found, apart = [], _sidebands(tracks, spacing)
-    for i, track in enumerate(tracks):
-        if not any(i in pair for pairs in apart.values() for pair, _ in pairs):
-            beside = tuple(distance for _, distance in apart.get(i, ()))
-            found.append(replace(_carrier(track, start, hop, spacing), sidebands=beside))
-    return found[:MOST]
+    peaks = _peaks(10 * np.log10(power.T + 1e-300), spacing)
+    aside, centres = _sidebands(peaks, spacing)
+    tracks = sorted(_tracks(peaks[:, ~aside], power.shape[1]), key=lambda track: -np.median(track.level))
+    found = [_carrier(track, start, hop, spacing) for track in tracks[:MOST]]
+    for track, apart in centres:
+        found = _with_sidebands(found, _carrier(track, start, hop, spacing), apart, spacing)
+    return sorted(found, key=lambda one: -one.level)[:MOST]
+
+
+def _with_sidebands(found, centre, apart, spacing):
+    """Carriers with a centre whose sidebands are so far apart (k,) [Hz]: those at its frequency have them if they are
+    heard for most of that time, or else it itself; weaker ones that are among its sidebands are more of these."""
+    low, middle, high = np.percentile(apart, [5, 50, 95]).tolist()
+    sides = {"sidebands": (middle,), "rates": (low, high)}
+    there = [abs(one.frequency - centre.frequency) < spacing and _common(one, centre) > 0 for one in found]
+    heard = sum(_common(one, centre) for one in compress(found, there)) > (centre.end - centre.begin) / 2
+    told = [replace(one, **sides) if heard else one for one in compress(found, there)]
+    others = [one for one, at in zip(found, there, strict=True) if not at and not _among(one, centre, ORDER * high)]
+    return [*told, *others, *([] if heard else [replace(centre, heard=False, **sides)])]
+
+
+def _among(one, centre, reach):
+    """Whether a carrier is weaker than a centre, not as far from it as the `reach` [Hz], and there for as long."""
+    within = abs(one.frequency - centre.frequency) < reach and _common(one, centre) > (one.end - one.begin) / 2
+    return within and one.level < centre.level
+
+
+def _common(one, other):
+    """For how long both are there [s]; negative if they are not."""
+    return min(one.end, other.end) - max(one.begin, other.begin)
 
 
 def _floor(level):
-    """The median level (t, f) in 32 neighbouring bands of each frame, not more than 90 dB below its highest."""
-    edges = np.linspace(0, level.shape[1], 33).astype(int)
+    """The median level (t, f) in BANDS neighbouring bands of each frame, on straight lines between their middles, not
+    more than 90 dB below its highest."""
+    edges = np.linspace(0, level.shape[1], BANDS + 1).astype(int)
     floor = np.column_stack([np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)])
     floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
-    return np.repeat(floor, np.diff(edges), axis=1)
+    middle = (edges[1:] + edges[:-1] - 1) / 2
+    return make_interp_spline(middle, floor, 1, axis=1)(np.clip(np.arange(level.shape[1]), middle[0], middle[-1]))
 
 
 def _peaks(level, spacing):
@@ -172,23 +201,51 @@ def _line(t, cents):
     return np.array([height, slope])
 
 
-def _sidebands(tracks, spacing):
-    """For the number of each track that has some: the pairs of weaker tracks that mirror each other on it, and their
-    median distance from it [Hz]."""
-    found: dict[int, list] = {}
-    for i, track in enumerate(tracks):
-        weaker = range(i + 1, len(tracks))
-        for low in weaker:
-            for high in weaker:
-                below, at, above = _together(tracks[low], track, tracks[high])
-                if len(at) < 5 or not (below < at).all() or not (above > at).all():
-                    continue
-                if np.median(np.abs(above + below - 2 * at)) < MIRRORED * spacing:
-                    found.setdefault(i, []).append(((low, high), float(np.median(above - below) / 2)))
-    return found
+def _sidebands(peaks, spacing):
+    """Which of peaks (3, n) are sidebands (n,), and for every centre, heard or silent, the track of its middles and
+    the half distances (k,) [Hz] of its strongest pairs.
+
+    About a centre peaks mirror each other at more distances than about any place BESIDE, and these follow one course:
+    two carriers of their own keep their distance, or their middle moves.
+    """
+    pairs, aside, found = _pairs(peaks), np.zeros(peaks.shape[1], bool), []
+    middle, half = peaks[1, pairs].mean(axis=0), np.diff(peaks[1, pairs], axis=0)[0] / 2
+    frame, level = peaks[0, pairs[0]].astype(int), peaks[2, pairs].min(axis=0)
+    count, most = _distances(middle / spacing, half / spacing)
+    tried, free = np.flatnonzero((count >= DISTANCES) & (count >= most)), np.ones(len(count), bool)
+    for place in tried[np.argsort((most - count)[tried], kind="stable")]:
+        here = np.flatnonzero((np.abs(middle - place * spacing / FINE) < spacing) & ~aside[pairs].any(axis=0))
+        best = here[np.lexsort((-level[here], frame[here]))]
+        best = best[np.unique(frame[best], return_index=True)[1]]
+        if free[place] and len(best) >= FEWEST and _one_course(half[best]):
+            aside[pairs[:, here]] = True
+            free[max(place - BESIDE[0], 0) : place + BESIDE[0]] = False
+            found.append((Track(frame[best], middle[best], level[best]), half[best]))
+    return aside, found
 
 
-def _together(*tracks):
-    """The frequencies (k,) of tracks in the frames that they have in common."""
-    common = set.intersection(*(set(track.frame.tolist()) for track in tracks))
-    return [np.array([f for i, f in zip(track.frame, track.frequency, strict=True) if i in common]) for track in tracks]
+def _one_course(apart):
+    """Whether distances (k,) change less from frame to frame than by COURSE of what they change by in all."""
+    return np.median(np.abs(np.diff(apart))) < COURSE * np.median(np.abs(apart - np.median(apart)))
+
+
+def _distances(middle, half):
+    """At how many distances pairs with such middles and half distances (n,) [bins] mirror each other about each place
+    (p,), FINE to a bin, and at how many at most about the places BESIDE it."""
+    place = np.round(FINE * middle).astype(int)
+    seen = np.unique(place * 1000 + half.astype(int)) // 1000
+    count = np.bincount(seen, minlength=place.max(initial=0) + BESIDE[1] + 1)
+    around, away = maximum_filter1d(count, BESIDE[1] - BESIDE[0] + 1), sum(BESIDE) // 2
+    return count, np.maximum(np.roll(around, away), np.roll(around, -away))
+
+
+def _pairs(peaks):
+    """The numbers (2, n) of all pairs of peaks (3, m) of one frame that are so far APART."""
+    found = [np.zeros((2, 0), int)]
+    for step in range(1, peaks.shape[1]):
+        frame, apart = peaks[:2, step:] - peaks[:2, :-step]
+        low = np.flatnonzero((frame == 0) & (apart < 2 * APART[1]))
+        if not len(low):
+            break
+        found.append(np.array([low, low + step])[:, apart[low] > 2 * APART[0]])
+    return np.concatenate(found, axis=1)

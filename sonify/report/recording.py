@@ -89,7 +89,8 @@ def _near(match):
 
 def _carrier(c):
     course = "steady" if c.course == "steady" else f"{c.course} by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"
-    beside = f", sidebands {', '.join(f'± {x:.3g} Hz' for x in c.sidebands)}" if c.sidebands else ""
+    beside = ", sidebands ± {:.3g} to {:.3g} Hz".format(*c.rates) if c.rates else ""
+    beside += "" if c.heard else ", not heard itself but by these"
     place = f"{c.frequency:.2f} ± {c.error:.2g} Hz from {c.begin:.2f} to {c.end:.2f} s, {course}"
     return f"{place}, spread {c.spread:.2f} cents, {c.level:.0f} dB out of its surroundings{beside}"
 
