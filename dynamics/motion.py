@@ -8,7 +8,8 @@ from typing import NamedTuple, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .disk import Disk
+from .disk import Disk, Friction, Release
+from .numerics import Numerics
 
 COLUMNS = (
     "precession",
@@ -61,6 +62,19 @@ class Jumps(NamedTuple):
     t: np.ndarray
     before: np.ndarray
     after: np.ndarray
+
+
+class MotionScene(Protocol):
+    """What `simulate` reads of a scene, besides its dissipation where it has one."""
+
+    @property
+    def disk(self) -> Disk: ...
+    @property
+    def friction(self) -> Friction: ...
+    @property
+    def release(self) -> Release: ...
+    @property
+    def numerics(self) -> Numerics: ...
 
 
 @runtime_checkable

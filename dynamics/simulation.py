@@ -5,18 +5,17 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from importlib import import_module
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from . import guards
-from .disk import Disk, Friction, Release
-from .dissipation import OwnLaw, resistance, together
+from .dissipation import OwnLaw
 from .equations import law_of
-from .film.acting import film_of
+from .film.acting import loads_of
 from .hybrid import CASCADE, STALLED, StalledError, drive
-from .motion import Motion, Outcome, Transition
-from .numerics import Numerics, integrator_of
+from .motion import Motion, MotionScene, Outcome, Transition
+from .numerics import integrator_of
 from .regime import FLOAT, V1, V2, W1, W3, R, Regime
 from .rigid_motion import RigidMotion, read_only
 from .rolling import RollingDisk, released
@@ -38,19 +37,6 @@ CARRIES = 0.01
 """Part of the weight that a film bears at least where it, and not the turning of the disk, takes the contact force."""
 GONE = 1e-9
 """Part of the weight below which the contact force is gone, where regimes change at one instant without end."""
-
-
-class MotionScene(Protocol):
-    """What `simulate` reads of a scene, besides its dissipation where it has one."""
-
-    @property
-    def disk(self) -> Disk: ...
-    @property
-    def friction(self) -> Friction: ...
-    @property
-    def release(self) -> Release: ...
-    @property
-    def numerics(self) -> Numerics: ...
 
 
 Watch = Callable[[float, float, str], None]
@@ -156,7 +142,7 @@ def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
     disk, numerics = scene.disk, scene.numerics
     return RollingDisk(
         law=law_of(disk, scene.friction),
-        loads=together(loads or resistance(getattr(scene, "dissipation", None), disk), film_of(scene).film),
+        loads=loads_of(scene, loads),
         r_end=math.sqrt(numerics.stopping_inclination(disk)),
         integrate=chosen_integrator(numerics.integrator)[1],
         tolerance=numerics.chosen_tolerance,

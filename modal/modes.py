@@ -6,7 +6,7 @@ the bottom face, which meets the table, is z = -thickness/2.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from math import log, pi
 from typing import Annotated, Literal
 
@@ -83,8 +83,35 @@ def around(values, angle):
     return wave.real[..., order] @ np.cos(turn) - wave.imag[..., order] @ np.sin(turn)
 
 
-@dataclass(frozen=True, kw_only=True)
-class Modes:
+class ModeList:
+    """What the records of modes have in common: arrays that are finite and cannot be changed, and a length."""
+
+    frequency: np.ndarray
+    method: str
+    unknowns: int
+
+    def __post_init__(self):
+        for name, value in vars(self).items():
+            if isinstance(value, np.ndarray):
+                if not np.isfinite(value).all():
+                    raise ArithmeticError(f"{type(self).__name__}: {name} has values that are not finite")
+                value.flags.writeable = False
+
+    def __len__(self):
+        return len(self.frequency)
+
+    def __repr__(self):
+        """In one line."""
+        span = f", {self.frequency[0]:.6g} to {self.frequency[-1]:.6g} Hz" if len(self) else ""
+        return f"{type(self).__name__}({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
+
+    def numbers(self, indices: Sequence[int] | np.ndarray) -> np.ndarray:
+        """The numbers (k,) of modes that are given by indices (k,), or by a mask (m,)."""
+        return np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
+
+
+@dataclass(frozen=True, kw_only=True, repr=False)
+class Modes(ModeList):
     """m elastic modes, ascending, rigid-body modes not among them, of modal mass 1: phi^T M phi = 1, phi in [kg^-1/2].
 
     frequency, decay_rate (m,) -- [Hz] and [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency t).
@@ -124,22 +151,6 @@ class Modes:
     unknowns: int
     body: Body
 
-    def __post_init__(self):
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if isinstance(value, np.ndarray):
-                if not np.isfinite(value).all():
-                    raise ArithmeticError(f"modes: {field.name} has values that are not finite")
-                value.flags.writeable = False
-
-    def __len__(self):
-        return len(self.frequency)
-
-    def __repr__(self):
-        """In one line."""
-        span = f", {self.frequency[0]:.6g} to {self.frequency[-1]:.6g} Hz" if len(self) else ""
-        return f"Modes({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
-
     @property
     def decay_time(self) -> np.ndarray:
         """T60 (m,) [s]: time in which a mode falls by 60 dB; infinite without losses."""
@@ -159,7 +170,7 @@ class Modes:
 
     def select(self, indices: Sequence[int] | np.ndarray) -> "Modes":
         """The modes of these indices (k,), or a mask (m,), in that order; `partner` is renumbered, -1 if left out."""
-        kept = np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
+        kept = self.numbers(indices)
         place = np.full(len(self) + 1, -1)
         place[kept] = np.arange(len(kept))
         of_a_mode = {name: getattr(self, name)[kept] for name in OF_A_MODE}

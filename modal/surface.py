@@ -15,7 +15,7 @@ from modal.solve import BELOW, MOST
 from modal.spectral.axisymmetric import parities
 from modal.spectral.basis import Plate
 from modal.spectral.converge import all_pairs, amplitudes
-from modal.table import SAMPLED, SurfaceModes, splined
+from modal.table import SurfaceModes, splined
 
 SPARE = 16
 """Points of a rule for the radiation beyond those that shapes and paths need."""
@@ -93,10 +93,10 @@ def plate_table(surface, disk, below, accuracy):
 def table_by_modes(surface, disk, below, accuracy="standard"):
     """The `SurfaceModes` of a table given by numbers: w = cos n theta and sin n theta over sqrt(modal mass) on the
     contact circle, which moves with the disk, and r^n inside it. Nothing else is known: the circle alone radiates."""
-    given = [mode for mode in surface.modes for _ in range(2 if mode.order else 1) if mode.frequency < below]
-    given.sort(key=lambda mode: mode.frequency)
+    heard = sorted((mode for mode in surface.modes if mode.frequency < below), key=lambda mode: mode.frequency)
+    given = [mode for mode in heard for _ in range(2 if mode.order else 1)]
     order = np.array([mode.order for mode in given], int)
-    odd = np.array([i > 0 and given[i - 1] is mode for i, mode in enumerate(given)], bool)
+    odd = np.array([sine for mode in heard for sine in (False, True)[: 2 if mode.order else 1]], bool)
     amplitude = np.array([mode.modal_mass for mode in given]) ** -0.5
     frequency = np.array([mode.frequency for mode in given])
 
@@ -144,10 +144,8 @@ def sampled(shape, radius, length, below):
     node, share = np.polynomial.legendre.leggauss(SPARE + ceil(waves / 2))
     theta = np.arange(ceil(waves) + SPARE) * 2 * pi / (ceil(waves) + SPARE)
     r, at = (part.ravel() for part in np.meshgrid(radius * (1 + node) / 2, theta, indexing="ij"))
-    x = np.linspace(-radius, radius, 4 + ceil(2 * radius * SAMPLED / length))
-    grid = np.meshgrid(x, x, indexing="ij")
-    values = shape(np.hypot(*grid).ravel(), np.arctan2(grid[1], grid[0]).ravel())
-    knots, coefficients = splined(x, x, np.moveaxis(values.reshape(len(values), len(x), len(x)), 0, 2))
+    corner = np.array([radius, radius])
+    knots, coefficients = splined(lambda x, y: shape(np.hypot(x, y), np.arctan2(y, x)), -corner, corner, length)
     return {
         "points": np.column_stack([r * np.cos(at), r * np.sin(at)]),
         "weights": r * np.repeat(radius / 2 * share, len(theta)) * theta[1],

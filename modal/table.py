@@ -1,11 +1,14 @@
 """The record of the modes of a table, and their shapes on its top face."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, replace
+from math import ceil
 
 import numpy as np
 import scipy.sparse as sp
 from scipy.interpolate import BSpline, make_interp_spline
+
+from modal.modes import ModeList
 
 DEGREE = 3
 """Of the splines through the shapes."""
@@ -13,8 +16,8 @@ SAMPLED = 16
 """Values that a shape has on the length of its shortest bending wave: cubic splines then err by 1e-4 of it."""
 
 
-@dataclass(frozen=True, kw_only=True)
-class SurfaceModes:
+@dataclass(frozen=True, kw_only=True, repr=False)
+class SurfaceModes(ModeList):
     """m elastic modes of a table, ascending, of modal mass 1; w is the upward motion of its top face [kg^-1/2].
 
     frequency, decay_rate (m,) -- [Hz] and [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency t).
@@ -41,22 +44,6 @@ class SurfaceModes:
     method: str
     unknowns: int
 
-    def __post_init__(self):
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if isinstance(value, np.ndarray):
-                if not np.isfinite(value).all():
-                    raise ArithmeticError(f"modes of the table: {field.name} has values that are not finite")
-                value.flags.writeable = False
-
-    def __len__(self):
-        return len(self.frequency)
-
-    def __repr__(self):
-        """In one line."""
-        span = f", {self.frequency[0]:.6g} to {self.frequency[-1]:.6g} Hz" if len(self) else ""
-        return f"SurfaceModes({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
-
     def at(self, x: np.ndarray, y: np.ndarray, slope: tuple[int, int] = (0, 0)) -> np.ndarray:
         """Return w (k, m) at points x, y (k,) [m] of the top face, or its derivative `slope` times along x and y.
 
@@ -66,11 +53,9 @@ class SurfaceModes:
 
     def select(self, indices: Sequence[int] | np.ndarray) -> "SurfaceModes":
         """Return the modes of these indices (k,), or a mask (m,), in that order."""
-        kept = np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
-        own = {name: getattr(self, name)[kept] for name in ("frequency", "decay_rate", "order", "face")}
-        own |= {"residual": self.residual[kept], "error": self.error[kept]}
-        rest = {field.name: getattr(self, field.name) for field in fields(self) if field.name not in own}
-        return SurfaceModes(**own, **rest | {"coefficients": self.coefficients[:, :, kept]})
+        kept, of_a_mode = self.numbers(indices), ("frequency", "decay_rate", "order", "face", "residual", "error")
+        own = {name: getattr(self, name)[kept] for name in of_a_mode}
+        return replace(self, **own, coefficients=self.coefficients[:, :, kept])
 
     def compliance(self, radius: float = 0.0) -> float:
         """Return the static deflection [m] under 1 N, of the modes that there are: the greatest of 16 places on
@@ -80,9 +65,12 @@ class SurfaceModes:
         return float((self.at(x, y) ** 2 / (2 * np.pi * self.frequency) ** 2).sum(axis=1).max(initial=0.0))
 
 
-def splined(x, y, values):
-    """Return `knots` and `coefficients` of the splines through values (a, b, m) at x (a,) and y (b,) [m]."""
-    first = make_interp_spline(x, values, DEGREE, axis=0)
+def splined(shape, low, high, length):
+    """Return `knots` and `coefficients` of the splines through shape(x (k,), y (k,)) -> (m, k) on the rectangle between
+    two corners (2,) [m], `length` [m] being that of the shortest wave there."""
+    x, y = (np.linspace(a, b, 4 + ceil((b - a) * SAMPLED / length)) for a, b in zip(low, high, strict=True))
+    values = shape(*(part.ravel() for part in np.meshgrid(x, y, indexing="ij")))
+    first = make_interp_spline(x, np.moveaxis(values.reshape(len(values), len(x), len(y)), 0, 2), DEGREE, axis=0)
     second = make_interp_spline(y, first.c, DEGREE, axis=1)
     return (first.t, second.t), np.ascontiguousarray(np.moveaxis(second.c, 0, 1))
 

@@ -192,6 +192,16 @@ def test_modes_by_number_are_what_they_say():
     assert w == pytest.approx(np.column_stack([0.5 + 0 * angle, np.cos(2 * angle), np.sin(2 * angle)]), abs=1e-4)
 
 
+def test_a_mode_given_twice_is_two_pairs():
+    """Each with its cosine and its sine, and none of order 0 a sine, which would not move."""
+    one, other = (SurfaceMode(order=n, frequency=600.0, damping_ratio=0.0, modal_mass=1.0) for n in (0, 2))
+    angle = np.linspace(0, 2 * np.pi, 9)[:-1]
+    modes = modes_of(ModesSurface(modes=(one, one, other, other)), 24e3)
+    around = modes.at(0.03755 * np.cos(angle), 0.03755 * np.sin(angle)) ** 2
+    assert len(modes) == 6
+    assert around.sum(axis=1) == pytest.approx(4.0, abs=1e-3)
+
+
 def test_a_rigid_table_has_no_modes_and_a_soft_one_too_many():
     assert len(modes_of(Surface(), 20000.0)) == 0
     with pytest.raises(UnsolvableError, match="no more than 600 can be sought"):

@@ -31,11 +31,11 @@ class Bending(NamedTuple):
 RIGID = Bending(np.zeros((0, 4)), np.zeros(0), np.zeros(0))
 
 
-def bending_of(edge, loss_factor: float, below: float = MOVES) -> Bending:
-    """Return the `Bending` of the modes of an `Edge` below a frequency [Hz], of a material that loses `loss_factor`."""
+def bending_of(edge, loss_factor: float) -> Bending:
+    """Return the `Bending` of the modes of an `Edge` below MOVES, of a material that loses `loss_factor`."""
     if edge is None:
         return RIGID
-    moves = np.flatnonzero((edge.squared < (2 * np.pi * below) ** 2) & (edge.shapes[:, 2] != 0))
+    moves = np.flatnonzero((edge.squared < (2 * np.pi * MOVES) ** 2) & (edge.shapes[:, 2] != 0))
     pairs = [(i, phase) for i in moves for phase in ((0.0, np.pi / 2) if edge.order[i] else (0.0,))]
     shapes = np.array([(edge.order[i], phase, edge.shapes[i, 2], edge.shapes[i, 0]) for i, phase in pairs])
     squared = edge.squared[[i for i, _ in pairs]]

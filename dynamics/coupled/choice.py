@@ -6,9 +6,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.integrate import trapezoid
 
-from ..dissipation import resistance, together
 from ..equations import law_of
-from ..film.acting import carried_below, film_of
+from ..film.acting import carried_below, loads_of
 from ..regime import FLOAT, Branch
 from ..rolling import RollingDisk, released
 from ..steady import steady_precession
@@ -95,8 +94,7 @@ def roughness_takes(scene: ContactScene) -> float:
     """
     if scene.roughness is None or scene.roughness.loss == "fitted":
         return 0.0
-    disk, law, (beta, speed) = scene.disk, law_of(scene.disk, scene.friction), steadily(scene)
-    loads = together(resistance(getattr(scene, "dissipation", None), disk), film_of(scene).film)
+    disk, law, loads, (beta, speed) = scene.disk, law_of(scene.disk, scene.friction), loads_of(scene), steadily(scene)
     exists = np.array([abs(steady_rate(disk, b) - flat_rate(disk, b)) > 0 for b in beta])
     beta, speed = beta[exists], speed[exists]
     rough = predicted_power(law_table(scene), scene.roughness, beta, disk.weight, speed)
@@ -138,8 +136,7 @@ def first_force(scene: ContactScene) -> np.ndarray:
 
     It is the weight where no contact force satisfies the balance laws.
     """
-    disk, law = scene.disk, law_of(scene.disk, scene.friction)
-    loads = together(resistance(getattr(scene, "dissipation", None), disk), film_of(scene).film)
+    disk, law, loads = scene.disk, law_of(scene.disk, scene.friction), loads_of(scene)
     system = RollingDisk(law=law, loads=loads, r_end=0.0, integrate=lambda *arguments: None, tolerance=0.0)
     try:
         start = system.begin(released(disk, scene.release))

@@ -43,13 +43,13 @@ class Along(NamedTuple):
     jumps: np.ndarray
 
 
-def along(motion, rate: float, start: float = 0.0, stop: float | None = None, last: float = LEAST_INCLINATION):
+def along(motion, rate: float, start: float = 0.0, stop: float | None = None):
     """Yield the motion block by block, each as Along; the last knot of a block is the first of the next.
 
     `rate` [1/s] is that of the samples, EVERY to a knot. The contact advances by the edge's R d(spin) and the slip.
-    Below the inclination `last` [rad] it is no ellipse: the motion is followed until then.
+    Below LEAST_INCLINATION it is no ellipse: the motion is followed until then.
     """
-    valid = motion.t[np.flatnonzero(motion.state[:, 1] >= last)[-1]]
+    valid = motion.t[np.flatnonzero(motion.state[:, 1] >= LEAST_INCLINATION)[-1]]
     knots, path = int(np.floor((min(valid, valid if stop is None else stop) - start) * rate / EVERY)), 0.0
     jumps = motion.jumps
     for first in range(0, knots, BLOCK):
@@ -65,28 +65,28 @@ def along(motion, rate: float, start: float = 0.0, stop: float | None = None, la
         path -= slid[-1]
 
 
-def respond(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH), impedance=np.inf):
+def respond(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH)):
     """Yield what the elastic, rough contact adds to the force, (n, 2) [N] along a_2 and a_3, for every block.
 
-    `blocks` are those of `along`, `profiles` those of the table and of the edge, `impedance` [N s/m] that of the table.
+    `blocks` are those of `along`, `profiles` those of the table and of the edge.
     Sample i of a block is at t[0] + (i + 1)/rate. Raises ValueError, naming the rate needed, where a resonance turns
     too far in a step.
     """
     x, z = np.zeros(4), np.nan
     for block in blocks:
-        knots, A, B, drive = _coefficients(table, block, rate, impedance)
+        knots, A, B, drive = _coefficients(table, block, rate)
         if np.isnan(z):
             z = sum(height(*p, s, knots[0, 0]) for p, s in zip(profiles, (block.path[0], block.edge[0]), strict=True))
         out, x, z = _march(x, z, knots, A, B, drive, 1 / rate, *profiles)
         yield out
 
 
-def _coefficients(table, block, rate, impedance):
+def _coefficients(table, block, rate):
     """Return what `_march` needs: at knots a, path, edge, C and D of the force along a_2, a_3 (k, 13); between them
     A (k - 1, 4, 4), B, drive."""
     rolls, speed = block.rolls[1:] & block.rolls[:-1], np.diff(block.path) / np.diff(block.t)
     inclination, load = ((at[1:] + at[:-1]) / 2 for at in (block.inclination, block.load))
-    system = table.system(inclination, load, speed, impedance, rolls)
+    system = table.system(inclination, load, speed, rolls)
     A, B = system.A[:, PART][:, :, PART], system.B[:, PART]
     fastest = np.sqrt(np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])).max() / LARGEST
     if fastest > rate:
@@ -94,7 +94,7 @@ def _coefficients(table, block, rate, impedance):
             f"rate = {rate:g}: too low for the stiffness of the contact, at least {fastest:.4g} 1/s is needed"
         )
     springs, a, _ = table.springs(block.inclination, block.load)
-    there = table.system(block.inclination, block.load, np.append(speed, speed[-1]), impedance, block.rolls)
+    there = table.system(block.inclination, block.load, np.append(speed, speed[-1]), block.rolls)
     forces = np.concatenate([there.C[:, 1:, PART], there.D[:, 1:, None]], axis=2)
     knots = np.column_stack([a, block.path, block.edge, forces.reshape(len(a), -1)])
     drive = np.column_stack(
@@ -103,7 +103,7 @@ def _coefficients(table, block, rate, impedance):
     return knots, np.ascontiguousarray(A), np.ascontiguousarray(B), drive
 
 
-def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, speed, impedance=np.inf, above=AUDIBLE):
+def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, speed, above=AUDIBLE):
     """Return the rms [N] of the force above a frequency [Hz] in steady motion, (k,), from the spectrum of the heights.
 
     Table and edge are read at `speed` (k,) [m/s], as long as they have many waves.
@@ -113,7 +113,7 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
     square = []
     for one in zip(*map(np.atleast_1d, steady), strict=True):
         f = k * one[2] / (2 * np.pi)
-        power = predicted_spectrum(table, roughness, *one, f, impedance)
+        power = predicted_spectrum(table, roughness, *one, f)
         square.append(trapezoid(power * (f > above), f))
     return np.sqrt(square)
 
@@ -129,12 +129,10 @@ def predicted_power(table: LawTable, roughness: Roughness, inclination, load, sp
     return np.array(powers)
 
 
-def predicted_spectrum(
-    table: LawTable, roughness: Roughness, inclination, load, speed, frequency, impedance=np.inf, rolls=True
-):
+def predicted_spectrum(table: LawTable, roughness: Roughness, inclination, load, speed, frequency, rolls=True):
     """Return the power spectral density [N^2/Hz] of the force at frequencies (f,) [Hz] in one steady motion."""
     steady = np.array([[inclination], [load], [speed]])
-    a, system = table.springs(*steady[:2])[1], table.system(*steady, impedance, rolls)
+    a, system = table.springs(*steady[:2])[1], table.system(*steady, rolls)
     k = 2 * np.pi * frequency / abs(speed)
     heights = np.interp(k, *density(roughness, table.law.disk.radius), left=0.0, right=0.0) * window(k * a) ** 2
     return heights * np.abs(gain(system, 2 * np.pi * frequency)) ** 2 * 2 * np.pi / abs(speed)

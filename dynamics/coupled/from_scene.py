@@ -6,31 +6,22 @@ from typing import Protocol
 
 import numpy as np
 
-from ..disk import Disk, Friction, Release
-from ..numerics import Numerics
+from ..motion import MotionScene
 from .contact import LEAST_INCLINATION, ContactLaw
 from .resonance import rate_needed
 from .sections import Contact, Roughness, require_seen
 from .table import LawTable
 
 
-class ContactScene(Protocol):
+class ContactScene(MotionScene, Protocol):
     """What an elastic contact reads of a scene."""
 
     @property
-    def disk(self) -> Disk: ...
-    @property
     def material(self): ...
-    @property
-    def friction(self) -> Friction: ...
-    @property
-    def release(self) -> Release: ...
     @property
     def contact(self) -> Contact: ...
     @property
     def roughness(self) -> Roughness | None: ...
-    @property
-    def numerics(self) -> Numerics: ...
 
 
 def contact_law(scene: ContactScene) -> ContactLaw:

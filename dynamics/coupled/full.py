@@ -111,10 +111,10 @@ class Compliant:
         """Return the same in steps of half the length."""
         return replace(self, rate=2 * self.rate)
 
-    def stiffer(self, factor: float = 2.0) -> "Compliant":
-        """Return the same on an elastic contact that is so many times as stiff, in finer steps where it needs them."""
+    def stiffer(self) -> "Compliant":
+        """Return the same on an elastic contact that is twice as stiff, in finer steps where it needs them."""
         law = self.table.law
-        body, table = (side._replace(young=factor * side.young) for side in (law.body, law.table))
+        body, table = (side._replace(young=2 * side.young) for side in (law.body, law.table))
         law = replace(law, body=body, table=table)
         rate = max(self.rate, float(rate_needed(law, np.array([LEAST_INCLINATION]))[0]))
         return replace(self, table=replace(self.table, law=law), rate=rate)

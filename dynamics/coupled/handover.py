@@ -40,12 +40,8 @@ def release(model, state, force=None) -> np.ndarray:
     """
     law, theta, beta, slip = model.table.law, state[0], state[1], state[8:10]
     f1, f2, N = (0.0, 0.0, law.disk.weight) if force is None else force
-    R, H, (J1, J2), c = (
-        law.disk.radius,
-        law.disk.thickness / 2,
-        inertias(law.disk),
-        model.table.columns(np.array([beta]))[0],
-    )
+    R, H, (J1, J2) = law.disk.radius, law.disk.thickness / 2, inertias(law.disk)
+    c = model.table.columns(np.array([beta]))[0]
     a1, a2 = np.array([np.cos(theta), np.sin(theta), 0.0]), np.array([-np.sin(theta), np.cos(theta), 0.0])
     n, e3 = np.sin(beta) * a2 + [0, 0, np.cos(beta)], [0, 0, np.sin(beta)] - np.cos(beta) * a2
     w1, w2, w3 = state[5:8]
@@ -58,10 +54,8 @@ def release(model, state, force=None) -> np.ndarray:
     y[2] = R * np.sin(beta) - 2 * H * np.sin(beta / 2) ** 2 - delta + y[HEIGHTS : HEIGHTS + 2].sum()
     y[VELOCITY:AXIS] = slip @ [a1, a2] + np.cross(w1 * a1 + w2 * n + w3 * e3, H * n + R * e3)
     y[AXIS:MOMENTUM], y[MOMENTUM:SPRING] = n, J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
-    y[SPRING : SPRING + 2], y[STIFFNESS : STIFFNESS + 2] = (
-        deflection * [-1, 1],
-        c[K1 : K2 + 1],
-    )  # along t = -a_1, d = a_2
+    y[SPRING : SPRING + 2] = deflection * [-1, 1]  # along t = -a_1, d = a_2
+    y[STIFFNESS : STIFFNESS + 2] = c[K1 : K2 + 1]
     y[FORCE], y[LAST : LAST + 2], y[GAP], y[[PATH, EDGE]] = N, N, -delta, -R * state[2]
     y[SQUEEZED] = holds(np.sin(beta), w3 / np.sin(beta), *model.constants[NUMBER : SLIP + 1])
     return y

@@ -273,16 +273,16 @@ def solve(
     goes on, those of the release unless given. Raises ValueError where a profile cannot be read, or where such
     a table has no modes, and ImpossibleContactError where it bends by more than a disk is wide.
     """
-    if acts_back(scene) and surface_modes is None:
+    modes, radius = surface_modes if acts_back(scene) else None, scene.disk.radius
+    if acts_back(scene) and modes is None:
         raise ValueError("surface.action = 'motion': simulate needs the surface_modes of the table")
-    radius = scene.disk.radius
-    if acts_back(scene) and (sag := surface_modes.compliance(radius) * scene.disk.weight) > radius:
+    if modes is not None and (sag := modes.compliance(radius) * scene.disk.weight) > radius:
         raise ImpossibleContactError(
             f"the weight of the disk would bend the table by {sag:.3g} m, more than the radius of the disk, "
             f"{radius:g} m, and linear theory does not hold"
         )
-    model = compliant(scene, surface_modes if acts_back(scene) else None)
-    last = LIES if model.modes is not None or model.imperfection is not None else last_inclination(scene)
+    model = compliant(scene, modes)
+    last = LIES if modes is not None or model.imperfection is not None else last_inclination(scene)
     if begin is None:
         tilt = np.radians(scene.release.inclination_deg)
         begin = np.concatenate([[0.0, tilt, 0, 0, 0], scene.release.omega, [0, 0, 0]]), first_force(scene)

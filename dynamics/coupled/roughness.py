@@ -15,6 +15,8 @@ from .profile import SMOOTH, Profile, heights, profile_from_csv, spline_profile
 from .sections import CELLS, WAVES, Roughness
 
 TABLE_CELLS = 2**20
+WAVE_NUMBERS = 8192
+"""Of a spectrum, evenly spaced in their logarithm."""
 
 
 def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profile]:
@@ -83,7 +85,7 @@ def window(ka):
     return np.where(small, 1 - ka * ka / 10, 3 * (np.sin(x) - x * np.cos(x)) / x**3)
 
 
-def density(roughness: Roughness, radius: float, waves: int = 8192) -> tuple[np.ndarray, np.ndarray]:
+def density(roughness: Roughness, radius: float) -> tuple[np.ndarray, np.ndarray]:
     """Return wave numbers (w,) [rad/m], evenly spaced in their logarithm, and the mean square per wave number [m^3].
 
     It is that of table and edge together, which are independent; the edge of a disk of that radius [m] has its rms in
@@ -93,7 +95,7 @@ def density(roughness: Roughness, radius: float, waves: int = 8192) -> tuple[np.
     drawn = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2 * fitting(roughness, 2 * pi * radius)
     longest = max([p.period for p in files] + [roughness.longest] * (drawn > 0))
     shortest = min([2 / p.cells_per_metre for p in files] + [roughness.shortest] * (drawn > 0))
-    k = np.geomspace(2 * pi / longest, 2 * pi / shortest, waves)
+    k = np.geomspace(2 * pi / longest, 2 * pi / shortest, WAVE_NUMBERS)
     power = k**-roughness.exponent * (2 * pi <= k * roughness.longest * (1 + 1e-9))
     power *= k * roughness.shortest <= 2 * pi * (1 + 1e-9)
     power *= drawn / trapezoid(power, k) if drawn else 0.0
@@ -104,7 +106,7 @@ def fitting(roughness: Roughness, period: float) -> float:
     """Return how much stronger each wave is that fits a period [m] than in an endless profile of the same rms; 1 where
     none fits."""
     low, high, p = period / roughness.longest, period / roughness.shortest, roughness.exponent
-    order, n = np.arange(max(np.ceil(low * (1 - 1e-12)), 1), high * (1 + 1e-12)), np.geomspace(low, high, 8192)
+    order, n = np.arange(max(np.ceil(low * (1 - 1e-12)), 1), high * (1 + 1e-12)), np.geomspace(low, high, WAVE_NUMBERS)
     return float(trapezoid((n / low) ** -p, n) / np.sum((order / low) ** -p)) if len(order) else 1.0
 
 

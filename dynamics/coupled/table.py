@@ -87,12 +87,12 @@ class LawTable:
         springs = Springs(value[K1] * root, value[K2] * root, kn, value[LENGTH1] * root, value[LENGTH2] * root)
         return springs, value[A] * root, value[LOSS] * load
 
-    def system(self, inclination, load, speed=0.0, impedance=np.inf, rolls=True) -> Linear:
+    def system(self, inclination, load, speed=0.0, rolls=True) -> Linear:
         """Return the linearised contact at inclinations, under loads [N], along its path at speeds [m/s], (k,) each;
         where it does not roll nothing holds along a_2."""
         springs, _, c = self.springs(inclination, load)
         springs = springs._replace(k2=np.where(rolls, springs.k2, 0.0))
-        return linear(self.law.disk, inclination, springs, speed, c, impedance, self.flexibility(inclination))
+        return linear(self.law.disk, inclination, springs, speed, c, flexibility=self.flexibility(inclination))
 
     def carrier(self, inclination, load, speed) -> Resonances:
         """Return frequency (k,) [Hz] and loss factor (k,) of the resonance that rings, along a motion that rolls.

@@ -53,18 +53,7 @@ def still(modes=None, h: float = 1.0, body: Bending = RIGID) -> Waves:
     """Return the Waves at rest of modes of a table (`modal.SurfaceModes`) and of the disk on it, for steps of h [s];
     without a table, none."""
     if modes is None or not len(modes.frequency):
-        none = np.zeros(0)
-        return Waves(
-            np.zeros((0, 0, 0)),
-            none,
-            none,
-            np.zeros((0, 3)),
-            np.zeros(2),
-            1.0,
-            np.zeros((0, 5)),
-            np.zeros(PLACES + MOST),
-            RIGID.shapes,
-        )
+        return _at_rest(np.zeros((0, 0, 0)), np.zeros(0), np.zeros(0), np.zeros((0, 3)), np.zeros(2), 1.0, RIGID)
     decay = np.append(modes.decay_rate, body.decay)
     root = -decay + 1j * np.sqrt(np.append((2 * np.pi * modes.frequency) ** 2, body.squared) - decay**2 + 0j)
     midpoint = 2 / h * np.tanh(root * h / 2)
@@ -72,15 +61,12 @@ def still(modes=None, h: float = 1.0, body: Bending = RIGID) -> Waves:
     constants = np.column_stack([k, c, 1 / (1 + h * c / 2 + h * h * k / 4)])
     splines = [np.array(part, order="C") for part in (modes.coefficients, *modes.knots)]  # read-only: another type
     stays = float(modes.mass > 0)  # else they are given by numbers
-    return Waves(
-        *splines,
-        constants,
-        np.array(modes.place, dtype=float),
-        stays,
-        np.zeros((len(k), 5)),
-        np.zeros(PLACES + MOST),
-        body.shapes,
-    )
+    return _at_rest(*splines, constants, np.array(modes.place, dtype=float), stays, body)
+
+
+def _at_rest(coefficients, knots_x, knots_y, constants, place, stays, body):
+    state, contact = np.zeros((len(constants), 5)), np.zeros(PLACES + MOST)
+    return Waves(coefficients, knots_x, knots_y, constants, place, stays, state, contact, body.shapes)
 
 
 def wavy(imperfection, y, law) -> Waves:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..air import Air
 from ..disk import Disk, Release
-from ..dissipation import resistance
+from ..dissipation import OwnLaw, resistance, together
 from ..equations import law_of
 from ..kinematics import energy
 from ..steady import steady_precession
@@ -47,6 +47,12 @@ def film_of(scene) -> Decision:
     if time >= numerics.time_limit:
         return Decision(None, f"{told}, after the time limit" if isfinite(time) else "it never takes as much", time)
     return Decision(film_under(disk, air), told, time, inclination)
+
+
+def loads_of(scene, own: OwnLaw | None = None):
+    """Return what acts on the disk of a scene beside its contact, None for nothing: its film, and its dissipation, or
+    in place of that an `own` law."""
+    return together(own or resistance(getattr(scene, "dissipation", None), scene.disk), film_of(scene).film)
 
 
 def _known_without(disk: Disk, air: Air, dissipation) -> str:

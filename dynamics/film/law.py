@@ -4,8 +4,8 @@ Reynolds' equation for the two ways in which the gap changes: it turns with the 
 reynolds.py solves it, forces.py has what comes out in closed form, and tests/test_film_solved.py compares.
 """
 
-from collections.abc import Iterable, Iterator
-from itertools import repeat
+from collections.abc import Iterable
+from itertools import islice, repeat
 from typing import NamedTuple
 
 import numpy as np
@@ -67,8 +67,7 @@ class Film(NamedTuple):
 
     def filled(self, numbers: Iterable) -> "Film":
         """Return a film with `numbers` (6,), of any kind."""
-        left: Iterator = iter(numbers)
-        return Film(*(next(left) for _ in self))
+        return Film(*islice(numbers, len(self)))
 
 
 def film_under(disk: Disk, air: Air) -> Film:

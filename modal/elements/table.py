@@ -16,7 +16,7 @@ from modal.elements.patch import shift_for
 from modal.mesh.read import read_checked
 from modal.modes import Support
 from modal.radiation import SOUND_SPEED
-from modal.table import SAMPLED, SurfaceModes, spline_values, splined
+from modal.table import SurfaceModes, spline_values, splined
 
 LEVEL = 1e-6
 """Facets of the top face lie at the greatest height within this share of the size of the mesh."""
@@ -141,11 +141,7 @@ def sampled(shape, top, length, below):
     along, across = top[:, 1] - top[:, 0], top[:, 2] - top[:, 0]
     points = (top[:, :1] + u[:, None] * along[:, None] + v[:, None] * across[:, None]).reshape(-1, 2)
     weights = np.abs(cross(along, across))[:, None] * share
-    low, high = top.min(axis=(0, 1)), top.max(axis=(0, 1))
-    x, y = (np.linspace(a, b, 4 + ceil((b - a) * SAMPLED / length)) for a, b in zip(low, high, strict=True))
-    grid = np.meshgrid(x, y, indexing="ij")
-    values = shape(grid[0].ravel(), grid[1].ravel())
-    knots, coefficients = splined(x, y, np.moveaxis(values.reshape(len(values), len(x), len(y)), 0, 2))
+    knots, coefficients = splined(shape, top.min(axis=(0, 1)), top.max(axis=(0, 1)), length)
     return {
         "points": points,
         "weights": weights.ravel(),

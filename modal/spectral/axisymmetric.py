@@ -1,6 +1,5 @@
 """The record of the modes of an axisymmetric solid: every order n >= 1 gives a degenerate (cosine, sine) pair."""
 
-from dataclasses import dataclass
 from math import pi
 
 import numpy as np
@@ -65,7 +64,8 @@ def columns(plate, pairs, odd, body):
     r, _, theta = sample.face_grid(1.0, plate.hole)
     faces = amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[2].transpose(0, 2, 1)
     around = np.sin(n * theta) if odd else np.cos(n * theta)
-    inside = amplitudes(plate, pairs, body.rho, body.zeta)[..., body.which_rho, body.which_zeta]
+    body_angle, (rho, at_rho), (zeta, at_zeta) = body
+    inside = amplitudes(plate, pairs, rho, zeta)[..., at_rho, at_zeta]
     return {
         "frequency": np.sqrt(pairs.values) / (2 * pi),
         "order": np.full(k, n),
@@ -77,23 +77,13 @@ def columns(plate, pairs, odd, body):
         "face_shape": faces[..., None] * around,
         "residual": pairs.residual,
         "error": pairs.error.sum(axis=0),
-        "displacement": cartesian(turned(inside, n, body.angle, odd), body.angle),
+        "displacement": cartesian(turned(inside, n, body_angle, odd), body_angle),
     }
 
 
-@dataclass(frozen=True, kw_only=True)
-class Points:
-    """The nodes (p,) of a mesh of the plate as angles and as indices into their distinct radii and heights."""
-
-    angle: np.ndarray
-    rho: np.ndarray
-    which_rho: np.ndarray
-    zeta: np.ndarray
-    which_zeta: np.ndarray
-
-
 def body_mesh(plate, highest):
-    """Nodes (p, 3), cells and `Points` of the whole plate, fine enough to draw waves of the highest order."""
+    """Nodes (p, 3) and cells of the whole plate, fine enough to draw waves of the highest order; and of the nodes the
+    angles (p,), and the distinct radii and heights, each with indices (p,) into them."""
     split = 1 + highest // 6
     if plate.hole:
         mesh = hexahedra(extrude(annulus(plate, 16 * split, split), np.linspace(0, plate.thickness / 2, split + 1)))
@@ -102,11 +92,9 @@ def body_mesh(plate, highest):
         mesh = sector(plate.radius, plate.thickness, Support(kind="free"), size).mesh
     points, cells, _ = whole_mesh(mesh.doflocs.T, mesh.dofs.element_dofs.T, quarter=True)
     x, y, z = points.T
-    rho = np.clip(np.hypot(x, y) / plate.radius, plate.hole, 1)
-    rho, which_rho = np.unique(rho.round(12), return_inverse=True)
-    zeta, which_zeta = np.unique(np.clip(2 * z / plate.thickness, -1, 1).round(12), return_inverse=True)
-    angle = np.arctan2(y, x)
-    return points, cells, Points(angle=angle, rho=rho, which_rho=which_rho, zeta=zeta, which_zeta=which_zeta)
+    rho = np.clip(np.hypot(x, y) / plate.radius, plate.hole, 1).round(12)
+    zeta = np.clip(2 * z / plate.thickness, -1, 1).round(12)
+    return points, cells, (np.arctan2(y, x), *(np.unique(part, return_inverse=True) for part in (rho, zeta)))
 
 
 def annulus(plate, around, across):
