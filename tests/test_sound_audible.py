@@ -13,10 +13,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 import soundfile
-from scipy.signal import sosfreqz
+from scipy.signal import resample_poly, sosfreqz
 
 from sonify.hearing.loudness import a_weighting_db, loudness_lufs
-from sonify.sound.listening import LOUDNESS_LUFS, a_weighting, audible, energy_below, true_peak
+from sonify.sound.listening import FINER, LOUDNESS_LUFS, OVERSHOOT, a_weighting, audible, energy_below, true_peak
 from sonify.sound.pressure import COLUMNS, Sound, Track, with_sum
 from sonify.sound.wav import write_sound
 
@@ -65,6 +65,17 @@ def test_a_true_peak_lies_between_the_samples():
     source = track(sine(RATE / 4, phase=np.pi / 4))
     assert np.abs(source.read()).max() == pytest.approx(0.5**0.5, rel=1e-6)
     assert 20 * np.log10(true_peak(source)) == pytest.approx(0.0, abs=0.2)
+
+
+def test_a_true_peak_is_found_in_whichever_part_it_is_and_no_quiet_part_can_hold_it():
+    """What is left out is so much quieter than the rest that no weights of the filter, signs aside, make up for it."""
+    weights = np.abs(resample_poly(np.eye(1, 401, 200)[0], FINER, 1)).reshape(-1, FINER).sum(axis=0)
+    assert weights.max() < OVERSHOOT
+    quiet, crest = sine(RATE / 4, 4.0, 0.5), sine(RATE / 4, 0.1, phase=np.pi / 4)
+    for n in (0, 70_000, 150_000):
+        samples = quiet.copy()
+        samples[n : n + len(crest)] = crest
+        assert true_peak(track(samples)) == pytest.approx(np.abs(resample_poly(samples, FINER, 1)).max(), rel=1e-6)
 
 
 def test_silence_and_a_tenth_of_a_second_pass():

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from jinja2 import Environment, PackageLoader
+from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup
 from tomli_w import dumps
 
@@ -33,9 +34,9 @@ MOST_EMBEDDED = 100_000_000
 """A longer sound [bytes] is not put into a notebook."""
 
 
-def write(result: "Result", path: Path, told: dict[str, Any] | None = None):
-    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours; `told` is its
-    `page_data`, if that is known."""
+def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
+    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours; what is `told`
+    in it may be known as `numbers`."""
     modes, held = result.modes, result.scene.support.kind == "patch"
     shapes = [shape_in_words(modes, i, held) for i in range(len(modes))]
     text = (
@@ -48,7 +49,6 @@ def write(result: "Result", path: Path, told: dict[str, Any] | None = None):
             answers=in_short(result.findings),
             paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
             not_from=words.not_from(result),
-            data=told or page_data(result),
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[
@@ -56,11 +56,18 @@ def write(result: "Result", path: Path, told: dict[str, Any] | None = None):
                 for name, caption in PICTURES.items()
                 if (result.out / name).exists()
             ],
+            **(numbers or told(result)),
             **bundle(),
         )
     )
     with whole(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+        temporary.write_bytes(text.encode("utf-8"))
+
+
+def told(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
+    """Return the `page_data` of a result as JSON for its page, and whether that plays."""
+    data = page_data(result, parts)
+    return {"data": htmlsafe_json_dumps(data), "plays": bool(data["sounds"])}
 
 
 def bundle() -> dict[str, str]:
@@ -75,9 +82,7 @@ def bundle() -> dict[str, str]:
 @cache
 def templates() -> Environment:
     """Return the templates of all pages."""
-    environment = Environment(loader=PackageLoader("sonify.report"), autoescape=True)
-    environment.policies["json.dumps_kwargs"] = {"sort_keys": False}
-    return environment
+    return Environment(loader=PackageLoader("sonify.report"), autoescape=True)
 
 
 def in_words(result: "Result") -> str:

@@ -4,7 +4,7 @@ Arrays are base64 of little-endian floats or integers, sounds are data URLs of F
 """
 
 from base64 import b64encode
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -36,27 +36,31 @@ PER_SAMPLE = 1.0
 """Bytes that FLAC of 16 bits takes for a sample of a disk, or a little less."""
 
 
-def page_data(result: "Result", heard: dict[str, Any] | None = None, colours: Future | None = None) -> dict[str, Any]:
-    """Return the numbers of a page; of which the `sounds` are `heard`, if these are known already, and `colours` those
-    that the painter has been asked for."""
+def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
+    """Return the numbers of a page, of which the `parts` that take long may be known already: the `instants` of its
+    motion, the `sounds`, and the colours of a spectrogram as bytes."""
     sound, motion = result.sound, result.motion
-    colours = colours or painter().draw("sound", "draw_colours", dict)
+    parts = parts or {
+        "motion": instants(motion),
+        "sound": sounds(sound),
+        "colours": painter().draw("sound", "draw_colours", dict).result(),
+    }
     return {
         "name": result.scene.name,
         "duration": sound.duration,
         "sample_rate": sound.sample_rate,
         "source_end": sound.source_end,
         "delay": sound.source_end - float(motion.t[-1]),
-        "sounds": sounds(sound) if heard is None else heard,
+        "sounds": parts["sound"],
         "lines": {"rates": rates(motion), "modes": packed(np.unique(result.modes.frequency.round(1)))},
-        "colours": packed(np.frombuffer(colours.result(), np.uint8)),
+        "colours": packed(np.frombuffer(parts["colours"], np.uint8)),
         "disk": {
             "radius": motion.disk.radius,
             "thickness": motion.disk.thickness,
             "inner_radius": motion.disk.inner_radius,
             "weight": motion.disk.weight,
         },
-        "motion": instants(motion),
+        "motion": parts["motion"],
         "shapes": shapes(result.modes, result.scene.support),
         "table": table_shapes(result.table) if result.table is not None and len(result.table) else None,
         "seen": spectrogram(result),
@@ -100,7 +104,7 @@ def rates(motion: Motion) -> dict[str, Any]:
 def instants(motion: Motion) -> dict[str, Any]:
     """Return the time [s] and, at each, attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy [J]."""
     t = chosen(motion)
-    state, force = motion.at(t), motion.force(t)
+    state, force = motion.at_and_force(t)
     columns = dict(zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True))
     columns |= dict(zip(("friction_1", "friction_2", "normal"), force.T, strict=True))
     columns["energy"] = motion.energy(t)
@@ -110,8 +114,9 @@ def instants(motion: Motion) -> dict[str, Any]:
 
 def chosen(motion: Motion) -> np.ndarray:
     """Return at most MOST_INSTANTS instants [s], from the first to the last: denser where the contact turns faster."""
-    t = motion.t[:: max(len(motion.t) // 200_000, 1)]
-    turned = np.abs(np.diff(motion.at(t)[:, 0], prepend=motion.at(t[:1])[0, 0])).cumsum()
+    some = slice(None, None, max(len(motion.t) // 200_000, 1))
+    t, precession = motion.t[some], motion.state[some, 0]
+    turned = np.abs(np.diff(precession, prepend=precession[0])).cumsum()
     progress = turned / (turned[-1] or 1.0) + (t - t[0]) / (t[-1] - t[0])
     even = np.interp(np.linspace(0, progress[-1], MOST_INSTANTS), progress, t)
     return np.unique(np.concatenate([t[:1], even, motion.t[-1:]]))

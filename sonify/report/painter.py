@@ -33,13 +33,15 @@ class Painter:
     """Draws in a process of its own, which ends when this one does; where that cannot be had, in this process."""
 
     def __init__(self):
-        self._waiting = ThreadPoolExecutor(1, "painter")
+        self._gathering, self._waiting = (ThreadPoolExecutor(1, name) for name in ("gathering", "painter"))
         self._process = self._waiting.submit(_started)
         self._loaded = False
 
     def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
-        """Return the future of `drawn`; the pictures come one after the other. A thread calls `data`."""
-        return self._waiting.submit(lambda: self._ask(drawn, module, name, data()))
+        """Return the future of `drawn`; the pictures come one after the other. A thread calls `data`, while the picture
+        before is drawn."""
+        gathered = self._gathering.submit(data)
+        return self._waiting.submit(lambda: self._ask(drawn, module, name, gathered.result()))
 
     def call(self, function: Callable, *arguments, **options) -> Any:
         """Return what `function`, of a module, returns: called there once a picture has been drawn there, else here,

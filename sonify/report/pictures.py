@@ -43,25 +43,25 @@ MOST_TABLE = 10
 
 
 class Pictures:
-    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and what its page needs: the
-    `colours` of a spectrogram and the sounds."""
+    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and the parts of its page that
+    take long."""
 
     def __init__(self):
         self._futures: dict[str, Future] = {}
-        self._sounds: Future | None = None
-        self.colours = painter().draw("sound", "draw_colours", dict)
+        self._parts = {"colours": painter().draw("sound", "draw_colours", dict)}
 
     def begin(self, found: Any):
         """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as a Result has."""
         for name, (needs, *_) in PICTURES.items():
             if hasattr(found, needs) and name not in self._futures and not _left_out(name, found):
                 self._futures[name] = _begun(name, found)
-        if hasattr(found, "sound") and not self._sounds:
-            self._sounds = beside(_sounds, found.sound)
+        for name, part in (("motion", _instants), ("sound", _sounds)):
+            if hasattr(found, name) and name not in self._parts:
+                self._parts[name] = beside(part, getattr(found, name))
 
-    def sounds(self) -> dict[str, Any]:
-        """Return the sounds of the page of a result for which this has begun."""
-        return self._sounds.result()
+    def parts(self) -> dict[str, Any]:
+        """Return the `parts` of the page_data of a result for which this has begun."""
+        return {name: part.result() for name, part in self._parts.items()}
 
     def write(self, result: "Result"):
         """Write every picture of a result into its folder; in a draft not that of the stems."""
@@ -93,9 +93,16 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_of_the_modes.cache_clear)  # what another process waits for does not come here
 
 
+def _instants(motion):
+    from sonify.report.page_data import instants  # loads slowly
+
+    return instants(motion)
+
+
 def _sounds(sound):
     from sonify.report.page_data import sounds  # loads slowly
 
+    _ = sound.loudness  # of which run.json tells, when nothing else is left to do
     return sounds(sound)
 
 

@@ -154,7 +154,7 @@ def _labels(axes, frequencies, unit):
     heights = np.unique(np.round(frequencies)) / unit  # the two of a pair are one line
     shares = (scaled(heights) - scaled(low)) / (scaled(high) - scaled(low))
     apart, last = LINE / axes.get_window_extent().height, -1.0
-    leader = {"arrowstyle": "-", "lw": 0.5, "shrinkA": 0, "shrinkB": 0, "relpos": (0, 0.5)}
+    leader = {"arrowstyle": "-", "lw": 0.5, "shrinkA": 0, "shrinkB": 0, "relpos": (-0.08, 0.5), "patchA": None}
     for height, share in zip(heights, shares, strict=True):
         place = max(share, last + apart)
         if share < 0 or place > 1 or place - share > 2 * apart:

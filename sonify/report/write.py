@@ -20,7 +20,7 @@ from sonify.claims.air import air_scalars
 from sonify.claims.checks import Check
 from sonify.claims.motion import Finding
 from sonify.files import whole
-from sonify.hearing.loudness import MissingExtraError, loudness_lufs, roughness
+from sonify.hearing.loudness import MissingExtraError, roughness
 from sonify.plan.supports import over_the_run
 from sonify.progress import Stages
 from sonify.report.pictures import Pictures
@@ -34,10 +34,10 @@ LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "ma
 
 
 def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
-    """Return the numbers of the page of a result."""
-    from sonify.report.page_data import page_data  # loads slowly
+    """Return the numbers of the page of a result, as it holds them."""
+    from sonify.report import page  # loads slowly
 
-    return page_data(result, pictures.sounds(), pictures.colours)
+    return page.told(result, pictures.parts())
 
 
 def write_record(result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future) -> None:
@@ -116,12 +116,12 @@ def run_record(result: "Result") -> dict:
             "peak_pascal": sound.peak,
             "full_scale_pascal": sound.full_scale,
             "gain_db": float(sound.gain_db),
-            "loudness_lufs": loudness(sound.copy),
+            "loudness_lufs": finite(sound.loudness[0]),
             "roughness": "not in a draft" if result.plan.accuracy == "draft" else roughness_before(sound),
             "stem_peak_pascal": sound.stem_peak,
             "energy_below_100_hz_300_hz": sound.low_share,
             "audible_full_scale_pascal": sound.audible.full_scale,
-            "audible_loudness_lufs": loudness(sound.audible),
+            "audible_loudness_lufs": finite(sound.loudness[1]),
         },
         "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
         "findings": [finite(asdict(f)) | {"holds": f.holds, "near": f.near} for f in result.findings],
@@ -158,14 +158,6 @@ def judged(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
 def timed(seconds: dict[str, float]) -> dict[str, float]:
     """Return the seconds of each stage as scalars of a row."""
     return {f"seconds_{name.replace(' ', '_')}": spent for name, spent in seconds.items()}
-
-
-def loudness(sound) -> float | str:
-    """Return the loudness of a source by BS.1770 [LUFS], or why there is none."""
-    try:
-        return finite(loudness_lufs(sound))
-    except ValueError as error:
-        return str(error)
 
 
 def roughness_before(sound: Sound) -> dict | str:

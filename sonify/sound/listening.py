@@ -17,6 +17,8 @@ LOUDNESS_LUFS, TRUE_PEAK_DB = -23.0, -1.0
 """What audible.wav is brought to by its gain, EBU R 128, unless its true peak [dBTP] would be higher than that."""
 FINER, EDGE = 4, 32
 """A true peak is sought on so many times the samples, BS.1770-4, annex 2; samples that its filter reaches."""
+OVERSHOOT = 2.5
+"""No value between samples is so many times the greatest of them: the absolute weights of that filter add to less."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -68,11 +70,23 @@ def audible(track) -> Copy:
     return Copy(track=track, full_scale=over_peak * max(louder, 1.0), weighted=True)
 
 
+def loudness(source) -> float | str:
+    """Return the loudness of a source by BS.1770 [LUFS], or why there is none."""
+    try:
+        return loudness_lufs(source)
+    except ValueError as error:
+        return str(error)
+
+
 def true_peak(source) -> float:
     """Return the greatest value between the samples, too, of either sign."""
-    step = 1 << 16
-    tops = (np.abs(resample_poly(part, FINER, 1, axis=0)).max() for part in pieces(source, step, 2 * EDGE))
-    return float(max(tops, default=0.0))
+    tops = [np.abs(part).max() for part in _parts(source)]
+    loud = (part for part, top in zip(_parts(source), tops, strict=True) if top * OVERSHOOT >= max(tops))
+    return float(max((np.abs(resample_poly(part, FINER, 1, axis=0)).max() for part in loud), default=0.0))
+
+
+def _parts(source):
+    return pieces(source, 1 << 16, 2 * EDGE)
 
 
 def energy_below(track, *limits) -> tuple[float, ...]:

@@ -155,7 +155,8 @@ def _advance(g, own, state, step, stops, kicks, out):
     for j in range(len(stops)):
         for n in range(start, stops[j]):
             for m in range(out.shape[1]):
-                u, first, second = g[n, own * m], state[0, m], state[1, m]
+                u = g[n, m] if own else g[n, 0]
+                first, second = state[0, m], state[1, m]
                 out[n, m] = step[0, m] * u + first
                 state[0, m] = step[1, m] * u + (step[2, m] * first + second)
                 state[1, m] = step[3, m] * u + step[4, m] * first

@@ -9,7 +9,7 @@ from weakref import finalize
 
 import numpy as np
 
-from sonify.sound.listening import Copy, audible, energy_below
+from sonify.sound.listening import Copy, audible, energy_below, loudness
 
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 """The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring after its jumps. These
@@ -119,7 +119,7 @@ class Sound:
     @cached_property
     def _peaks(self):
         starts = range(0, self.samples, BLOCK)
-        own = [np.abs(self.columns[n : n + BLOCK]).max(axis=0) for n in starts]
+        own = [[np.abs(column).max() for column in self.columns[n : n + BLOCK].T] for n in starts]
         return np.max([*own, *(other._peaks for other in self.others)], axis=0).astype(float)
 
     @property
@@ -157,6 +157,11 @@ class Sound:
         """What audible.wav holds: the pressure A-weighted and made loud, for two ears at least."""
         beside = (self._track("beside", 1 + len(self.names)),) if self.turned else ()
         return audible(replace(self.pressure, others=beside or self.pressure.others))
+
+    @cached_property
+    def loudness(self) -> tuple[float | str, float | str]:
+        """The loudness of sound.wav and of audible.wav by BS.1770 [LUFS], or why there is none."""
+        return loudness(self.copy), loudness(self.audible)
 
     @cached_property
     def low_share(self) -> tuple[float, ...]:
@@ -208,4 +213,4 @@ def with_sum(stems) -> np.ndarray:
     """Return pressure and stems (k, 1 + s), float32, of stems (k, s) [Pa]: rounded, their sum in double precision and
     rounded."""
     stems = stems.astype(np.float32)
-    return np.column_stack([stems.astype(float).sum(axis=1).astype(np.float32), stems])
+    return np.column_stack([sum(stem.astype(float) for stem in stems.T).astype(np.float32), stems])
