@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .equations import Contact, Law, Loads, balance
+from .equations import UNLOADED, Contact, Law, balance
 from .guards import ALL, AXES, STOP_SPEED, Guard, Where
 from .guards import FALLING as FALLING
 from .kinematics import arms, centre_velocity, precession_rate
@@ -106,7 +106,7 @@ class Flow:
         """Solve the balance laws at state y with the slip direction given."""
         r = y[R]
         omega = (r * y[W1], r * y[W2], r * y[W3])
-        loads = branch.loads(r * r, omega, slip, law, self) if branch.loads else Loads()
+        loads = branch.loads(r * r, omega, slip, law, self) if branch.loads else UNLOADED
         return self.solve(r * r, *omega, *slip, *direction, branch.sliding, *branch.stuck, *senses, law, loads)
 
     def rates(self, y, contact: Contact, branch: Branch, law: Law):

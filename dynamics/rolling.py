@@ -85,9 +85,11 @@ class RollingDisk:
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Decide what follows when `guard` has fallen through zero."""
-        guard = guard_of(guard)
-        held = {i + 1 for i in range(3) if regime.stuck[i]} | (set() if regime.sliding else {0})
+        guard, held = guard_of(guard), {i for i, holds in enumerate((not regime.sliding, *regime.stuck)) if holds}
         match guard.kind:
+            case Kind.REVERSES | Kind.UNSTICKS:  # by far the most
+                fired = {guard.axis + 1} if guard.kind is Kind.UNSTICKS else ()
+                return self._follow(at_rest(y, guard.axis), {*held, guard.axis + 1}, fired, regime.senses)
             case Kind.END:
                 return Switch(None, y, ended=guard)
             case Kind.JAM:
@@ -98,8 +100,6 @@ class RollingDisk:
                 return self._follow(y, held, fired={0}, senses=regime.senses)
             case Kind.GRIP:
                 return self._stop(y, regime, held)
-        fired = {guard.axis + 1} if guard.kind is Kind.UNSTICKS else set()
-        return self._follow(at_rest(y, guard.axis), held | {guard.axis + 1}, fired=fired, senses=regime.senses)
 
     def _stop(self, y, regime, held) -> Switch:
         """Bring a slide to rest and decide what follows, or let it pass by rest."""
@@ -129,11 +129,12 @@ class RollingDisk:
 
         end, axis, _ = first_fall(step.at, 0.0, step.duration, guards, guards(step.at(0.0)))
         step = step._replace(duration=end)
-        if self._contact(step.end, step.regime).Phi <= 0:  # the guard is lost below zero: it could not fall any more
-            return Switch(None, step.end, (step,), ended=LIFT_OFF)
+        y = step.end
+        if self._contact(y, step.regime).Phi <= 0:  # the guard is lost below zero: it could not fall any more
+            return Switch(None, y, (step,), ended=LIFT_OFF)
         if axis is None:
-            return Switch(step.regime, step.end, (step,))
-        y, held = at_rest(step.end, AXES.index(axis)), {*at_zero, AXES.index(axis) + 1} - {0}
+            return Switch(step.regime, y, (step,))
+        y, held = at_rest(y, AXES.index(axis)), {*at_zero, AXES.index(axis) + 1} - {0}
         if math.hypot(y[V1], y[V2]) < STOP_SPEED:
             y[V1] = y[V2] = 0.0
             held |= {0}
@@ -151,15 +152,18 @@ def restarted(y):
 def shifted(arc, origin):
     """Return an arc with an `origin` of its precession and quadratures."""
     end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], origin[PRECESSION:])]
-    return Arc(*arc[:2], end, *arc[3:5], origin)
+    return Arc(arc.times, arc.coefficients, end, arc.guard, arc.passed, origin)
 
 
 def at_rest(y, i):
     """Return y with omega.a_(i+1) exactly zero."""
     y, excess = list(y), turnings(y)[i]
+    if i == 0:
+        y[W1] = 0.0
+        return y
     sin_a, cos_a = math.cos(y[R] ** 2), math.sin(y[R] ** 2)
-    axis = ((1.0, 0.0, 0.0), (0.0, cos_a, -sin_a), (0.0, sin_a, cos_a))[i]
-    y[W1], y[W2], y[W3] = (w - excess * n for w, n in zip((y[W1], y[W2], y[W3]), axis, strict=True))
+    along2, along3 = (cos_a, -sin_a) if i == 1 else (sin_a, cos_a)
+    y[W2], y[W3] = y[W2] - excess * along2, y[W3] - excess * along3
     return y
 
 

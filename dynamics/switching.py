@@ -65,7 +65,12 @@ def _separates(y, law, loads) -> bool:
 
 def _candidates(y, law, at_zero, leaving, senses):
     """Return the regimes to try: rolling before sliding; of a turning at zero the reversal, sticking, the old sense."""
-    turning = tuple([0.0 if i in at_zero else math.copysign(1.0, turn) for i, turn in enumerate(turnings(y), 1)])
+    turn1, turn2, turn3 = turnings(y)
+    turning = (
+        0.0 if 1 in at_zero else math.copysign(1.0, turn1),
+        0.0 if 2 in at_zero else math.copysign(1.0, turn2),
+        0.0 if 3 in at_zero else math.copysign(1.0, turn3),
+    )
     resisted = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
     return _choices(turning, senses, resisted, law.mu_static < math.inf, 0 in at_zero, leaving)
 
@@ -93,12 +98,12 @@ def _consistent(y, contact, regime, law, at_zero) -> bool:
     cone = law.mu_static * contact.Phi
     if not regime.sliding and cone * cone * (1 + ROUND_OFF) < contact.F1**2 + contact.F2**2:
         return False
-    arms, moments = (law.k1, law.k2, law.k3), (contact.m1, contact.m2, contact.m3)
-    rates = turning_rates(y, contact)
-    for i in range(3):
-        if regime.stuck[i] and abs(moments[i]) > arms[i] * contact.Phi * (1 + ROUND_OFF):
-            return False
-        if not regime.stuck[i] and i + 1 in at_zero and arms[i] > 0 and regime.senses[i] * rates[i] < -ROUND_OFF:
+    for i in at_zero - {0}:
+        arm = law[3 + i]
+        if regime.stuck[i - 1]:
+            if abs(contact[7 + i]) > arm * contact.Phi * (1 + ROUND_OFF):
+                return False
+        elif arm > 0 and regime.senses[i - 1] * turning_rates(y, contact)[i - 1] < -ROUND_OFF:
             return False
     return True
 
@@ -107,7 +112,8 @@ def turning_rates(y, contact) -> tuple[float, float, float]:
     """Return d(omega.a_i)/dtau, the turning of a_2 and a_3 about a_1 included."""
     r = y[R]
     sin_a, cos_a = math.cos(r * r), math.sin(r * r)
-    w1, along2, along3 = (r * p for p in turnings(y))
+    turn1, turn2, turn3 = turnings(y)
+    w1, along2, along3 = r * turn1, r * turn2, r * turn3
     return (
         contact.domega1,
         contact.domega2 * cos_a - contact.domega3 * sin_a - w1 * along3,

@@ -23,6 +23,8 @@ NOT_FINITE, FIRST_OF_OTHERS = int(heyoka.taylor_outcome.err_nf_state), int(SUCCE
 MOST_STEPS = 1000
 MOST_COMPILED = 64
 """Branches that are kept compiled; a scene has a tenth of that."""
+SHORT = 1e-11
+"""Tolerance down to which a series has at most 14 terms."""
 LIFT = 1e-300
 """Added to every guard: of one that is exactly zero where a step starts, heyoka finds that root and misses the next."""
 
@@ -32,7 +34,8 @@ class Compiled:
 
     heyoka keeps what it has compiled on disk, so the branches in which most motions spend their time, rolling in a
     vacuum and all in a film of air, are compiled for speed. Slides in a vacuum, branches in which something sticks and
-    those which another law alone resists are compiled in compact mode, ready six times sooner and half as fast.
+    those which another law alone resists are compiled in compact mode, ready six times sooner and half as fast; but
+    slides not where the tolerance is not below SHORT: series of few terms are soon ready.
     """
 
     def __init__(self, branch: Branch, tolerance: float):
@@ -44,7 +47,9 @@ class Compiled:
             [(a, heyoka.expression(b) if isinstance(b, float) else b) for a, b in zip(y, rates, strict=True)],
             [1.0] * len(y),
             tol=tolerance,
-            compact_mode=any(branch.stuck) or (branch.sliding and not branch.loads) or not is_common(branch.loads),
+            compact_mode=any(branch.stuck)
+            or not is_common(branch.loads)
+            or (branch.sliding and not branch.loads and tolerance < SHORT),
             opt_level=1,  # the same instructions as of level 2, a sixth sooner
             t_events=[heyoka.t_event(g + LIFT, direction=falling) for g in guards.values()],
         )
@@ -94,11 +99,14 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     pars[:], state[:] = parameters, y
     integrator.time = 0.0
     integrator.reset_cooldowns()
-    times, kept, step, outcome = [0.0], [], integrator.step, SUCCESS
-    while outcome == SUCCESS and len(kept) < MOST_STEPS:
-        outcome, _ = step(span - times[-1], True)
+    times, kept, step, t = [], [], integrator.step, 0.0
+    for _ in range(MOST_STEPS):
+        outcome, _ = step(span - t, True)
+        t = integrator.time
+        times.append(t)
         kept.append(series.tobytes())  # faster than into an array
-        times.append(integrator.time)
+        if outcome != SUCCESS:
+            break
     ended, end = int(outcome), state.tolist()
     coefficients = np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
     flow.give_back(borrowed)
@@ -107,4 +115,4 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
 
         return dop853.advance(y, regime, law, loads, r_end, span, tolerance)
     guard = flow.guards[-ended - 1] if ended > FIRST_OF_OTHERS else None
-    return Arc(np.array(times[1:]), coefficients, end, guard)
+    return Arc(np.array(times), coefficients, end, guard)

@@ -8,6 +8,7 @@ import csv
 import json
 import shutil
 from dataclasses import replace
+from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
@@ -26,7 +27,7 @@ from sonify.charts.moreau import moreau
 from sonify.charts.motion_case import conservative, published, references, sticking
 from sonify.charts.naive import naive_sign
 from sonify.charts.page import environment, known_environment, write_page
-from sonify.charts.records import WRONG, Failure, Record
+from sonify.charts.records import CLOCK, PATIENCE, WRONG, Answer, Failure, Record, Work, measured
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
 
@@ -117,6 +118,28 @@ def test_every_chart_has_its_module(name):
 
 
 PAGE = SimpleNamespace(PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["One sentence."])
+
+
+def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(monkeypatch):
+    """By a clock of our own, which goes on in the calls alone."""
+    now, calls = 0.0, []
+
+    def call(name, seconds):
+        nonlocal now
+        now += seconds
+        calls.append(name)
+        return Answer((), 1)
+
+    monkeypatch.setattr("sonify.charts.records.spent", lambda: now)
+    lasting = {"a": 0.3 * CLOCK, "b": 0.4 * PATIENCE}
+    works = [Work("f", a, "s", "c", partial(call, a, lasting[a]), lambda values: 0.0) for a in lasting]
+    short, long = measured(works)
+    assert "".join(calls) == "ab" + "aaaab" + 3 * "aaaa"
+    assert (short.repeats, long.repeats) == (5, 2)
+    assert (short.seconds, long.seconds) == pytest.approx(tuple(lasting.values()))
+    calls.clear()
+    measured(works, warm=lambda work: True, repeats=1)
+    assert "".join(calls) == "ab" + "aaaab"
 
 
 def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):

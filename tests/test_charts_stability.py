@@ -57,7 +57,7 @@ DEGRADES = [
 
 
 def record_of(key, works=MOTIONS):
-    return measure(works[key], repeats=1)
+    return measure(works[key])
 
 
 @pytest.mark.parametrize("key", OURS)

@@ -1,4 +1,4 @@
-"""What a chart is made of: one record per run, timed by the median of repeated runs.
+"""What a chart is made of: one record per run, timed by the median of repeated runs, which take turns with the others.
 
 Seconds are those of the processor, so that what else the machine does counts less.
 """
@@ -19,6 +19,8 @@ REPEATS = 5
 """How often a run is timed, as long as that takes less than PATIENCE."""
 PATIENCE = 2.0
 """Seconds that the repetitions of one run may take; a longer run is timed once."""
+CLOCK = 0.02
+"""Seconds that one timing takes at least: a shorter run is called as often as that needs, and the mean taken."""
 
 
 LEFT_OUT = "left out"
@@ -78,36 +80,72 @@ def spent() -> float:
     return process_time() + children.children_user + children.children_system
 
 
-def measure(work: Work, warm: bool = False, repeats: int = REPEATS) -> Record:
-    """Run `work` and return its record; with `warm` one run before the first counts for nothing (it compiles)."""
-    about = {"family": work.family, "method": work.method, "setting": work.setting, "case": work.case}
-    began = spent()
-    try:
-        answer = work.call()
-    except Failure as failure:
-        return Record(**about, seconds=spent() - began, repeats=1, failure=str(failure))
-    seconds = [] if warm else [spent() - began]
-    while not seconds or (len(seconds) < repeats and sum(seconds) + seconds[-1] < PATIENCE):
-        began = spent()
-        work.call()
-        seconds.append(spent() - began)
-    error = work.error(answer.values)
-    wrong = "" if error <= work.wrong else f"wrong by {100 * error:.2g} %"
-    return Record(
-        **about, error=error, steps=answer.steps, seconds=median(seconds), repeats=len(seconds), failure=wrong
-    )
+class Run:
+    """A work under way: what its first call gave, and the seconds of a call by each of its timings."""
+
+    def __init__(self, work: Work, warm: bool):
+        """Call it for the first time, which with `warm` is not timed (it compiles)."""
+        self.work, self.error, self.steps, self.failure, began = work, math.nan, 0, "", spent()
+        try:
+            answer = work.call()
+            self.seconds = [] if warm else [spent() - began]
+            self.error, self.steps = work.error(answer.values), answer.steps
+        except Failure as failure:
+            self.seconds, self.failure = [spent() - began], str(failure)
+
+    def time(self, repeats: int):
+        """Time it once more, unless that was done as often as it may be."""
+        if self.seconds and (self.failure or len(self.seconds) >= repeats or self.spends_patience):
+            return
+        began, calls, passed = spent(), 0, 0.0
+        while passed < CLOCK:
+            self.work.call()
+            calls, passed = calls + 1, spent() - began
+        self.seconds.append(passed / calls)
+
+    @property
+    def spends_patience(self) -> bool:
+        """Whether one call more would take longer than PATIENCE in all."""
+        return sum(self.seconds) + self.seconds[-1] >= PATIENCE
+
+    def record(self) -> Record:
+        """Return what was measured."""
+        work = self.work
+        wrong = "" if self.failure or self.error <= work.wrong else f"wrong by {100 * self.error:.2g} %"
+        return Record(
+            family=work.family,
+            method=work.method,
+            setting=work.setting,
+            case=work.case,
+            error=self.error,
+            steps=self.steps,
+            seconds=median(self.seconds),
+            repeats=len(self.seconds),
+            failure=self.failure or wrong,
+        )
+
+
+def measure(work: Work) -> Record:
+    """Run `work` alone, once, and return its record."""
+    return measured([work], repeats=1)[0]
 
 
 def measured(
     works: list[Work], watch=lambda share, note: None, warm=lambda work: False, repeats: int = REPEATS
 ) -> list[Record]:
-    """Return the records of all works, those that are `warm` run once before. `watch(share, note)` is called before
-    each."""
-    records = []
+    """Return the records of all works, those that are `warm` run once before.
+
+    They are timed in turns, all once and then all again, so that what the machine does at a time is done to all.
+    `watch(share, note)` is called before each.
+    """
+    runs, every = [], len(works) * (1 + repeats)
     for i, work in enumerate(works):
-        watch(i / len(works), ", ".join(filter(None, (f"{work.case}: {work.family}", work.method, work.setting))))
-        records.append(measure(work, warm(work), repeats))
-    return records
+        watch(i / every, ", ".join(filter(None, (f"{work.case}: {work.family}", work.method, work.setting))))
+        runs.append(Run(work, warm(work)))
+    for i, run in enumerate(runs * repeats, len(works)):
+        watch(i / every, f"{run.work.case}: {run.work.method}, timed again")
+        run.time(repeats)
+    return [run.record() for run in runs]
 
 
 def ends(values, quick: bool):
