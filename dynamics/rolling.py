@@ -7,7 +7,6 @@ from operator import add
 
 from .dissipation import OwnLaw, Resistance
 from .equations import Law
-from .first_root import first_fall
 from .guards import AXES, LIFT_OFF, STOP_SPEED, Kind, guard_of
 from .hybrid import Arc, StalledError, Step, Switch
 from .regime import FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
@@ -16,6 +15,8 @@ from .switching import GRAZING, ImpossibleContactError, follow, slide_to_rest
 
 CRAWL, MANY = 1e-5, 1000
 """A motion is too stiff to be followed where as MANY steps as this are on the mean shorter than CRAWL r."""
+LOOKS = 4
+"""Points of a closed step at which the guards are looked at."""
 
 
 @dataclass(frozen=True)
@@ -127,7 +128,7 @@ class RollingDisk:
             turns = zip(AXES, arms, stuck, senses, turnings(y), strict=True)
             return {axis: sense * turn for axis, arm, held, sense, turn in turns if arm > 0 and not held}
 
-        end, axis, _ = first_fall(step.at, 0.0, step.duration, guards, guards(step.at(0.0)))
+        end, axis = first_fall(step, guards)
         step = step._replace(duration=end)
         y = step.end
         if self._contact(y, step.regime).Phi <= 0:  # the guard is lost below zero: it could not fall any more
@@ -140,6 +141,23 @@ class RollingDisk:
             held |= {0}
         then = self._follow(y, held, senses=senses)
         return then._replace(steps=(step, *then.steps))
+
+
+def first_fall(step: Step, guards: Callable):
+    """Return the time within a step at which one of the guards(y) falls first through zero, and its name; its duration
+    and None where none does. A guard that is not positive at the start cannot fall."""
+    before, start = guards(step.at(0.0)), 0.0
+    for look in (k * step.duration / LOOKS for k in range(1, LOOKS + 1)):
+        now = guards(step.at(look))
+        falls = [name for name in now if before[name] > 0 >= now[name]]
+        if falls:
+            from scipy.optimize import brentq  # loads slowly
+
+            roots = {name: brentq(lambda t, n=name: guards(step.at(t))[n], start, look, xtol=1e-16) for name in falls}
+            name = min(roots, key=roots.get)
+            return roots[name], name
+        start, before = look, now
+    return step.duration, None
 
 
 def restarted(y):

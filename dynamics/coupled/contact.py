@@ -7,10 +7,9 @@ Elliptic integrals are Carlson's, regular from the circle to the line: J = (K - 
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Annotated, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
-from annotated_types import Ge, Gt, Lt
 from scipy.optimize import brentq
 from scipy.special import elliprd, elliprf
 
@@ -53,10 +52,10 @@ class ContactLaw:
     """
 
     disk: Disk
-    fillet: Annotated[float, Gt(0)]
+    fillet: float
     body: Elastic
     table: Elastic
-    loss_factor: Annotated[float, Ge(0), Lt(1)] = 0.02
+    loss_factor: float = 0.02
 
     def __post_init__(self):
         largest = min(self.disk.radius, self.disk.thickness / 2)

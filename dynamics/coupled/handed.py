@@ -126,10 +126,6 @@ class HandedOver:
         """Return what the method `name` of the part to which each time belongs says of it."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
         late = t >= self.handed_over
-        if late.all():
-            return getattr(self.then, name)(self._since(t))
-        if not late.any():
-            return getattr(self.first, name)(t)
         early, later = getattr(self.first, name)(t[~late]), getattr(self.then, name)(self._since(t[late]))
         out = np.empty((len(t), *early.shape[1:]), dtype=np.result_type(early, later))
         out[~late], out[late] = early, later

@@ -6,7 +6,7 @@ import numpy as np
 from scipy.interpolate import CloughTocher2DInterpolator, NearestNDInterpolator
 
 from modal.elements import sample
-from modal.elements.unfold import rigid_fields
+from modal.elements.unfold import axial_share, rigid_fields
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Modes
 
@@ -60,14 +60,12 @@ def record(element, solid, material, values, shapes, residual, error, radius) ->
     rim_shape = sample.polar_components(on_face(solid, shapes, low, rim), sample.rim_angles())
     face = np.stack([on_face(solid, shapes, z, grid)[..., 2] for z in (low, high)], axis=1)
     flat = shapes.reshape(len(shapes), 3 * len(solid.points))
-    axial = (shapes * [0, 0, 1]).reshape(flat.shape)
-    share = np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T)
     mirrored = rim_shape[:, -np.arange(sample.RIM_ANGLES)] * [1, -1, 1]
     odd = (rim_shape * mirrored).sum(axis=(1, 2)) < 0
     columns = {
         "frequency": np.sqrt(values) / (2 * pi),
         "order": sample.strongest_order(rim_shape),
-        "family": np.where(share > 0.5, "flexural", "extensional"),
+        "family": np.where(axial_share(solid, shapes) > 0.5, "flexural", "extensional"),
         "parity": np.where(odd, "odd", "even"),
         "participation": flat @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
         "rim_shape": rim_shape,

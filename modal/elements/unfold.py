@@ -57,8 +57,13 @@ def flexural(solid, part, c):
     """Whether each mode (k,) of a class bends the disk: by its symmetry in z, else if most of its energy is axial."""
     if c.mirror.z:
         return np.full(len(c.shapes), c.mirror.z < 0)
-    axial = (c.shapes * [0, 0, 1]).reshape(len(c.shapes), 3 * len(solid.points))
-    return part.copies * np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T) > 0.5
+    return part.copies * axial_share(solid, c.shapes) > 0.5
+
+
+def axial_share(solid, shapes):
+    """How much (k,) of the modal mass of shapes (k, p, 3) is that of their axial motion."""
+    axial = (shapes * [0, 0, 1]).reshape(len(shapes), 3 * len(solid.points))
+    return np.einsum("kp,kp->k", axial, (solid.mass @ axial.T).T)
 
 
 FACES = [[[i for i in np.lexsort(NODES.T) if NODES[i, a] == end] for end in (0, 2)] for a in range(3)]
