@@ -17,30 +17,10 @@ m g (z - w) stands for m g z, and h (N - m g)^2/Z is radiated. The proof needs t
 
 import numpy as np
 
+from . import state as at
 from .compiled import kernel
 from .gap import column, mean_force, place, root, slope
 from .profile import height
-from .state import (
-    CELL,
-    EDGE,
-    FORCE,
-    GAP,
-    HALF,
-    HEIGHTS,
-    IMPEDANCE,
-    J1,
-    J2,
-    LOSSES,
-    MASS,
-    PART,
-    PATH,
-    RADIUS,
-    RISES,
-    SINE,
-    SPEED,
-    TABLE,
-    WEIGHT,
-)
 from .table import LOSS, A, K
 
 CLOSE, MOST = 1e-12, 40
@@ -90,16 +70,16 @@ def half_way(N, turn, roll, slope, A0, A1, reach, d0, d1, y, push, h, weight):
 @kernel
 def step_normal(y, law, start, per_unit, spline, table, rim, h):
     """Advance the state y by the normal part of a step h; return whether the equation for N was solved."""
-    m, J, R, H, weight = law[MASS], law[J1], law[RADIUS], law[HALF], law[WEIGHT]
-    push, twist, yields, ease = h / (2 * m), h / (2 * J), h / law[IMPEDANCE], 1 / J
-    e, size = 1 / law[J2] - 1 / J, len(spline)
+    m, J, R, H, weight = law[at.MASS], law[at.J1], law[at.RADIUS], law[at.HALF], law[at.WEIGHT]
+    push, twist, yields, ease = h / (2 * m), h / (2 * J), h / law[at.IMPEDANCE], 1 / J
+    e, size = 1 / law[at.J2] - 1 / J, len(spline)
     n0, n1, n2, L0, L1, L2 = y[6], y[7], y[8], y[9], y[10], y[11]
     # what the step starts from: the energy of the gap, K and its loss
-    s0, c0, spin, i, u = y[SINE], n2, L0 * n0 + L1 * n1 + L2 * n2, int(y[CELL]), y[PART]
+    s0, c0, spin, i, u = y[at.SINE], n2, L0 * n0 + L1 * n1 + L2 * n2, int(y[at.CELL]), y[at.PART]
     K0, loss, dK = column(spline, i, u, K), column(spline, i, u, LOSS), slope(spline, i, u, K) * per_unit / s0
     loss, half = loss / h, column(spline, i, u, A)
-    rough0, rough1 = y[HEIGHTS], y[HEIGHTS + 1]
-    gap0, r0 = y[GAP], root(y[GAP])
+    rough0, rough1 = y[at.HEIGHTS], y[at.HEIGHTS + 1]
+    gap0, r0 = y[at.GAP], root(y[at.GAP])
     U0 = 0.4 * r0**5
     # the directions d towards the contact and t along the path, half a step on; a = reach e3 - lever d, b = -(R/s) d
     p0, p1, p2 = turned(n0, n1, n2, twist / 2 * L0, twist / 2 * L1, twist / 2 * L2)
@@ -108,7 +88,7 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     d0, d1, reach, rim_lever = p0 / sp, p1 / sp, R * p2 - H * sp, R / sp
     lever = reach * p2 / sp
     # a first guess: without the heights the gap is far smoother than the force
-    N, g, rises = 0.0, 0.0, 3 * (y[RISES] - y[RISES + 1]) + y[RISES + 2]
+    N, g, rises = 0.0, 0.0, 3 * (y[at.RISES] - y[at.RISES + 1]) + y[at.RISES + 2]
     A0, A1, A2, inverse, lean = 2 * p0, 2 * p1, 2 * p2, 0.5 / sp, R - H * sp / p2
     wd = (L0 * d0 + L1 * d1) * ease + e * spin * sp
     dpath, dedge = h * (d0 * y[4] - d1 * y[3] + reach * (L2 * ease + e * spin * p2) - lever * wd), -h * rim_lever * wd
@@ -119,7 +99,7 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
         left -= 1
         if left >= MOST - READS and max(abs(dpath - read_path), abs(dedge - read_edge)) > READ:
             read_path, read_edge = dpath, dedge
-            z0, z1 = read(table, y[PATH], dpath, half, rough0), read(rim, y[EDGE], dedge, half, rough1)
+            z0, z1 = read(table, y[at.PATH], dpath, half, rough0), read(rim, y[at.EDGE], dedge, half, rough1)
             mt, mr = secant(rough0, z0, dpath), secant(rough1, z1, dedge)
             if left == MOST - 1:
                 dgap = rises - (z0 - rough0) - (z1 - rough1)
@@ -162,13 +142,13 @@ def step_normal(y, law, start, per_unit, spline, table, rim, h):
     dgap += h * (V2 - before) + yields * more - lean * ds
     u += per_unit * ds / s1
     kept = (K0 + column(spline, i, u, K)) / 2 * mean_force(r0, root(gap0 + dgap), gap0, gap0 + dgap)
-    y[LOSSES] += (kept - N) * dgap
-    y[LOSSES + 4] += yields * (N - weight) ** 2
+    y[at.LOSSES] += (kept - N) * dgap
+    y[at.LOSSES + 4] += yields * (N - weight) ** 2
     y[0], y[1], y[2] = y[0] + h * V0, y[1] + h * V1, y[2] + h * V2
     y[3], y[4], y[5] = 2 * V0 - y[3], 2 * V1 - y[4], 2 * V2 - y[5]
     y[6], y[7], y[8], y[9], y[10], y[11] = a0 + q0, a1 + q1, a2 + q2, 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
-    y[PATH], y[EDGE], y[TABLE] = y[PATH] + dpath, y[EDGE] + dedge, y[TABLE] - yields * (N - weight)
-    y[RISES + 2], y[RISES + 1], y[RISES] = y[RISES + 1], y[RISES], dgap + (z0 - rough0) + (z1 - rough1)
-    y[FORCE], y[SPEED], y[GAP] = N, abs(dpath) / h, gap0 + dgap
-    y[HEIGHTS], y[HEIGHTS + 1], y[SINE], y[CELL], y[PART] = z0, z1, s1 + ds, i, u
+    y[at.PATH], y[at.EDGE], y[at.TABLE] = y[at.PATH] + dpath, y[at.EDGE] + dedge, y[at.TABLE] - yields * (N - weight)
+    y[at.RISES + 2], y[at.RISES + 1], y[at.RISES] = y[at.RISES + 1], y[at.RISES], dgap + (z0 - rough0) + (z1 - rough1)
+    y[at.FORCE], y[at.SPEED], y[at.GAP] = N, abs(dpath) / h, gap0 + dgap
+    y[at.HEIGHTS], y[at.HEIGHTS + 1], y[at.SINE], y[at.CELL], y[at.PART] = z0, z1, s1 + ds, i, u
     return True

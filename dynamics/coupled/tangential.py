@@ -17,41 +17,9 @@ does.
 import numpy as np
 
 from ..film.forces import holds, parts
+from . import state as at
 from .compiled import kernel
 from .gap import column
-from .state import (
-    AMBIENT,
-    ARMS,
-    CELL,
-    EXCESS,
-    FALLING,
-    FITTED,
-    FORCE,
-    HALF,
-    INERTIA,
-    J1,
-    J2,
-    LIFT,
-    LOSSES,
-    MASS,
-    MU_D,
-    MU_S,
-    NUMBER,
-    PART,
-    RADIUS,
-    SINE,
-    SLIDES,
-    SLIP,
-    SPARED,
-    SPEED,
-    SPRING,
-    SQUEEZED,
-    STIFFNESS,
-    TANGENTIAL,
-    TURNING,
-    VISCOUS_FORCE,
-    VISCOUS_MOMENT,
-)
 from .table import K1, K2, LENGTH1, LENGTH2
 
 film, most_held = kernel(parts), kernel(holds)
@@ -62,48 +30,48 @@ NEVER = 1e-30
 @kernel
 def step_tangential(y, law, powers, spline, h):
     """Advance the state y by the tangential part of a step h, at the lowest point of the rim."""
-    hold_at(y, law, powers, spline, y[6] / y[SINE], y[7] / y[SINE], h)
+    hold_at(y, law, powers, spline, y[6] / y[at.SINE], y[7] / y[at.SINE], h)
 
 
 @kernel
 def hold_at(y, law, powers, spline, d0, d1, h):
     """Advance the state y by the tangential part of a step h, with the contact in the horizontal direction d."""
-    m, J, R, H = law[MASS], law[J1], law[RADIUS], law[HALF]
-    down, c, i, u = y[6] * d0 + y[7] * d1, y[8], int(y[CELL]), y[PART]
-    s, reach, rise = max(y[SINE], 1e-9), R - down * (R * down / (1 + c) + H), R * down + H * c
+    m, J, R, H = law[at.MASS], law[at.J1], law[at.RADIUS], law[at.HALF]
+    down, c, i, u = y[6] * d0 + y[7] * d1, y[8], int(y[at.CELL]), y[at.PART]
+    s, reach, rise = max(y[at.SINE], 1e-9), R - down * (R * down / (1 + c) + H), R * down + H * c
     for side in range(2):
         k = column(spline, i, u, K1 if side == 0 else K2)
-        q, before = y[SPRING + side], y[STIFFNESS + side]
-        y[SPRING + side], y[STIFFNESS + side] = q * min(1.0, before / k), k
-        y[LOSSES + 1] += (before * q * q - k * y[SPRING + side] ** 2) / 2
+        q, before = y[at.SPRING + side], y[at.STIFFNESS + side]
+        y[at.SPRING + side], y[at.STIFFNESS + side] = q * min(1.0, before / k), k
+        y[at.LOSSES + 1] += (before * q * q - k * y[at.SPRING + side] ** 2) / 2
     resist(y, law, powers, s, c, d0, d1, h)
-    if law[TURNING] > 0:
+    if law[at.TURNING] > 0:
         press(y, law, s, c, d0, d1, reach, h)
-    e = 1 / law[J2] - 1 / J
+    e = 1 / law[at.J2] - 1 / J
     spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
     wd, wt = (y[9] * d0 + y[10] * d1) / J + spin * down, (y[10] * d0 - y[9] * d1) / J
     ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * c) + rise * wd
     ud = y[3] * d0 + y[4] * d1 - rise * wt
-    Wt, Wd = 1 / m + R * R / law[J2] + H * H / J, 1 / m + rise * rise / J
+    Wt, Wd = 1 / m + R * R / law[at.J2] + H * H / J, 1 / m + rise * rise / J
     pt, pd = hold(y, law, ut, ud, Wt, Wd, column(spline, i, u, LENGTH1), column(spline, i, u, LENGTH2), h)
     # the force -p acts at reach d - rise e3
     y[3], y[4] = y[3] - h / m * (pd * d0 - pt * d1), y[4] - h / m * (pd * d1 + pt * d0)
     y[9], y[10] = y[9] - h * rise * (pt * d0 + pd * d1), y[10] - h * rise * (pt * d1 - pd * d0)
     y[11] -= h * reach * pt
-    y[TANGENTIAL], y[TANGENTIAL + 1] = -pt, -pd
+    y[at.TANGENTIAL], y[at.TANGENTIAL + 1] = -pt, -pd
 
 
 @kernel
 def hold(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
     """Advance the springs; return the mean force (along t, d) with which they hold the contact point."""
-    kt, kd, N = y[STIFFNESS], y[STIFFNESS + 1], y[FORCE]
-    creep_t, creep_d = h * y[SPEED] / length_t, h * y[SPEED] / length_d
+    kt, kd, N = y[at.STIFFNESS], y[at.STIFFNESS + 1], y[at.FORCE]
+    creep_t, creep_d = h * y[at.SPEED] / length_t, h * y[at.SPEED] / length_d
     Ct, Cd = (1 + creep_t / 2) / kt + h * h / 4 * Wt, (1 + creep_d / 2) / kd + h * h / 4 * Wd
-    qt, qd, limit = y[SPRING], y[SPRING + 1], law[MU_D] * N
+    qt, qd, limit = y[at.SPRING], y[at.SPRING + 1], law[at.MU_D] * N
     before = kt * qt * qt + kd * qd * qd
     pt, pd = (qt + h / 2 * ut) / Ct, (qd + h / 2 * ud) / Cd
-    tried, slides = np.sqrt(pt * pt + pd * pd), y[SLIDES] > 0
-    if tried > (limit if slides else law[MU_S] * N):
+    tried, slides = np.sqrt(pt * pt + pd * pd), y[at.SLIDES] > 0
+    if tried > (limit if slides else law[at.MU_S] * N):
         if not slides:
             qt, qd = within(qt, qd, kt, kd, limit)
             pt, pd = (qt + h / 2 * ut) / Ct, (qd + h / 2 * ud) / Cd
@@ -116,13 +84,13 @@ def hold(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
         slides = slides and pt * (pt / kt - qt) + pd * (pd / kd - qd) > 0
         qt, qd = 2 * pt / kt - qt, 2 * pd / kd - qd
     if N > 0:
-        y[SLIDES] = 1.0 if slides else 0.0
-    y[SPRING], y[SPRING + 1] = qt, qd
-    y[EXCESS] = max(y[EXCESS], np.sqrt(pt * pt + pd * pd) - (limit if slides else law[MU_S] * N))
+        y[at.SLIDES] = 1.0 if slides else 0.0
+    y[at.SPRING], y[at.SPRING + 1] = qt, qd
+    y[at.EXCESS] = max(y[at.EXCESS], np.sqrt(pt * pt + pd * pd) - (limit if slides else law[at.MU_S] * N))
     creep = creep_t * pt * pt / kt + creep_d * pd * pd / kd
     work = h * (pt * (ut - h / 2 * Wt * pt) + pd * (ud - h / 2 * Wd * pd))
-    y[LOSSES + 1] += creep
-    y[LOSSES + 2] += work - (kt * qt * qt + kd * qd * qd - before) / 2 - creep
+    y[at.LOSSES + 1] += creep
+    y[at.LOSSES + 2] += work - (kt * qt * qt + kd * qd * qd - before) / 2 - creep
     return pt, pd
 
 
@@ -150,48 +118,48 @@ def on_circle(pt, pd, Ct, Cd, limit, tried):
 @kernel
 def resist(y, law, powers, s, c, d0, d1, h):
     """Apply the moments k1, k2, k3, the power laws (n, 2) of the precession rate, and viscous loads as impulses."""
-    J, e = law[J1], 1 / law[J2] - 1 / law[J1]
+    J, e = law[at.J1], 1 / law[at.J2] - 1 / law[at.J1]
     for i in range(3):
         a0, a1, a2 = (-d1, d0, 0.0) if i == 0 else (d0, d1, 0.0) if i == 1 else (0.0, 0.0, 1.0)
-        held = 0.0 if i != 1 else law[FITTED]
-        impulse(y, a0, a1, a2, h * law[ARMS + i] * y[FORCE], h * law[VISCOUS_MOMENT], J, e, LOSSES + 3, held)
-    if law[VISCOUS_FORCE] > 0:
-        left = max(0.0, 1 - h * law[VISCOUS_FORCE] / law[MASS])
-        y[LOSSES + 3] += law[MASS] / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
+        size, held = h * law[at.ARMS + i] * y[at.FORCE], 0.0 if i != 1 else law[at.FITTED]
+        impulse(y, a0, a1, a2, size, h * law[at.VISCOUS_MOMENT], J, e, at.LOSSES + 3, held)
+    if law[at.VISCOUS_FORCE] > 0:
+        left = max(0.0, 1 - h * law[at.VISCOUS_FORCE] / law[at.MASS])
+        y[at.LOSSES + 3] += law[at.MASS] / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
         y[3], y[4] = left * y[3], left * y[4]
     for i in range(len(powers)):
         a0, a1, a2 = -c * d0, -c * d1, s  # e_3, upwards along the diameter through the contact
         rate = abs(y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
         growth = 1.0 if powers[i, 1] == 1 else rate ** (powers[i, 1] - 1)
-        impulse(y, a0, a1, a2, h * powers[i, 0] * growth / s, 0.0, J, e, LOSSES + 3, law[FITTED])
+        impulse(y, a0, a1, a2, h * powers[i, 0] * growth / s, 0.0, J, e, at.LOSSES + 3, law[at.FITTED])
 
 
 @kernel
 def press(y, law, s, c, d0, d1, reach, h):
     """Apply the film of air as impulses: its drag about e_3, its pressure on the face as the disk falls, and that of
     the air that is squeezed as it turns."""
-    a0, a1, a2, J, m = -c * d0, -c * d1, s, law[J1], law[MASS]
+    a0, a1, a2, J, m = -c * d0, -c * d1, s, law[at.J1], law[at.MASS]
     rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + NEVER
     drag, fall, lever, tip, lift = film(
-        s, rate, law[TURNING], law[FALLING], law[INERTIA], law[NUMBER], law[AMBIENT], law[SLIP]
+        s, rate, law[at.TURNING], law[at.FALLING], law[at.INERTIA], law[at.NUMBER], law[at.AMBIENT], law[at.SLIP]
     )
-    impulse(y, a0, a1, a2, 0.0, h * drag / (rate * s), J, 0.0, LOSSES + 5, 0.0)
-    lever /= law[RADIUS]
+    impulse(y, a0, a1, a2, 0.0, h * drag / (rate * s), J, 0.0, at.LOSSES + 5, 0.0)
+    lever /= law[at.RADIUS]
     arm = reach - 1 / lever
     v, yields = y[5] - arm * (y[10] * d0 - y[9] * d1) / J, 1 / m + arm * arm / J
     push = v / yields * np.expm1(-h * lever * lever * fall * yields)
-    y[LOSSES + 5] -= push * (v + push * yields / 2)
+    y[at.LOSSES + 5] -= push * (v + push * yields / 2)
     y[5], y[9], y[10] = y[5] + push / m, y[9] + arm * push * d1, y[10] - arm * push * d0
-    borne = h * lift / law[RADIUS]
+    borne = h * lift / law[at.RADIUS]
     if borne > 0:
-        arm = reach - law[RADIUS] * tip / lift
+        arm = reach - law[at.RADIUS] * tip / lift
         v, yields = y[5] - arm * (y[10] * d0 - y[9] * d1) / J, 1 / m + arm * arm / J
-        borne = min(borne, (np.sqrt(v * v + 2 * yields * y[SQUEEZED]) - v) / yields)  # it gives what it holds
-        y[SQUEEZED] = max(0.0, y[SQUEEZED] - borne * (v + borne * yields / 2))
+        borne = min(borne, (np.sqrt(v * v + 2 * yields * y[at.SQUEEZED]) - v) / yields)  # it gives what it holds
+        y[at.SQUEEZED] = max(0.0, y[at.SQUEEZED] - borne * (v + borne * yields / 2))
         y[5], y[9], y[10] = y[5] + borne / m, y[9] + arm * borne * d1, y[10] - arm * borne * d0
-    held = min(y[SQUEEZED], most_held(s, rate, law[NUMBER], law[AMBIENT], law[SLIP]))
-    y[LOSSES + 5], y[SQUEEZED] = y[LOSSES + 5] + y[SQUEEZED] - held, held
-    y[LIFT] = (push + borne) / h
+    held = min(y[at.SQUEEZED], most_held(s, rate, law[at.NUMBER], law[at.AMBIENT], law[at.SLIP]))
+    y[at.LOSSES + 5], y[at.SQUEEZED] = y[at.LOSSES + 5] + y[at.SQUEEZED] - held, held
+    y[at.LIFT] = (push + borne) / h
 
 
 @kernel
@@ -203,10 +171,10 @@ def impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
     n = a0 * y[6] + a1 * y[7] + a2 * y[8]
     rate = (a0 * y[9] + a1 * y[10] + a2 * y[11]) / J + e * n * (y[6] * y[9] + y[7] * y[10] + y[8] * y[11])
     yields = 1 / J + e * n * n
-    taken = fitted * (y[LOSSES] + y[LOSSES + 1]) - y[SPARED]
+    taken = fitted * (y[at.LOSSES] + y[at.LOSSES + 1]) - y[at.SPARED]
     if fitted > 0 and taken > 0 and rate != 0:
         spared = min(size, taken / abs(rate))
-        y[SPARED], size = y[SPARED] + spared * abs(rate), size - spared
+        y[at.SPARED], size = y[at.SPARED] + spared * abs(rate), size - spared
     turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / yields)
     y[9], y[10], y[11] = y[9] + turn * a0, y[10] + turn * a1, y[11] + turn * a2
     y[cause] -= turn * (rate + turn * yields / 2)

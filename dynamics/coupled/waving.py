@@ -16,35 +16,12 @@ it would take a little work, is left out.
 
 import numpy as np
 
+from . import state as at
 from .bending import twist_rate
 from .compiled import kernel
 from .contact import LEAST_INCLINATION
 from .gap import column, mean_force, place, root
 from .normal import CLOSE, MOST, turned
-from .state import (
-    CELL,
-    EDGE,
-    FORCE,
-    GAP,
-    HALF,
-    HEIGHTS,
-    J1,
-    J2,
-    LAST,
-    LOSSES,
-    MASS,
-    OWED,
-    PART,
-    PATH,
-    RADIUS,
-    SINE,
-    SPEED,
-    SPRING,
-    SQUEEZED,
-    STIFFNESS,
-    WEIGHT,
-    V,
-)
 from .table import LOSS, A, K
 from .tangential import hold_at
 from .waves import ANGLE, STIFF, TWIST, fall_free, follow, move_modes, sums, turned_by
@@ -57,19 +34,19 @@ JUMP = 0.3
 def soften(y, waves, spline):
     """Take the stiffness of the gap's energy to that of the present inclination, with the force or the approach as it
     was."""
-    K0, K1, r0 = waves.contact[STIFF], column(spline, int(y[CELL]), y[PART], K), root(y[GAP])
+    K0, K1, r0 = waves.contact[STIFF], column(spline, int(y[at.CELL]), y[at.PART], K), root(y[at.GAP])
     if r0 > 0 and K0 > 0:
         r1 = r0 * min(1.0, (K0 / K1) ** (1 / 3))
-        y[LOSSES] += 0.4 * (K0 * r0**5 - K1 * r1**5)
-        y[GAP] = -r1 * r1
+        y[at.LOSSES] += 0.4 * (K0 * r0**5 - K1 * r1**5)
+        y[at.GAP] = -r1 * r1
     waves.contact[STIFF] = K1
 
 
 @kernel
 def step_waving(y, law, start, per_unit, spline, table, rim, waves, scratch, h):
     """Advance the state y and the modes by the normal part of a step h; return whether the equation was solved."""
-    m, J, R, H, weight = law[MASS], law[J1], law[RADIUS], law[HALF], law[WEIGHT]
-    twist, i, u = h / (2 * J), int(y[CELL]), y[PART]
+    m, J, R, H, weight = law[at.MASS], law[at.J1], law[at.RADIUS], law[at.HALF], law[at.WEIGHT]
+    twist, i, u = h / (2 * J), int(y[at.CELL]), y[at.PART]
     soften(y, waves, spline)
     stiff, loss = waves.contact[STIFF], column(spline, i, u, LOSS) / h
     v0, v1, v2, n0, n1, n2, L0, L1, L2 = y[3], y[4], y[5], y[6], y[7], y[8], y[9], y[10], y[11]
@@ -78,17 +55,17 @@ def step_waving(y, law, start, per_unit, spline, table, rim, waves, scratch, h):
     fall_free(waves, h)
     before, twisted = waves.contact[ANGLE], h * twist_rate(law, n0, n1, n2, L0, L1, L2)
     waves.contact[TWIST] += twisted
-    along = y[PATH] + h * (v1 * np.cos(before) - v0 * np.sin(before))
-    edge = y[EDGE] + R * (turned_by(np.arctan2(n1, n0), before) - twisted)
+    along = y[at.PATH] + h * (v1 * np.cos(before) - v0 * np.sin(before))
+    edge = y[at.EDGE] + R * (turned_by(np.arctan2(n1, n0), before) - twisted)
     rough = table, rim, along, edge, column(spline, i, u, A)
     angle, high, far = follow(waves, law, y[0] + h * v0, y[1] + h * v1, a0, a1, a2, rough, scratch)
-    rise = high - y[HEIGHTS] - y[HEIGHTS + 1]
+    rise = high - y[at.HEIGHTS] - y[at.HEIGHTS + 1]
     D, E, P, S = sums(waves, h)
     e0, e1 = (np.cos(before) + np.cos(angle)) / 2, (np.sin(before) + np.sin(angle)) / 2
     c0, c1 = np.cos(angle) - np.cos(before), np.sin(angle) - np.sin(before)
     W = 1 / m + R * R / J
-    gap0, r0 = y[GAP], root(y[GAP])
-    N = max(0.0, 3 * (y[FORCE] - y[LAST]) + y[LAST + 1])
+    gap0, r0 = y[at.GAP], root(y[at.GAP])
+    N = max(0.0, 3 * (y[at.FORCE] - y[at.LAST]) + y[at.LAST + 1])
     gap, M0, M1, M2, V2, kept, T, left = gap0, L0, L1, L2, v2, 0.0, 0.0, MOST
     while left > 0:
         left -= 1
@@ -112,22 +89,22 @@ def step_waving(y, law, start, per_unit, spline, table, rim, waves, scratch, h):
         N = max(0.0, N + error / (1 + steep * (h * h / 4 * W + E / 2) + loss * kept * (h * h / 2 * W + E)))
     if left == 0:
         return False
-    y[LOSSES] += (kept - N) * (gap - gap0)
-    y[EDGE] += R * (np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1) - twisted)
+    y[at.LOSSES] += (kept - N) * (gap - gap0)
+    y[at.EDGE] += R * (np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1) - twisted)
     table, body = move_modes(waves, N, h)
-    y[LOSSES + 4], y[LOSSES + 6] = y[LOSSES + 4] + table, y[LOSSES + 6] + body
+    y[at.LOSSES + 4], y[at.LOSSES + 6] = y[at.LOSSES + 4] + table, y[at.LOSSES + 6] + body
     y[0], y[1], y[2] = y[0] + h * v0, y[1] + h * v1, y[2] + h * V2
     y[5], y[6], y[7], y[8] = 2 * V2 - v2, a0, a1, a2
     y[9], y[10], y[11] = 2 * M0 - L0, 2 * M1 - L1, 2 * M2 - L2
     turn = abs(turned_by(before, angle))
-    y[PATH], y[HEIGHTS], y[HEIGHTS + 1] = along + far, high, 0.0
+    y[at.PATH], y[at.HEIGHTS], y[at.HEIGHTS + 1] = along + far, high, 0.0
     if turn < JUMP:
-        y[SPEED] = R * turn / h
+        y[at.SPEED] = R * turn / h
     waves.contact[ANGLE] = angle
-    y[LAST + 1], y[LAST], y[FORCE], y[GAP] = y[LAST], y[FORCE], N, gap
+    y[at.LAST + 1], y[at.LAST], y[at.FORCE], y[at.GAP] = y[at.LAST], y[at.FORCE], N, gap
     put_back(y, law, waves, N * T)
-    y[SINE] = np.sqrt(a0 * a0 + a1 * a1)
-    y[CELL], y[PART] = place(max(y[SINE], LEAST_INCLINATION), start, per_unit, len(spline))
+    y[at.SINE] = np.sqrt(a0 * a0 + a1 * a1)
+    y[at.CELL], y[at.PART] = place(max(y[at.SINE], LEAST_INCLINATION), start, per_unit, len(spline))
     return True
 
 
@@ -144,16 +121,16 @@ def hold_waving(y, law, powers, spline, waves, h):
 @kernel
 def stored(y):
     """Return the energy of the springs and of squeezed air, and what was lost so far."""
-    springs = y[STIFFNESS] * y[SPRING] ** 2 + y[STIFFNESS + 1] * y[SPRING + 1] ** 2
-    return springs / 2 + y[SQUEEZED] + y[LOSSES + 1] + y[LOSSES + 2] + y[LOSSES + 3] + y[LOSSES + 5]
+    springs = y[at.STIFFNESS] * y[at.SPRING] ** 2 + y[at.STIFFNESS + 1] * y[at.SPRING + 1] ** 2
+    return springs / 2 + y[at.SQUEEZED] + y[at.LOSSES + 1] + y[at.LOSSES + 2] + y[at.LOSSES + 3] + y[at.LOSSES + 5]
 
 
 @kernel
 def kinetic(y, law):
     """Return the kinetic energy of the disk."""
-    spin = y[6] * y[9] + y[7] * y[10] + y[8] * y[11]
-    turning = (y[9] * y[9] + y[10] * y[10] + y[11] * y[11]) / law[J1] + (1 / law[J2] - 1 / law[J1]) * spin * spin
-    return (law[MASS] * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) + turning) / 2
+    spin, e = y[6] * y[9] + y[7] * y[10] + y[8] * y[11], 1 / law[at.J2] - 1 / law[at.J1]
+    turning = (y[9] * y[9] + y[10] * y[10] + y[11] * y[11]) / law[at.J1] + e * spin * spin
+    return (law[at.MASS] * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) + turning) / 2
 
 
 @kernel
@@ -168,17 +145,17 @@ def put_back(y, law, waves, work):
         y[3 + i], y[9 + i] = scale * y[3 + i], scale * y[9 + i]
     if energy > 0 and change == work:
         return
-    left, r = change - work, root(y[GAP])
+    left, r = change - work, root(y[at.GAP])
     most = 0.4 * waves.contact[STIFF] * r**5
     if most > 0 and left > 0:
-        y[GAP] *= max(0.0, 1 - left / most) ** 0.4
+        y[at.GAP] *= max(0.0, 1 - left / most) ** 0.4
     left -= min(left, most)
     moving = 0.0
     for m in range(len(waves.state)):
-        moving += waves.state[m, V] ** 2 / 2
+        moving += waves.state[m, at.V] ** 2 / 2
     if moving > 0 and left > 0:
         scale = np.sqrt(max(0.0, 1 - left / moving))
         for m in range(len(waves.state)):
-            waves.state[m, V] *= scale
+            waves.state[m, at.V] *= scale
         left -= min(left, moving)
-    y[LOSSES], y[OWED] = y[LOSSES] - left, y[OWED] + left
+    y[at.LOSSES], y[at.OWED] = y[at.LOSSES] - left, y[at.OWED] + left
