@@ -25,6 +25,8 @@ GENTLE = 1e-8
 then it has none, but the rounding of its coefficients."""
 BLOCK = 8192
 """Times at which the force is computed together: few enough for the cache."""
+MANY = 2048
+"""From so many times on what numba compiles is faster than PPoly, and lets go of Python's lock."""
 
 
 def remembered(method):
@@ -83,7 +85,7 @@ class RigidMotion:
 
         Raises ValueError for times outside the motion.
         """
-        return self._columns(self.path(self._placed(t)[0]))
+        return self._columns(self._solved(*self._placed(t)))
 
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
@@ -100,7 +102,7 @@ class RigidMotion:
         state, force = np.empty((len(tau), len(COLUMNS))), np.empty((len(tau), 3))
         for i in range(0, len(tau), BLOCK):
             some = slice(i, i + BLOCK)
-            y = self.path(tau[some])
+            y = self._solved(tau[some], piece[some])
             state[some], force[some] = self._columns(y), self._force(y, piece[some])
         return state, force
 
@@ -119,7 +121,7 @@ class RigidMotion:
     @remembered
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
-        y = self.path(self._placed(t)[0]).T
+        y = self._solved(*self._placed(t)).T
         r = y[R]
         return energy(r * r, r * y[W1 : W3 + 1], r * y[V1 : V2 + 1], self.law) * self._unit_of_energy
 
@@ -167,6 +169,14 @@ class RigidMotion:
             raise ValueError(f"t must lie within the motion, 0 to {end * self.disk.time_unit:.9g} s")
         piece = np.searchsorted(self.t[:-1], t, side="right") - 1
         return np.clip(tau, self.path.x[piece], self.path.x[piece + 1]), piece  # the quotient may round to beside it
+
+    def _solved(self, tau, piece):
+        """The state (k, 11) at times tau (k,) in the pieces (k,), dimensionless; the same in either way."""
+        if len(tau) < MANY:
+            return self.path(tau)
+        from .pieces import evaluated  # numba loads slowly
+
+        return evaluated(self.path.c, self.path.x, tau, piece)
 
     @property
     def _unit_of_energy(self) -> float:

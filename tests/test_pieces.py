@@ -1,0 +1,21 @@
+"""Claim: a motion that is asked for many times at once is what it is when asked for few.
+
+Source: `RigidMotion.at`. Oracle: scipy's PPoly, which adds the same terms in the same order.
+"""
+
+import numpy as np
+from scipy.interpolate import PPoly
+
+from dynamics.pieces import evaluated
+
+
+def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
+    """Each of the order + 1 terms is rounded at most 2 (order + 1) times in its power, its product and the sum."""
+    random = np.random.default_rng(3)
+    x = np.cumsum(random.uniform(0.1, 2.0, 31))
+    c = random.standard_normal((21, 30, 11))
+    at = np.concatenate([x[:-1], random.uniform(x[0], x[-1], 5000)])
+    piece = np.searchsorted(x[:-1], at, side="right") - 1
+    terms = PPoly(np.abs(c), x)(at)
+    assert (np.abs(evaluated(c, x, at, piece) - PPoly(c, x)(at)) <= 2 * 2 * 21 * np.finfo(float).eps * terms).all()
+    assert np.array_equal(evaluated(c, x, x[:-1], np.arange(30)), c[-1])
