@@ -2,7 +2,6 @@
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
-from itertools import repeat
 from math import pi
 
 import numpy as np
@@ -74,7 +73,7 @@ def solve_class(solid, part, mirror, disk, support, held, shift, **which):
 
 
 def solve(disk, material, support, density, size, which):
-    """The sector, its matrices and every class; the i-th of `which` selects the pairs of class i (see `lowest`).
+    """The sector, its matrices and every class; which[i] selects the pairs of class i (see `lowest`).
 
     Two classes are solved at a time: SuperLU lets another thread run, Python does not, and three gain nothing.
     """
@@ -82,6 +81,8 @@ def solve(disk, material, support, density, size, which):
     solid = assemble(part.mesh, ElementHex2(), material, density, intorder=4)
     shift = shift_for(disk, material, support, density)
     mirrors, held = classes(part.quarter), held_nodes(solid, part, disk, support)
+    if isinstance(which, dict):
+        which = [which] * len(mirrors)
 
     def of_class(mirror, some):
         return solve_class(solid, part, mirror, disk, support, held, shift, **some)
@@ -113,7 +114,7 @@ def held_modes(disk, material, support, density, below, accuracy) -> Modes:
     fine, coarse = (resolving(size, disk, material, density, below) for size in meshes(accuracy, disk, support))
     limit = (2 * pi * below) ** 2
     shift = shift_for(disk, material, support, density)
-    part, solid, solved = solve(disk, material, support, density, fine, repeat({"below": limit}))
+    part, solid, solved = solve(disk, material, support, density, fine, {"below": limit})
     check = [{"below": limit, "exactly": max(1, len(c.values))} for c in solved]
     _, _, rough = solve(disk, material, support, density, coarse, check)
     solved, rough = without_rigid(solved, shift), without_rigid(rough, shift)
