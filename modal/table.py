@@ -90,8 +90,6 @@ def spline_values(knots, coefficients, x, y, slope=(0, 0)):
 def _basis(knots, x, slope):
     """The values (k, 4) and the numbers (k, 4) of the splines that are not zero at x (k,)."""
     x = np.clip(x, knots[DEGREE], knots[-DEGREE - 1])
-    if not len(x):
-        return np.zeros((0, DEGREE + 1)), np.zeros((0, DEGREE + 1), int)
     matrix = BSpline.design_matrix(x, knots, DEGREE)
     value, number = (part.reshape(len(x), -1) for part in (matrix.data, matrix.indices))
     if slope:
