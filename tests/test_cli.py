@@ -158,7 +158,8 @@ def test_an_interrupted_rerun_leaves_no_record_of_sounds_it_replaced(tmp_path, m
 
     (tmp_path / "run.json").write_text("{}")
     monkeypatch.setattr("sonify.pipeline.write_sound", interrupted)
-    assert ask("run", "--out", str(tmp_path), "--set", "numerics.time_limit=0.1").exit_code == 130
+    short = ("--accuracy", "draft", "--set", "numerics.time_limit=0.1")
+    assert ask("run", "--out", str(tmp_path), *short).exit_code == 130
     assert list(tmp_path.iterdir()) == []
 
 

@@ -11,7 +11,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 from arithmetic import gamma
-from skfem import CellBasis
+from skfem.quadrature import get_quadrature
 
 from modal import Material, Support
 from modal.accuracy import COARSE, MIDDLE, NARROW, ROUGH, WIDE
@@ -79,7 +79,7 @@ WHOLE = [
 
 
 def sectors(half_angle_deg, aspect, share, size):
-    for position in ("middle", "bottom"):
+    for position in ("middle", "bottom")[: 1 if share == 1 else 2]:  # over the whole height they are the same
         support = Support(half_angle_deg=half_angle_deg, height=share * aspect, position=position)
         yield sector(1.0, aspect, support, size)
 
@@ -108,10 +108,11 @@ MESHES = [
 @pytest.mark.parametrize(("half_angle_deg", "aspect", "share", "size"), MESHES)
 def test_no_cell_folds_and_the_volume_is_that_of_the_disk(half_angle_deg, aspect, share, size):
     for part in sectors(half_angle_deg, aspect, share, SIZES[size]):
-        basis = CellBasis(part.mesh, part.mesh.elem(), intorder=8)
-        volume = part.mesh.mapping().detDF(basis.X)
-        assert (volume.min(axis=1) > 0).all()
-        assert part.copies * basis.dx.sum() == pytest.approx(np.pi * aspect, rel=4e-3 if size == "coarse" else 5e-4)
+        points, weights = get_quadrature(part.mesh.elem, 8)
+        volume = part.mesh.mapping().detDF(points)
+        assert volume.min() > 0
+        filled = part.copies * (volume @ weights).sum()
+        assert filled == pytest.approx(np.pi * aspect, rel=4e-3 if size == "coarse" else 5e-4)
 
 
 @pytest.mark.parametrize("size", SIZES)

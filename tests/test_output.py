@@ -350,13 +350,20 @@ def test_a_finding_can_be_no(value, holds):
     assert replace(finding, tolerance=1e-6).expectation == finding.expectation
 
 
-def test_without_the_extra_the_run_says_that_roughness_is_left_out(tmp_path, monkeypatch):
-    monkeypatch.setitem(sys.modules, "mosqito", None)
-    monkeypatch.setitem(sys.modules, "mosqito.sq_metrics", None)
-    monkeypatch.setattr(hearing, "find_spec", lambda name: None)
-    rough = run(load_scene("published").replace("numerics.time_limit=0.6", "name=cut"), out=tmp_path)
-    assert hearing.ROUGHNESS_MISSING in rough.plan.left_out
-    assert json.loads((tmp_path / "run.json").read_text())["sound"]["roughness"] == hearing.ROUGHNESS_MISSING
+@pytest.fixture(scope="module")
+def cut(tmp_path_factory):
+    """A run that is cut off, where the extra `roughness` is not installed."""
+    scene = load_scene("published").replace("numerics.time_limit=0.6", "name=cut")
+    with pytest.MonkeyPatch.context() as here:
+        here.setitem(sys.modules, "mosqito", None)
+        here.setitem(sys.modules, "mosqito.sq_metrics", None)
+        here.setattr(hearing, "find_spec", lambda name: None)
+        return run(scene, out=tmp_path_factory.mktemp("cut"))
+
+
+def test_without_the_extra_the_run_says_that_roughness_is_left_out(cut):
+    assert hearing.ROUGHNESS_MISSING in cut.plan.left_out
+    assert json.loads((cut.out / "run.json").read_text())["sound"]["roughness"] == hearing.ROUGHNESS_MISSING
 
 
 def test_the_record_has_the_roughness_of_the_end(result, record):
@@ -367,9 +374,7 @@ def test_the_record_has_the_roughness_of_the_end(result, record):
     assert all(0 <= asper < 1 for asper in rough["asper"])
 
 
-def test_a_motion_that_is_cut_off_says_so(tmp_path):
-    scene = load_scene("published").replace("numerics.time_limit=0.6", "name=cut")
-    cut = run(scene, out=tmp_path / "cut")
+def test_a_motion_that_is_cut_off_says_so(cut):
     assert cut.passed
     assert cut.motion.outcome.name == "TIME_LIMIT"
     assert any("time limit" in line for line in cut.plan.left_out)
@@ -386,7 +391,7 @@ def test_a_full_disk_leaves_no_half_wav(tmp_path):
     resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, before[1]))
     try:
         with pytest.raises(OSError, match="could not be written in full"):
-            run(scene, out=tmp_path)
+            run(scene, tmp_path, "draft")
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
     assert [p.name for p in tmp_path.rglob("*") if p.is_file()] == []
