@@ -56,10 +56,10 @@ def a_weighting_db(frequency) -> np.ndarray:
 def audibility(pressure: Source | str | Path) -> Audibility:
     """Return how audible a pressure [Pa] is, window by window. Tones below 20 Hz have no threshold here."""
     seen = spectrogram(pressure, WINDOW, COLUMNS)
-    weighted = seen.power * 10 ** (a_weighting_db(seen.frequency) / 10)[:, None]
+    weighted = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power
     return Audibility(
         time=seen.time,
-        a_weighted=level_db(weighted.sum(axis=0) / HANN_BANDWIDTH),
+        a_weighted=level_db(weighted / HANN_BANDWIDTH),
         above_threshold=(band_levels(seen) - THRESHOLD_DB[:, None]).max(axis=0),
     )
 

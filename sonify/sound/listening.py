@@ -1,7 +1,8 @@
 """SOUND -> LISTENING COPIES: the pressure as it is, scaled, and what small loudspeakers can play of it."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 from math import inf
 
 import numpy as np
@@ -44,6 +45,11 @@ class Copy:
         """Number of listeners."""
         return self.track.channels
 
+    @cached_property
+    def loudness(self) -> float:
+        """Its loudness by BS.1770 [LUFS]; ValueError where it is shorter than that is defined for."""
+        return loudness_lufs(self)
+
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Yield (k, channels): the samples from number `start` on; every call begins anew."""
         if not self.weighted:
@@ -64,16 +70,16 @@ def audible(track) -> Copy:
     over_peak = peak / 10 ** (TRUE_PEAK_DB / 20) or 1.0
     near = Copy(track=track, full_scale=over_peak, weighted=True)  # loudness has a gate at -70 LUFS
     try:
-        louder = 10 ** ((loudness_lufs(near) - LOUDNESS_LUFS) / 20)
+        louder = 10 ** ((near.loudness - LOUDNESS_LUFS) / 20)
     except ValueError:  # shorter than loudness is defined for
         louder = 1.0
-    return Copy(track=track, full_scale=over_peak * max(louder, 1.0), weighted=True)
+    return near if louder <= 1 else replace(near, full_scale=over_peak * louder)
 
 
-def loudness(source) -> float | str:
-    """Return the loudness of a source by BS.1770 [LUFS], or why there is none."""
+def loudness(copy: Copy) -> float | str:
+    """Return the loudness of a copy [LUFS], or why there is none."""
     try:
-        return loudness_lufs(source)
+        return copy.loudness
     except ValueError as error:
         return str(error)
 
