@@ -18,13 +18,14 @@ from sonify import RecordingError, load_scene
 from sonify.__main__ import main
 from sonify.claims.carriers import resonances
 from sonify.fitting.decline import Decline, left_out
-from sonify.fitting.ear import heard, judge, verdict_of
+from sonify.fitting.ear import FOLLOWED, heard, judge, verdict_of
 from sonify.fitting.fu_berlin import exponents
-from sonify.fitting.phase import rates
+from sonify.fitting.phase import follows, rates
 from sonify.fitting.readings import source, takes
 from sonify.fitting.result import radius_shows
 from sonify.fitting.synthetic import Recording, recording
 from sonify.hearing.recording import AFTER, LONGEST, read
+from sonify.hearing.rising_tone import clearest_tone
 from sonify.hearing.run import run_end
 
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
@@ -170,6 +171,42 @@ def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(d
     assert start + len(found) / rate == pytest.approx(144.0 + AFTER, abs=0.5)
     assert len(found) == LONGEST * rate
     assert run_end(Recording(samples=samples[: 120 * rate], sample_rate=rate)) is None
+
+
+def voice(seconds, seed):
+    """Syllables of a voice, as strong as 1: harmonics of a pitch that wanders from 90 to 180 Hz, two formants."""
+    random, made = np.random.default_rng(seed), []
+    while sum(map(len, made)) < seconds * RATE:
+        t = np.arange(int(random.uniform(0.15, 0.5) * RATE)) / RATE
+        pitch = random.uniform(90, 180) * 2 ** (random.uniform(-0.5, 0.5) * t / t[-1])
+        order, formants = np.arange(1, 21)[:, None], random.uniform((300, 900), (800, 2200))[:, None, None]
+        loud = (1 / (1 + ((order * pitch - formants) / 100) ** 2)).sum(axis=0)
+        sound = (loud * np.sin(2 * np.pi * order * np.cumsum(pitch) / RATE)).sum(axis=0) * np.sin(np.pi * t / t[-1])
+        made += [sound, np.zeros(int(random.choice([0.02, 0.02, 0.3]) * RATE))]
+    made = np.concatenate(made)[: seconds * RATE]
+    return made / made.std()
+
+
+def test_the_phase_of_a_run_follows_its_tone_and_that_of_a_voice_does_not(decline):
+    """The law is the one that is found in each; of music, a scale is none either."""
+    run = recording(decline, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3)
+    scale = np.sin(2 * np.pi * 220 * np.cumsum(2.0 ** (np.arange(12 * RATE) * 2 // RATE % 8 / 12)) / RATE)
+    sounds = run, run[::-1], voice(12, 1), scale
+    sure = [follows(resample_poly(x, 1, 4), RATE / 4, clearest_tone(x, RATE)) for x in sounds]
+    assert sure[0] > 2 * FOLLOWED
+    assert max(sure[1:]) < 0.8 * FOLLOWED
+
+
+@pytest.mark.slow
+def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
+    """Of ten minutes; the voice is as loud as the run, before and after it."""
+    talk = voice(600, 5) + 0.01 * np.random.default_rng(0).standard_normal(600 * RATE)
+    with pytest.raises(RecordingError, match="no tone rises"):
+        heard(Recording(samples=talk, sample_rate=RATE), "talk", ("tone",))
+    run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=14.0, duration=15.0, seed=3)
+    talk[333 * RATE : 348 * RATE] = run / run.std()
+    sound = heard(Recording(samples=talk, sample_rate=RATE), "run", ("tone",))
+    assert sound.start + sound.tones["tone"].end == pytest.approx(347.0, abs=0.1)
 
 
 @pytest.mark.slow

@@ -59,8 +59,8 @@ def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
         duration=duration,
         sample_rate=rate,
         start=start,
-        tone=_later(tone.result(), start),
-        repetition=_later(repetition.result(), start),
+        tone=later(tone.result(), start),
+        repetition=later(repetition.result(), start),
         carriers=found,
         missing=duration * getattr(source_of(sound), "missing", 0.0),
     )
@@ -83,12 +83,23 @@ def read(sound: Source | str | Path):
         raise RecordingError(f"{name}: holds samples that are not finite")
     if rate < SLOWEST:
         raise RecordingError(f"{name}: {rate} samples a second: at least {SLOWEST} are needed")
-    samples = channels[:, np.argmax(np.square(channels, dtype=float).sum(axis=0))].astype(float)
+    samples = _loudest(channels)
     if len(samples) < SHORTEST * rate:
         raise RecordingError(f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed")
     if not np.ptp(samples):
         raise RecordingError(f"{name}: silent")
     return samples - samples.mean(), rate, start / rate, source.frames / rate
+
+
+def between(source: Source, start: float, stop: float) -> np.ndarray:
+    """Return the samples (n,) of the loudest channel of a source between two times [s], less their mean."""
+    rate = source.sample_rate
+    samples = _loudest(stretch(source, int(start * rate), int(stop * rate)))
+    return samples - samples.mean()
+
+
+def _loudest(channels):
+    return channels[:, np.argmax(np.square(channels, dtype=float).sum(axis=0))].astype(float)
 
 
 def envelope(samples, rate) -> tuple[np.ndarray, float]:
@@ -99,8 +110,8 @@ def envelope(samples, rate) -> tuple[np.ndarray, float]:
     return square - square.mean(), rate / down
 
 
-def _later(tone, start):
-    """Move a tone from the time of the part that was read to the time of the file."""
+def later(tone, start):
+    """Return a tone, if there is one, so much later [s]."""
     return None if tone is None else replace(tone, end=tone.end + start, time=tone.time + start)
 
 

@@ -26,7 +26,7 @@ class RisingTone:
 
     `time`, `frequency`, `level` (r,) [s, Hz, dB above what is usual around it] are the strongest line of every frame
     that shows one beside the curve: early on it may be another than the one that obeys the law. `strength` [dB] is the
-    mean level along the fitted curve.
+    mean level along the fitted curve, which has peaks over so many `octaves` of the time left.
     """
 
     end: float
@@ -35,6 +35,7 @@ class RisingTone:
     exponent_error: float
     scale: float
     strength: float
+    octaves: float
     time: np.ndarray
     frequency: np.ndarray
     level: np.ndarray
@@ -46,6 +47,12 @@ class RisingTone:
     def at(self, t) -> np.ndarray:
         """Return the fitted frequency [Hz] at times t < end [s]."""
         return self.scale * (self.end - np.asarray(t)) ** -self.exponent
+
+    def stands_out(self, share: float = 1.0) -> bool:
+        """Return whether noise and tones that do not rise give less than such a share of it."""
+        rise = self.exponent * np.ptp(np.log2(self.end - self.time)) if len(self.time) else 0.0
+        clear = self.strength >= share * FAINTEST_DB and self.octaves >= share * LEAST_OCTAVES
+        return bool(clear and rise >= LEAST_SPAN)
 
     @property
     def factor(self) -> float:
@@ -63,6 +70,12 @@ def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
     exponent are refined by a robust fit to the peaks. tests/test_sound_listen.py gives its errors, in noise, in hum, in
     a room, and where the sound passes from one line to another.
     """
+    tone = clearest_tone(samples, rate)
+    return tone if tone is not None and tone.stands_out() else None
+
+
+def clearest_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
+    """Return the same, also where it does not stand out; None for silence."""
     if not np.any(samples):
         return None
     seen = log_map(samples / np.abs(samples).max(), rate)
@@ -71,17 +84,14 @@ def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
         return None
     curve, errors = best_curve(peaks, _search(seen))
     time, pitch, level = ridge(peaks, curve)
-    strength = _strength(seen, curve)
-    rise = curve[1] * np.ptp(np.log2(curve[0] - time)) if len(time) else 0.0
-    if strength < FAINTEST_DB or octaves(peaks, curve) < LEAST_OCTAVES or rise < LEAST_SPAN:
-        return None
     return RisingTone(
         end=float(curve[0]),
         end_error=float(errors[0]),
         exponent=float(curve[1]),
         exponent_error=float(errors[1]),
         scale=float(2 ** curve[2]),
-        strength=float(strength),
+        strength=float(_strength(seen, curve)),
+        octaves=float(octaves(peaks, curve)),
         time=time,
         frequency=2**pitch,
         level=level,

@@ -18,26 +18,46 @@ LEFT, EXPONENTS, HIGHEST = np.geomspace(0.2, 10.0, 48), (0.17, 0.25, 0.33, 0.5, 
 """Times left [s] at which a curve is read, its exponents, and its pitch at the first of these [Hz] at most."""
 LEAST_DB, MOST_DB, CLEAR_DB = -3.0, 15.0, 7.0
 """Bounds of what a frame contributes, and the mean along a curve from which on it is a run."""
+APART, MANY = 4.0, 20
+"""Ends are so far apart [s]; one in so many windows may be one."""
 
 
 def run_end(source: Source) -> float | None:
     """Return the time [s] at which the tone ends that rises most clearly in a sound of any length, or None."""
+    return next((end for level, end in run_ends(source) if level > CLEAR_DB), None)
+
+
+def run_ends(source: Source) -> list[tuple[float, float]]:
+    """Return levels [dB] and times [s] at which tones may end that rise in a sound of any length, the clearest first,
+    APART or more."""
     rate = source.sample_rate
     down = max(round(rate / RATE), 1)
     step, overlap = (int(seconds * rate / down) * down for seconds in (PIECE, OVERLAP))
     parts = enumerate(pieces(source, step, overlap))
-    found = [_clearest(part[: (source.frames - i * step) // down * down], down, rate / down) for i, part in parts]
-    best = max(range(len(found)), key=lambda i: found[i][0])
-    return best * step / rate + found[best][1] if found[best][0] > CLEAR_DB else None
+    levels = [_levels(part[: (source.frames - i * step) // down * down], down, rate / down) for i, part in parts]
+    found = [(level, i * step / rate + end) for i, piece in enumerate(levels) for level, end in piece]
+    return _apart(sorted(found, reverse=True))
 
 
-def _clearest(channels, down, rate):
-    """The level [dB] of the clearest curve in a piece (n, channels), and where it ends [s]."""
+def _apart(found):
+    """Of levels and times (n, 2), the highest first, those that are not near a higher one."""
+    kept: list[tuple[float, float]] = []
+    for level, end in found:
+        if all(abs(end - other) >= APART for _, other in kept):
+            kept.append((level, end))
+    return kept
+
+
+def _levels(channels, down, rate):
+    """The levels [dB] of the clearest curves in a piece (n, channels), and where they end [s]."""
     if len(channels) < 2 * WINDOW * down:
-        return 0.0, 0.0
+        return []
     samples = channels[:, np.argmax(np.square(channels).sum(axis=0))].reshape(-1, down)
     power = np.square(np.diff(samples, axis=1, prepend=samples[:, :1])).mean(axis=1)
-    return max(_best(contrast(signal), rate) for signal in (samples.mean(axis=1), power))
+    level = np.maximum(*(_best(contrast(signal), rate) for signal in (samples.mean(axis=1), power)))
+    end = (np.arange(len(level)) * HOP + WINDOW / 2) / rate
+    best = np.argsort(level, kind="stable")[::-1][: len(level) // MANY]
+    return _apart(zip(level[best].tolist(), end[best].tolist(), strict=True))
 
 
 def contrast(signal) -> np.ndarray:
@@ -52,13 +72,12 @@ def contrast(signal) -> np.ndarray:
 
 
 def _best(seen, rate):
-    """The highest mean level (t, f) [dB] on a curve, and where it ends [s]."""
-    back, found = np.round(LEFT * rate / HOP).astype(int), []
+    """The highest mean level (t,) [dB] on a curve (t, f) that ends in each window."""
+    back, found = np.round(LEFT * rate / HOP).astype(int), np.full(len(seen), LEAST_DB)
     padded, first = np.pad(seen, ((back[-1], 0), (0, 0))), back[-1] - back
     for exponent in EXPONENTS:
         for highest in np.geomspace(LEFT[0] ** -exponent * 10, HIGHEST, 24):
             bins = np.round(highest * (LEFT / LEFT[0]) ** -exponent * WINDOW / rate).astype(int)
             score = np.mean([padded[i : i + len(seen), k] for i, k in zip(first, bins, strict=True)], axis=0)
-            end = int(np.argmax(score))
-            found.append((float(score[end]), (end * HOP + WINDOW / 2) / rate))
-    return max(found)
+            found = np.maximum(found, score)
+    return found
