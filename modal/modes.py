@@ -54,6 +54,9 @@ class Support:
     def __post_init__(self):
         if not self.held or len(set(self.held)) < len(self.held):
             raise ValueError("held names each held component once: radial, tangential, axial")
+        if self.inclination_deg is not None and self.kind != "contact":
+            told = f"kind = 'contact' alone has one, and this is {self.kind!r}"
+            raise ValueError(f"inclination_deg = {self.inclination_deg:g}: {told}")
 
 
 @dataclass(frozen=True, kw_only=True)

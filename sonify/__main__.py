@@ -4,6 +4,7 @@ import errno
 import os
 import sys
 from signal import SIGINT
+from tempfile import gettempdir
 
 import click
 
@@ -42,7 +43,23 @@ class OneLine(click.Group):
         except OSError as error:
             if error.errno not in FULL | REFUSED:
                 raise
-            _stop(f"{error.filename or 'output'}: {error.strerror}", 1 if error.errno in FULL else 2)
+            where = error.filename or f"the output, or a temporary file in {gettempdir()}"
+            _stop(f"{where}: {error.strerror}", 1 if error.errno in FULL else 2)
+
+
+class Output(click.Path):
+    """A file or folder that has a name: the empty one is neither that nor the default."""
+
+    def convert(self, value, parameter, context):
+        """Return the name. Raises InputError where there is none."""
+        from sonify.scene_errors import InputError
+
+        if not value:
+            raise InputError("--out = '': must name a place for the files; without --out they go to the default")
+        return super().convert(value, parameter, context)
+
+
+OUT = Output()
 
 
 def _stop(message, status):
@@ -58,7 +75,7 @@ def main():
 
 @main.command()
 @click.argument("scene", default="published")
-@click.option("--out", type=click.Path(), help="Folder for the files; default outputs/<scene name>.")
+@click.option("--out", type=OUT, help="Folder for the files; default outputs/<scene name>.")
 @click.option("--accuracy", type=click.Choice(ACCURACIES), help="Instead of the scene's.")
 @click.option(
     "--set", "assignments", multiple=True, metavar="KEY=VALUE", help="Replace a value, as friction.mu_static=0.3."
@@ -88,9 +105,7 @@ def run(scene, out, accuracy, assignments, animation):
 
 @main.command()
 @click.argument("recording", type=click.Path())
-@click.option(
-    "--out", type=click.Path(), help="Folder for picture and numbers; default outputs/listen/<name of the file>."
-)
+@click.option("--out", type=OUT, help="Folder for picture and numbers; default outputs/listen/<name of the file>.")
 @click.option("--scene", help="Whose resonances the carriers are matched to: a name or a file.")
 def listen(recording, out, scene):
     """Seek the rising tone, its end and exponent, and the carriers in RECORDING, a sound file of your own."""
@@ -103,7 +118,7 @@ def listen(recording, out, scene):
 @main.command()
 @click.argument("recordings", nargs=-1, required=True, type=click.Path())
 @click.option("--scene", default="toy", show_default=True, help="Whose radius, thickness and air: a name or a file.")
-@click.option("--out", type=click.Path(), help="Folder for the files; default outputs/fit/<name of the first file>.")
+@click.option("--out", type=OUT, help="Folder for the files; default outputs/fit/<name of the first file>.")
 @click.option("--like", type=click.Choice(["fu-berlin"]), help="Also the exponents of a published chain.")
 def fit(recordings, scene, out, like):
     """Find what slowed the disk in RECORDINGS: sound files, exports of phyphox, or folders of takes."""
@@ -138,7 +153,7 @@ def scenes(keys, schema):
 @main.command()
 @click.argument("name", type=click.Choice([*(c.replace("_", "-") for c in CHARTS), "all"]), default="all")
 @click.option("--quick", is_flag=True, help="Fewer settings of every method, in under two minutes.")
-@click.option("--out", type=click.Path(), default="outputs/charts", show_default=True, help="Folder for the files.")
+@click.option("--out", type=OUT, default="outputs/charts", show_default=True, help="Folder for the files.")
 @click.option("--redraw", is_flag=True, help="Measure nothing: make pictures and pages from the tables in the folder.")
 def chart(name, quick, out, redraw):
     """Measure speed against accuracy, and where methods fail; write a table, a picture and a page."""
@@ -156,7 +171,7 @@ def chart(name, quick, out, redraw):
 @click.argument("what", type=click.Choice(["modes"]))
 @click.argument("scene", default="published")
 @click.option("--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="Kind of file.")
-@click.option("--out", type=click.Path(), help="The file; default <scene name> with the suffix of its kind.")
+@click.option("--out", type=OUT, help="The file; default <scene name> with the suffix of its kind.")
 def export(what, scene, form, out):
     """Write the modes of SCENE for Faust, for modal analysis (universal file, extra `uff`) or for ParaView."""
     from sonify.export import export_modes
@@ -181,7 +196,7 @@ def serve(folder, port, host):
 @click.argument("sweep")
 @click.option("--scheduler", metavar="ADDRESS", help="Of Dask, as tcp://10.0.0.1:8786, or local (extra `cluster`).")
 @click.option("--processes", type=click.IntRange(1), help="Processes of this machine; default: its cores.")
-@click.option("--out", type=click.Path(), help="Folder for the table; default outputs/sweeps/<name>.")
+@click.option("--out", type=OUT, help="Folder for the table; default outputs/sweeps/<name>.")
 @click.option("--plan", "planned", is_flag=True, help="Only tell how many runs there are and how long they would take.")
 @click.option("--yes", is_flag=True, help="Begin even more than a million runs.")
 @click.option("--retry", is_flag=True, help="Solve runs with an error again.")
@@ -210,7 +225,7 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
 @click.option("--x", help="Column; default: the first axis.")
 @click.option("--y", help="Column; default: the second axis, if --x is not given.")
 @click.option("--of", required=True, help="Column of which a picture is drawn, as t_end or outcome.")
-@click.option("--out", type=click.Path(), help="The picture; default <of>.png beside the table.")
+@click.option("--out", type=OUT, help="The picture; default <of>.png beside the table.")
 def draw(table, x, y, of, out):
     """Draw a column of TABLE, the runs.parquet of a sweep, over one or two of its axes."""
     from sonify.sweeps.maps import make_map

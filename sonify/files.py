@@ -53,8 +53,8 @@ def claimed(folder: str | Path) -> Iterator[Path]:
 def whole(path: str | Path):
     """Yield a temporary path beside `path`, renamed to it if the block ends well and removed if it does not.
 
-    Raises IsADirectoryError where `path` is one. What a process that was killed has left beside it is removed, too;
-    tests/test_files.py kills some.
+    Raises IsADirectoryError where `path` is one; an OSError that names no file, as of a full disk, names `path`. What a
+    process that was killed has left beside it is removed, too; tests/test_files.py kills some.
     """
     path = Path(path)
     if path.is_dir():
@@ -66,6 +66,10 @@ def whole(path: str | Path):
         try:
             yield temporary
             os.replace(temporary, path)
+        except OSError as error:
+            if error.errno is not None and error.filename is None:
+                error.filename = str(path)
+            raise
         finally:
             temporary.unlink(missing_ok=True)
 

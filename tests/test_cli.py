@@ -173,6 +173,14 @@ def test_a_full_disk_ends_with_1_and_one_line(tmp_path, monkeypatch):
     assert result.stderr.splitlines()[-1] == "sonify: sound.wav: No space left on device"
 
 
+@pytest.mark.parametrize("command", ["run", "listen x.wav", "chart motion", "export modes --as vtu", "map x --of y"])
+def test_an_empty_name_for_the_files_is_refused_in_one_line(command):
+    result = ask(*command.split(), "--out", "")
+    assert (result.exit_code, result.stdout) == (2, "")
+    assert result.stderr.startswith("sonify: --out = '': must name")
+    assert result.stderr.count("\n") == 1
+
+
 @pytest.mark.parametrize("fault", [KeyboardInterrupt(), OSError(errno.ENOSPC, "full")])
 def test_a_file_is_whole_or_as_it_was(tmp_path, fault):
     path = tmp_path / "file.txt"

@@ -3,6 +3,7 @@
 Source: the README's exit statuses. Oracle: real processes that are really ended, and what the folder then holds.
 """
 
+import errno
 import gc
 import os
 import signal
@@ -55,6 +56,15 @@ def writer(tmp_path):
     for process in started:
         process.kill()
         process.communicate()
+
+
+def test_a_full_disk_names_the_file_for_which_it_has_no_room(tmp_path):
+    """A write knows no name; what is no fault of a file keeps its words."""
+    with pytest.raises(OSError, match="No space") as raised, whole(tmp_path / "report.html"):
+        raise OSError(errno.ENOSPC, "No space left on device")
+    assert raised.value.filename == str(tmp_path / "report.html")
+    with pytest.raises(OutputError, match=r"^in words$"), whole(tmp_path / "report.html"):
+        raise OutputError("in words")
 
 
 def names(folder):

@@ -177,6 +177,7 @@ FAULTS = [
     ("friction.mu_static=10.", "friction.mu_static = 10.: TOML writes this number 10.0"),
     ("friction.mu_static=0.4\nmu_dynamic=0.1", "must be one value, and not several lines"),
     ("name=two\nlines", "name = 'two\\nlines': not TOML"),
+    ("support.inclination_deg=3", "inclination_deg = 3: kind = 'contact' alone has one, and this is 'patch'"),
     ("release.omega=[1.0, 2.0", "release.omega = '[1.0, 2.0': not TOML"),
 ]
 
