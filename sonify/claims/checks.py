@@ -47,7 +47,7 @@ class Check:
 
 def check(name: str, source: str, **bars: Any):
     """Make a function that returns a value return the Check of it."""
-    return judging(Check, name=name, source=source, **bars)
+    return judging(Check, lambda key, value: Check(key=key, value=float(value), name=name, source=source, **bars))
 
 
 @check(

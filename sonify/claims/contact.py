@@ -16,7 +16,7 @@ from dynamics.coupled.roughness import shift_of_contact
 from dynamics.coupled.softening import softened
 from dynamics.coupled.table import InSeries, LawTable
 from dynamics.film.acting import film_of
-from sonify.claims.motion import Finding, median
+from sonify.claims.motion import Finding, finding, median
 from sonify.hearing.noise_band import NoiseBand, middle, noise_band
 from sonify.hearing.recording import Heard
 from sonify.scene import Scene
@@ -160,20 +160,14 @@ def carrier_heard(sound: Sound, motion: Motion, expected: Vibration, lines=()) -
     return heard._replace(time=heard.time - delay)
 
 
-def carrier_rises(heard: NoiseBand) -> Finding:
+@finding("A carrier rises", "times", "abstract: the rising pitch; from the sound alone", at_least=1.2)
+def carrier_rises(heard: NoiseBand):
     """The frequency of the carrier at the end over that at the beginning, each the median of a tenth of the run."""
     found = heard.frequency[np.isfinite(heard.frequency)]
     tenth = max(len(found) // 10, 1)
     (first, about), (last, on) = (median(part) for part in (found[:tenth], found[-tenth:]))
-    return Finding(
-        key="carrier_rises",
-        claim="A carrier rises",
-        value=last / first,
-        unit=f"times, from {first:.0f} Hz to {last:.0f} Hz",
-        at_least=1.2,
-        margin=last / first * float(np.hypot(about / first, on / last)),
-        source="abstract: the rising pitch; from the sound alone",
-    )
+    rises = last / first
+    return rises, rises * np.hypot(about / first, on / last), f", from {first:.0f} Hz to {last:.0f} Hz"
 
 
 class Bands(NamedTuple):
@@ -209,69 +203,64 @@ def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
     return np.interp(f, *welch(motion.force(t)[:, 2], RATE, nperseg=min(WELCH, len(t))))
 
 
-def carrier_is_contact(found: Bands) -> Finding:
+@finding(
+    "The carrier is the resonance of the disk on its elastic contact",
+    "heard / expected of the contact along the motion, median",
+    "Hertz, Mindlin and Kalker; the carrier from the sound alone",
+    at_least=0.98,
+    at_most=1.02,
+)
+def carrier_is_contact(found: Bands):
     """The frequency of the carrier heard over the middle of the spectrum that is expected of N', as it is radiated
     where a film is under the disk, median."""
-    ratio, error = median(found.heard / found.expected)
-    force = np.median(found.force / found.expected)
-    return Finding(
-        key="carrier_is_contact",
-        claim="The carrier is the resonance of the disk on its elastic contact",
-        value=ratio,
-        unit=f"heard / expected of the contact along the motion, median; of the force alone {force:.2f}",
-        at_least=0.98,
-        at_most=1.02,
-        margin=error,
-        source="Hertz, Mindlin and Kalker; the carrier from the sound alone",
-    )
+    return *median(found.heard / found.expected), f"; of the force alone {np.median(found.force / found.expected):.2f}"
 
 
-def air_moves_carrier(found: Bands) -> Finding:
+@finding(
+    "The resonance of film and air, not the contact's, sets the band that is heard",
+    "heard / that of the force alone, median",
+    "the force of the contact, and what a disk over its film radiates; the carrier from the sound alone",
+    at_least=MOVED,
+)
+def air_moves_carrier(found: Bands):
     """The frequency of the carrier heard over that of the force of the contact, which no air has changed, median."""
-    ratio, error = median(found.heard / found.force)
-    return Finding(
-        key="air_moves_carrier",
-        claim="The resonance of film and air, not the contact's, sets the band that is heard",
-        value=ratio,
-        unit=f"heard / that of the force alone, median; of the force as film and air radiate it "
-        f"{np.median(found.heard / found.radiated):.2f}",
-        at_least=MOVED,
-        margin=error,
-        source="the force of the contact, and what a disk over its film radiates; the carrier from the sound alone",
-    )
+    radiated = np.median(found.heard / found.radiated)
+    return *median(found.heard / found.force), f"; of the force as film and air radiate it {radiated:.2f}"
 
 
-def carrier_passes_recorded_peaks(expected: Vibration) -> Finding:
+@finding(
+    "The carrier passes the peaks recorded on granite, 1.84 to 2.28 kHz",
+    "s between them",
+    "recordings of the toy on granite, 2026",
+    at_least=1.0,
+)
+def carrier_passes_recorded_peaks(expected: Vibration):
     """For how long the resonance of the contact lies where peaks were recorded."""
     when = expected.t[(frequency(expected) > RECORDED[0]) & (frequency(expected) < RECORDED[1])]
     span = f", from {when[0]:.3g} s to {when[-1]:.3g} s" if len(when) else ""
-    return Finding(
-        key="carrier_passes_recorded_peaks",
-        claim="The carrier passes the peaks recorded on granite, 1.84 to 2.28 kHz",
-        value=float(len(when) * expected.t[-1] / PLACES),
-        unit=f"s between them{span}",
-        at_least=1.0,
-        margin=float(2 * expected.t[-1] / PLACES),
-        source="recordings of the toy on granite, 2026",
-    )
+    return len(when) * expected.t[-1] / PLACES, 2 * expected.t[-1] / PLACES, span
 
 
-def constant_peaks_are_the_contact(expected: Vibration) -> Finding:
+@finding(
+    "The constant peaks of recordings, 5.04 and 8.23 kHz, are the contact's",
+    "of the motion, within 2 % of either",
+    "recordings of the toy on granite, 2026; what stays as the disk falls is of the table or the air",
+    at_least=0.5,
+)
+def constant_peaks_are_the_contact(expected: Vibration):
     """For how long, at most, the resonance of the contact stays within 2 % of a peak that recordings keep."""
     step = expected.t[1] - expected.t[0]
     stays = [float(np.sum(np.abs(frequency(expected) / peak - 1) < 0.02) * step) for peak in CONSTANT]
-    return Finding(
-        key="constant_peaks_are_the_contact",
-        claim="The constant peaks of recordings, 5.04 and 8.23 kHz, are the contact's",
-        value=max(stays) / expected.t[-1],
-        unit="of the motion, within 2 % of either",
-        at_least=0.5,
-        margin=2 / PLACES,
-        source="recordings of the toy on granite, 2026; what stays as the disk falls is of the table or the air",
-    )
+    return max(stays) / expected.t[-1], 2 / PLACES
 
 
-def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
+@finding(
+    "Vibrations finally break the contact",
+    "of the time without contact",
+    "abstract: the vibrations will result in a loss of contact",
+    at_least=LEAST_LOSS,
+)
+def contact_is_lost(motion: Motion, expected: Vibration):
     """The share of the time without contact: as solved, or, where the motion keeps it, of a Gaussian vibration."""
     flights, solved = motion.contact_losses, bool(motion.contact_losses) or hasattr(motion, "lost")
     if solved:
@@ -283,15 +272,7 @@ def contact_is_lost(motion: Motion, expected: Vibration) -> Finding:
         share, first = lost.mean(), expected.t[lost > LEAST_LOSS].min(initial=np.inf)
         margin = without_contact(expected, np.where(expected.rolls, *TOO_LOW)).mean() - share
     when = f"first {first:.3g} s after the release" if np.isfinite(first) else "never"
-    return Finding(
-        key="contact_is_lost",
-        claim="Vibrations finally break the contact",
-        value=float(share),
-        unit=f"of the time without contact, {'solved' if solved else 'expected of the filter'}; {when}",
-        at_least=LEAST_LOSS,
-        margin=float(margin),
-        source="abstract: the vibrations will result in a loss of contact",
-    )
+    return share, margin, f", {'solved' if solved else 'expected of the filter'}; {when}"
 
 
 def without_contact(expected: Vibration, factor) -> np.ndarray:
@@ -299,33 +280,30 @@ def without_contact(expected: Vibration, factor) -> np.ndarray:
     return np.where(expected.rms > 0, ndtr(-expected.load / np.maximum(factor * expected.rms, 1e-300)), 0.0)
 
 
-def micro_flights(motion: Motion) -> Finding:
+@finding(
+    "Contact is lost in micro-flights, too short to be seen",
+    "s, the longest",
+    "Borisov et al. (2015)",
+    at_most=1e-3,
+)
+def micro_flights(motion: Motion):
     """The longest loss of contact of a motion that has any."""
     flights = motion.contact_losses
     longest = np.sort([f.duration for f in flights])[::-1]
-    return Finding(
-        key="micro_flights",
-        claim="Contact is lost in micro-flights, too short to be seen",
-        value=float(longest[0]),
-        unit=f"s, the longest of {len(flights)}; the highest {1e6 * max(f.height for f in flights):.2g} um",
-        at_most=1e-3,
-        margin=float(longest[0] - longest[: len(longest) // 10 + 1][-1]),
-        source="Borisov et al. (2015)",
-    )
+    told = f" of {len(flights)}; the highest {1e6 * max(f.height for f in flights):.2g} um"
+    return longest[0], longest[0] - longest[: len(longest) // 10 + 1][-1], told
 
 
-def loss_begins_at(rms: float, expected: Vibration) -> Finding:
+@finding(
+    "The roughness of an ordinary surface, 0.1 um, breaks the contact",
+    "m, the rms of table and edge each from which on contact is lost",
+    "abstract; N' is proportional to the heights",
+    at_most=1e-7,
+)
+def loss_begins_at(rms: float, expected: Vibration):
     """The rms of heights at which N' would reach SHAKEN of the weight at some time, by proportion."""
     most = expected.rms.max() / expected.table.law.disk.weight
-    return Finding(
-        key="loss_begins_at",
-        claim="The roughness of an ordinary surface, 0.1 um, breaks the contact",
-        value=float(rms * SHAKEN / most),
-        unit="m, the rms of table and edge each from which on contact is lost",
-        at_most=1e-7,
-        margin=float(rms * (CERTAIN - SHAKEN) / most),
-        source="abstract; N' is proportional to the heights",
-    )
+    return rms * SHAKEN / most, rms * (CERTAIN - SHAKEN) / most
 
 
 def roughness_ends_it(loss: str, motion: Motion, expected: Vibration) -> Finding:

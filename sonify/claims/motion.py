@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from functools import wraps
 from inspect import signature
 from math import inf
-from typing import Any
 
 import numpy as np
 
@@ -79,18 +78,24 @@ class Finding:
 
 
 def finding(claim: str, unit: str, source: str, **bars: float):
-    """Make a function that returns a value, or value and margin, return the Finding of it."""
-    return judging(Finding, claim=claim, unit=unit, source=source, **bars)
+    """Make a function that returns a value, or value and margin, or these and what is told behind the unit, return the
+    Finding of it."""
+
+    def found(key: str, value: float, margin: float = 0.0, told: str = "") -> Finding:
+        value, margin, unit_told = float(value), float(margin), unit + told
+        return Finding(key=key, claim=claim, value=value, margin=margin, unit=unit_told, source=source, **bars)
+
+    return judging(Finding, found)
 
 
-def judging(kind: type, **about: Any):
-    """Make a function return what it found as a Finding or Check of that `kind`, whose key is its name."""
+def judging(kind: type, made: Callable):
+    """Make a function return what is `made`, a Finding or Check, of its name and of what it found."""
 
     def decorator(function: Callable) -> Callable:
         @wraps(function)
         def judge(*arguments, **options):
-            found = np.array(function(*arguments, **options), dtype=float, ndmin=1).tolist()
-            return kind(key=function.__name__, **dict(zip(("value", "margin"), found, strict=False)), **about)
+            found = function(*arguments, **options)
+            return made(function.__name__, *(found if isinstance(found, tuple) else (found,)))
 
         judge.__dict__["__signature__"] = signature(function).replace(return_annotation=kind)  # hangs_on reads it
         return judge

@@ -105,7 +105,13 @@ def begins(scene: Scene, part: CompliantMotion) -> float:
     return float(acts.argmax() * STATES * part.dt)
 
 
-def halt_comes_earlier(scene: Scene, motion: Motion) -> Finding:
+@finding(
+    "The table brings the halt forward",
+    "s earlier than on a table that does not act back",
+    "section 8: the vibrations will result in an abrupt halt",
+    at_least=0.05,
+)
+def halt_comes_earlier(scene: Scene, motion: Motion):
     """By how much earlier [s] the disk lies flat than the same disk, on the same contact, on a table without modes.
 
     That one goes on from where the table begins to act back, and holds ACTS of the energy.
@@ -115,60 +121,50 @@ def halt_comes_earlier(scene: Scene, motion: Motion) -> Finding:
     alone, below = replace(part.model, modes=None), max(part.rows[-1, 1], LIES)
     y = release(alone, part.at([start])[0], part.force([start])[0])
     *_, last = alone.run(y, EVERY, max(scene.numerics.time_limit - start, 1e-3), below)
-    return Finding(
-        key="halt_comes_earlier",
-        claim="The table brings the halt forward",
-        value=start + last.t[-1] - part.t[-1],
-        unit="s earlier than on a table that does not act back",
-        at_least=0.05,
-        margin=ACTS * last.t[-1],
-        source="section 8: the vibrations will result in an abrupt halt",
-    )
+    return start + last.t[-1] - part.t[-1], ACTS * last.t[-1]
 
 
-def waves_make_the_halt(scene: Scene, motion: Motion) -> Finding:
+@finding(
+    "The waves of the table, and not impacts or friction, take the last energy",
+    f"of the last {LAST:.0%} of the energy {LEFT}",
+    "section 8: contact that is lost and regained ends the motion",
+    at_least=0.5,
+)
+def waves_make_the_halt(scene: Scene, motion: Motion):
     """The share of the modes of the table in what the disk and its contact lose in the last LAST of the energy."""
     budget = _last(scene, motion)
     shares = {name: lost[-1] for name, lost in budget.lost.items()}
     shares["table"] += budget.table[-1] - budget.table[0]
     whole = sum(shares.values())
     told = ", ".join(f"{name} {share / whole:.2g}" for name, share in shares.items())
-    return Finding(
-        key="waves_make_the_halt",
-        claim="The waves of the table, and not impacts or friction, take the last energy",
-        value=shares["table"] / whole,
-        unit=f"of the last {LAST:.0%} of the energy {LEFT}; {told}",
-        at_least=0.5,
-        source="section 8: contact that is lost and regained ends the motion",
-    )
+    return shares["table"] / whole, 0.0, f"; {told}"
 
 
-def table_rings_at_the_halt(scene: Scene, motion: Motion) -> Finding:
+@finding(
+    "The table at last holds more energy than the disk",
+    "of the energy of both",
+    "abstract: the vibrations of disk and surface",
+    at_least=0.5,
+)
+def table_rings_at_the_halt(scene: Scene, motion: Motion):
     """The share of the modes of the table in the energy of disk and table, when they hold most."""
     t = _times(scene, motion)
     budget = energy_budget(motion, t)
     most = budget.table.argmax()
-    return Finding(
-        key="table_rings_at_the_halt",
-        claim="The table at last holds more energy than the disk",
-        value=budget.table[most] / (budget.table[most] + abs(budget.disk[most])),
-        unit=f"of the energy of both, {motion.t[-1] - t[most]:.3g} s before the end",
-        at_least=0.5,
-        source="abstract: the vibrations of disk and surface",
-    )
+    share = budget.table[most] / (budget.table[most] + abs(budget.disk[most]))
+    return share, 0.0, f", {motion.t[-1] - t[most]:.3g} s before the end"
 
 
-def disk_rings_at_the_halt(scene: Scene, motion: Motion) -> Finding:
+@finding(
+    "The vibrations of the disk, and not those of the table alone, have a part in the halt",
+    f"of the last {LAST:.0%} of the energy {LEFT} is the most that its elastic modes hold",
+    "abstract: the vibrations of disk and surface",
+    at_least=0.1,
+)
+def disk_rings_at_the_halt(scene: Scene, motion: Motion):
     """The greatest energy of the elastic modes of the disk over that with which the last LAST of the energy begins."""
     budget = _last(scene, motion)
-    return Finding(
-        key="disk_rings_at_the_halt",
-        claim="The vibrations of the disk, and not those of the table alone, have a part in the halt",
-        value=budget.bending.max() / (budget.disk[0] + budget.table[0]),
-        unit=f"of the last {LAST:.0%} of the energy {LEFT} is the most that its elastic modes hold",
-        at_least=0.1,
-        source="abstract: the vibrations of disk and surface",
-    )
+    return budget.bending.max() / (budget.disk[0] + budget.table[0])
 
 
 @finding(
@@ -184,28 +180,25 @@ def table_breaks_contact(motion: Motion):
     return int((motion.at(begins)[:, 1] > ALL_BUT_FLAT).sum()) if begins else 0
 
 
-def loss_at_resonance(scene: Scene, motion: Motion) -> Finding:
+@finding(
+    "Contact is first lost where its precession passes the waves of a mode",
+    "n times the precession over the frequency of the nearest mode",
+    "section 8: the vibrations will result in a loss of contact",
+    at_least=1 - NEAR,
+    at_most=1 + NEAR,
+)
+def loss_at_resonance(scene: Scene, motion: Motion):
     """n Omega/w at the first loss of contact, of the mode of the table that is nearest to 1 there; 0 without a loss."""
     if not motion.contact_losses:
-        return _at_resonance(0.0, "contact is kept")
+        return 0.0, 0.0, ", contact is kept"
     first, modes = motion.contact_losses[0].t, two_way(motion)[0].model.modes
     around = np.linspace(max(first - 0.002, 0.0), first, 20)
     rate = np.abs(np.median(precession_rate(motion.at(around)))) / (2 * np.pi)
     x = (modes.order * rate / modes.frequency)[modes.order > 0]
-    told = f"{motion.t[-1] - first:.2g} s before the end and {rate:.3g} Hz; {len(motion.contact_losses)} losses in all"
-    return _at_resonance(float(x[np.abs(x - 1).argmin()]) if len(x) else 0.0, told)
-
-
-def _at_resonance(x, told) -> Finding:
-    return Finding(
-        key="loss_at_resonance",
-        claim="Contact is first lost where its precession passes the waves of a mode",
-        value=x,
-        unit=f"n times the precession over the frequency of the nearest mode, {told}",
-        at_least=1 - NEAR,
-        at_most=1 + NEAR,
-        source="section 8: the vibrations will result in a loss of contact",
+    told = (
+        f", {motion.t[-1] - first:.2g} s before the end and {rate:.3g} Hz; {len(motion.contact_losses)} losses in all"
     )
+    return x[np.abs(x - 1).argmin()] if len(x) else 0.0, 0.0, told
 
 
 def _times(scene, motion, count=4000):
