@@ -17,7 +17,7 @@ from dynamics.surface import ModesSurface, SurfaceMode
 from modal.surface import table_by_modes
 from sonify.charts.chart import DPI, save
 from sonify.charts.page import number
-from sonify.charts.records import Answer, Failure, Record, Work, ends, measured
+from sonify.charts.records import Answer, Failure, Record, Work, ends, measured, nearest
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -141,8 +141,6 @@ def conclusion(records: list[Record]) -> list[str]:
         f"The steady motion diverges from x = {wide[0]:.3f} to {wide[-1]:.3f}, faster than the waves decay, and its "
         f"nutation flutters most at x = {SPEEDS[most]:.3f}, by {growth[most]:.3g} 1/s; n/(n - 0.786) is {FLUTTER:.3f}."
     ]
-    good = [r for r in records if not r.failure]
-    if good:
-        best = min(good, key=lambda r: r.error)
+    if best := nearest(records):
         lines.append(f"The steps give that growth within {number(best.error)} at {best.setting}.")
     return lines

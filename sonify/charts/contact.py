@@ -4,10 +4,12 @@ from functools import cache, partial
 from math import degrees
 
 from dynamics import simulate
+from sonify.charts import chart
 from sonify.charts import contact_case as case
 from sonify.charts.contact_case import explicit_euler, leap_frog
-from sonify.charts.page import number
-from sonify.charts.records import Answer, Record, Work, ends, measured
+from sonify.charts.page import milliseconds, number
+from sonify.charts.records import Answer, Record, Work, ends, measured, nearest
+from sonify.claims.halt import steady
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -59,7 +61,7 @@ def hazards(quick: bool) -> list[Work]:
 
 def _rigid() -> Answer:
     """The event-driven motion of the same disk, whose force has nothing above AUDIBLE."""
-    start = case.steady(case.FLAT)
+    start = steady(case.table().law.disk, case.FLAT)
     release = f"release.inclination_deg={degrees(start[1])}", f"release.omega={start[5:8].tolist()}"
     changes = "contact.law=rigid", *release, f"numerics.time_limit={case.SECONDS}"
     return Answer((0.0,), len(simulate(load_scene("granite").replace(*changes)).t))
@@ -89,19 +91,17 @@ def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
 
 def draw(records: list[Record], title: str, path):
     """Draw error against seconds of the two cases that have a reference."""
-    from sonify.charts.chart import draw
-
-    draw([r for r in records if r.case in (IMPACT, ROLLING)], title, "relative error", path)
+    chart.draw([r for r in records if r.case in (IMPACT, ROLLING)], title, "relative error", path)
 
 
 def conclusion(records: list[Record]) -> list[str]:
     """Return what to take, and where each ends, in a sentence each."""
-    good = [r for r in records if not r.failure]
-    full, light = (_best(good, kind, ROLLING) for kind in ("full", "filter"))
-    kept, gained = _best(good, "full", IMPACT), min((r for r in good if r.family == "explicit"), key=lambda r: r.error)
+    full, light = (nearest(records, family=kind, case=ROLLING) for kind in ("full", "filter"))
+    kept, gained = nearest(records, family="full", case=IMPACT), nearest(records, family="explicit")
     lines = [
-        f"While contact is kept take the filter: {number(light.error)} of the rms in {_ms(light)} for "
-        f"{case.SECONDS:g} s of motion at {light.setting}; the full model needs {_ms(full)} for {number(full.error)}.",
+        f"While contact is kept take the filter: {number(light.error)} of the rms in {milliseconds(light)} for "
+        f"{case.SECONDS:g} s of motion at {light.setting}; the full model needs {milliseconds(full)} for "
+        f"{number(full.error)}.",
         "The rigid contact has no force at these frequencies.",
         f"Of the impact the discrete gradient keeps the energy to round-off at any step, and its depth errs by "
         f"{number(kept.error)} at {kept.setting}; explicit steps, timed in one dimension, gain {number(gained.error)} "
@@ -112,11 +112,3 @@ def conclusion(records: list[Record]) -> list[str]:
     lines += [f"The filter fails from rms(z'') R/beta = {torn[0].setting} on: contact is lost."] if torn else []
     lines += [f"Without creep slips do not converge from a loss factor of {stuck[0].setting} on."] if stuck else []
     return lines
-
-
-def _best(records, family, which):
-    return min((r for r in records if (r.family, r.case) == (family, which)), key=lambda r: r.error)
-
-
-def _ms(record):
-    return f"{1e3 * record.seconds:.2g} ms"

@@ -23,8 +23,8 @@ from dynamics.coupled.sections import Roughness
 from dynamics.coupled.state import GAP, LOSSES, WEIGHT
 from dynamics.coupled.table import LENGTH1, LENGTH2, LawTable
 from dynamics.disk import Friction
-from dynamics.steady import steady_precession
 from sonify.charts.records import Answer, Failure
+from sonify.claims.halt import steady
 from sonify.scene import load_scene
 
 SPEED, STEEP, FLAT = 0.02, 0.3, 0.1
@@ -35,8 +35,6 @@ RMS = 1e-8
 """Of the heights of table and edge [m]."""
 FORCES = 1e5
 """Mean forces a second of the full model that are judged [1/s]."""
-CREEPLESS = np.where(np.isin(np.arange(7), (LENGTH1, LENGTH2)), 1e9, 1.0)
-"""Factors on the columns of a law without creep: its springs forget over no length."""
 GRIPS, FREE = Friction(mu_static=10.0, mu_dynamic=10.0), Friction(mu_static=0.0, mu_dynamic=0.0)
 
 
@@ -47,18 +45,17 @@ def table(loss_factor: float = 0.02) -> LawTable:
     return LawTable(law=contact_law(scene))
 
 
+def without_creep(law: LawTable):
+    """Make the springs of a tabulated law forget over no length."""
+    factors = np.where(np.isin(np.arange(7), (LENGTH1, LENGTH2)), 1e9, 1.0)
+    law.__dict__["spline"] = CubicSpline(law.grid, law.spline(law.grid) * factors)
+
+
 @cache
 def profiles(rms: float):
     """Return the heights of table and edge."""
     rough = Roughness(rms=rms)
     return table_profile(rough), edge_profile(rough, table().law.disk.radius)
-
-
-def steady(beta: float) -> np.ndarray:
-    """Return the columns (11,) of a steady motion with a fixed centre."""
-    disk = table().law.disk
-    w3 = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit * np.sin(beta)
-    return np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0])
 
 
 @cache
@@ -120,7 +117,7 @@ def explicit_euler(v, h, stiffness):
 def full(rate: float, beta: float = FLAT, rms: float = RMS) -> Answer:
     """Return the rms of the force above AUDIBLE [N] by the full model. Raises Failure where it ends."""
     model = Compliant(table=table(), friction=GRIPS, profiles=profiles(rms), rate=rate)
-    y, every = release(model, steady(beta)), max(1, round(rate / FORCES))
+    y, every = release(model, steady(table().law.disk, beta)), max(1, round(rate / FORCES))
     pieces = list(model.run(y, every, SECONDS))
     if pieces[-1].why != GOES:
         raise Failure("the equation for the force has no solution: several contacts at once")
@@ -131,7 +128,7 @@ def filtered(rate: float, beta: float = FLAT, rms: float = RMS) -> Answer:
     """Return the same by the linear filter along the steady motion."""
     disk, knots = table().law.disk, int(SECONDS * rate / EVERY)
     t, one = EVERY / rate * np.arange(knots + 1), np.ones(knots + 1)
-    w2, w3 = steady(beta)[6:8]
+    w2, w3 = steady(table().law.disk, beta)[6:8]
     path = disk.radius * abs(w2 - w3 / np.tan(beta)) * t
     course = Along(t, beta * one, disk.weight * one, one > 0, path, path, np.zeros((knots + 1, 2)))
     try:
@@ -153,7 +150,7 @@ def undamped(loss_factor: float, creeps: bool) -> Answer:
     for rate in (4e5, 8e5):
         scene, law = load_scene("published"), LawTable(law=table(loss_factor).law)
         if not creeps:
-            law.__dict__["spline"] = CubicSpline(law.grid, law.spline(law.grid) * CREEPLESS)
+            without_creep(law)
         model = Compliant(table=law, friction=scene.friction, rate=rate)
         start = [0, np.radians(scene.release.inclination_deg), 0, 0, 0, *scene.release.omega, 0, 0, 0]
         *_, last = model.run(release(model, np.array(start)), 100, 1.5)
@@ -164,7 +161,7 @@ def undamped(loss_factor: float, creeps: bool) -> Answer:
 def flat(beta: float, rate: float = 4e5) -> Answer:
     """Return energy kept over energy at first of a smooth steady motion through a hundredth of a second."""
     model = Compliant(table=table(), friction=GRIPS, rate=rate)
-    y = release(model, steady(beta))
+    y = release(model, steady(table().law.disk, beta))
     first = energy(model, y[None])[0]
     *_, last = model.run(y, 1, 0.01, beta / 2)
     if last.why != GOES:

@@ -13,7 +13,7 @@ from sonify.charts.modes_case import ModesCase, modes_case
 from sonify.charts.page import methods, number
 from sonify.charts.peer_elements import calculix_modes, ngsolve_modes
 from sonify.charts.plain_elements import ELEMENTS, plain_modes, strain_energy_error
-from sonify.charts.records import LEFT_OUT, Answer, Failure, Record, Work, measured
+from sonify.charts.records import LEFT_OUT, Answer, Failure, Record, Work, measured, nearest
 
 PROBLEM = r"""
 A steel disk, held on a patch of its lateral surface ($u = 0$ on an arc of 10 degrees over the full thickness, the clamp
@@ -162,9 +162,8 @@ def conclusion(records: list[Record]) -> list[str]:
     """Return how much faster the default is at equal error, and what is nearest of all, for every case."""
     lines = []
     for case in dict.fromkeys(r.case for r in records):
-        here = [r for r in records if r.case == case and math.isfinite(r.error)]
-        lines += _ratio(case, here)
-        if best := min(here, key=lambda r: r.error, default=None):
+        lines += _ratio(case, [r for r in records if r.case == case and math.isfinite(r.error)])
+        if best := nearest(records, case=case):
             name = f"{best.family}, {best.method}, {best.setting}"
             lines.append(f"{case}: {name} comes nearest, {number(best.error)} in {best.seconds:.2g} s.")
     return lines

@@ -9,7 +9,7 @@ from sonify.charts.moreau import moreau
 from sonify.charts.motion_case import EASY, Case, conservative, published, sticking
 from sonify.charts.naive import naive_sign
 from sonify.charts.page import methods, number
-from sonify.charts.records import REPEATS, Record, Work, ends, measured
+from sonify.charts.records import REPEATS, Record, Work, ends, measured, nearest
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
 
@@ -178,6 +178,5 @@ def tables(records: list[Record]) -> dict[str, list[list]]:
 
 def _nearest(records, cases):
     """Say that the Taylor series comes nearest of all, if it does so in every case."""
-    good = [r for r in records if not r.failure]
-    nearest = {min((r for r in good if r.case == case), key=lambda r: r.error).method for case in cases}
-    return ", and nearer than everything else here" if nearest == {TAYLOR} else ""
+    best = {nearest(records, case=case).method for case in cases}
+    return ", and nearer than everything else here" if best == {TAYLOR} else ""

@@ -2,12 +2,11 @@
 
 import os
 import platform
-import subprocess
 from pathlib import Path
 
-from sonify.charts.records import Record
+from sonify.charts.records import Record, nearest
 from sonify.files import whole
-from sonify.report.write import version_of
+from sonify.report.write import commit, version_of
 
 PACKAGES = ("heyoka", "numba", "numpy", "scikit-fem", "scipy", "mujoco", "drake", "pybullet", "ngsolve")
 LEAST = 1e-15
@@ -51,10 +50,9 @@ def methods(records: list[Record]) -> dict[str, list[list]]:
         tables[f"Methods, {case}"] = [["method", "failed", "least error", "setting", "seconds"]]
         for key in dict.fromkeys((r.family, r.method) for r in here):
             runs = [r for r in here if (r.family, r.method) == key]
-            good = [r for r in runs if not r.failure]
-            best = min(good, key=lambda r: r.error, default=None)
+            best, failed = nearest(runs), sum(bool(r.failure) for r in runs)
             told = [number(best.error), best.setting, _seconds(best)] if best else ["-"] * 3
-            tables[f"Methods, {case}"].append([": ".join(key), f"{len(runs) - len(good)} of {len(runs)}", *told])
+            tables[f"Methods, {case}"].append([": ".join(key), f"{failed} of {len(runs)}", *told])
     return tables
 
 
@@ -63,27 +61,23 @@ def number(error: float) -> str:
     return f"< {LEAST:g}" if error < LEAST else f"{error:.1e}"
 
 
+def milliseconds(record: Record) -> str:
+    """Return the time of a run in two digits."""
+    return f"{1e3 * record.seconds:.2g} ms"
+
+
 def environment() -> list[str]:
     """Return processor and system, versions, and the commit that was run, one a line."""
     packages = ", ".join(f"{package} {version_of(package)}" for package in PACKAGES)
     cores = f"{os.cpu_count()} cores, one process"
     machine = f"{_processor()}, {cores}, {platform.system()}, Python {platform.python_version()}"
-    return [machine, packages, f"commit {_commit()}"]
+    return [machine, packages, f"commit {commit('describe', '--always', '--dirty')}"]
 
 
 def known_environment(path: Path) -> list[str]:
     """Return the environment that an earlier page names: the one in which its records were measured."""
     lines = path.read_text("utf-8").partition(ENVIRONMENT)[2].splitlines()
     return [line.removeprefix("- ") for line in lines if line.startswith("- ")]
-
-
-def _commit():
-    """Return the short name of the commit that is checked out, with a mark where files differ from it."""
-    asked = ["git", "-C", str(Path(__file__).parent), "describe", "--always", "--dirty"]
-    try:
-        return subprocess.run(asked, capture_output=True, text=True, check=True).stdout.strip()
-    except (OSError, subprocess.CalledProcessError):
-        return "unknown: not run from a checkout"
 
 
 def _processor():

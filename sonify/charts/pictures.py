@@ -22,7 +22,7 @@ WIDE, APART = 10.0, 1.15
 """Ratios of parameters: above which a path is drawn in logarithms, below which two labels would overlap."""
 
 
-def draw_map(records: list[Record], title: str, path):
+def draw(records: list[Record], title: str, path):
     """Draw every hazard, two panels in a row."""
     shown = [r for r in records if not r.left_out]
     cases = [case for case in HAZARDS if any(r.case == case for r in shown)]

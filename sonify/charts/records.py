@@ -148,6 +148,13 @@ def measured(
     return [run.record() for run in runs]
 
 
+def nearest(records: list[Record], **about: str) -> Record | None:
+    """Return the run of the least error of those that did not fail and are `about` this, as case="published"; None if
+    there is none."""
+    good = [r for r in records if not r.failure and about.items() <= vars(r).items()]
+    return min(good, key=lambda r: r.error, default=None)
+
+
 def ends(values, quick: bool):
     """Return all values of a path, or if `quick` its ends."""
     return (values[0], values[-1]) if quick and len(values) > 1 else values

@@ -9,8 +9,8 @@ from functools import cache, partial
 import numpy as np
 from numba import njit
 
-from sonify.charts.page import number
-from sonify.charts.records import Answer, Failure, Record, Work, measure, measured
+from sonify.charts.page import milliseconds, number
+from sonify.charts.records import Answer, Failure, Record, Work, measure, measured, nearest
 from sonify.charts.sound_case import RATE, SoundCase, sound_case
 from sonify.charts.steps import STEPS, explicit_euler, matrices
 from sonify.sound.oscillators import OscillatorBank
@@ -127,17 +127,12 @@ def conclusion(records: list[Record]) -> list[str]:
     """Return for every case what to take, and what the nearest of the textbook methods needs, in a sentence each."""
     lines = []
     for case in dict.fromkeys(r.case for r in records):
-        good = [r for r in records if r.case == case and not r.failure]
-        best = min((r for r in good if r.setting.startswith("1 x")), key=lambda r: r.error)
-        lines.append(f"{case}: take {best.method}: at {RATE} Hz its error is {number(best.error)} in {_ms(best)}.")
-        if higher := [r for r in good if r.family == "approximate"]:
-            near = min(higher, key=lambda r: r.error)
+        best = nearest(records, case=case, setting=f"1 x {RATE} Hz")
+        told = f"{number(best.error)} in {milliseconds(best)}"
+        lines.append(f"{case}: take {best.method}: at {RATE} Hz its error is {told}.")
+        if near := nearest(records, case=case, family="approximate"):
             lines.append(
                 f"{case}: of the textbook methods {near.method}, oversampled to {near.setting}, comes nearest: "
-                f"{number(near.error)} in {_ms(near)}, {near.seconds / best.seconds:.0f} times as long."
+                f"{number(near.error)} in {milliseconds(near)}, {near.seconds / best.seconds:.0f} times as long."
             )
     return lines
-
-
-def _ms(record):
-    return f"{1e3 * record.seconds:.2g} ms"

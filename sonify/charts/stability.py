@@ -4,7 +4,7 @@ A run fails that gives up or gives nonsense; it is degraded where it errs more t
 a record is its place on the path.
 """
 
-from sonify.charts import stability_modes, stability_motion, stability_sound
+from sonify.charts import pictures, stability_modes, stability_motion, stability_sound
 from sonify.charts.hazards import DEGRADED, FAILED, FINE, HAZARDS, rows, state
 from sonify.charts.records import WRONG, Record, measured
 
@@ -15,19 +15,14 @@ $\ddot q + 2 d \dot q + \omega^2 q = g$; elastic disks $K u = \omega^2 M u$, sou
 are closed forms, quadruple precision, and converged solutions by another method.
 """
 
+draw = pictures.draw
+
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the map; `quick` keeps both ends of every path."""
     works = [*stability_motion.works(quick), *stability_modes.works(quick)]
     records = stability_sound.records() + measured(works, watch, repeats=1)
     return sorted(records, key=lambda r: list(HAZARDS).index(r.case))
-
-
-def draw(records: list[Record], title: str, path):
-    """Draw the map."""
-    from sonify.charts.pictures import draw_map
-
-    draw_map(records, title, path)
 
 
 def conclusion(records: list[Record]) -> list[str]:

@@ -5,9 +5,10 @@ from importlib import import_module
 from importlib.util import find_spec
 
 from sonify.charts import table_case as case
-from sonify.charts.page import number
+from sonify.charts.page import milliseconds, number
 from sonify.charts.peers import ENGINES
-from sonify.charts.records import LEFT_OUT, Answer, Failure, Record, Work, ends, measured
+from sonify.charts.records import LEFT_OUT, Answer, Failure, Record, Work, ends, measured, nearest
+from sonify.charts.steps import bilinear, semi_implicit_euler
 
 PROBLEM = r"""
 One mode of a table, of order $n$ round the contact, with its sine and its cosine, under a weight $P$ that goes round at
@@ -47,7 +48,7 @@ def works(quick: bool) -> list[Work]:
         runs.append(work(SOUND, "exact hold", f"{rate:g} 1/s", partial(case.exact_hold, rate)))
     for rate in ends((2000, 4000, 8000, 16000), quick):
         runs.append(work(MOTION, "midpoint rule, with the disk", f"{rate:g} 1/s", partial(case.with_the_disk, rate)))
-    for method, step in (("semi-implicit Euler", case.semi_implicit_euler), ("average acceleration", case.newmark)):
+    for method, step in (("semi-implicit Euler", semi_implicit_euler), ("average acceleration", bilinear)):
         for rate in ends((100, 400, 1600, 6400), quick):
             runs.append(work(TEXTBOOK, method, f"{rate:g} 1/s", partial(case.plain, step, rate)))
     for method, (package, function, first, settings) in PEERS.items():
@@ -85,11 +86,7 @@ def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
 
 def conclusion(records: list[Record]) -> list[str]:
     """Return what to take for a table that sounds and one that acts back, and what the others cost and miss."""
-    good = [r for r in records if not r.failure]
-    hold, disk, plain, peer = (
-        min((r for r in good if r.family == family), key=lambda r: r.error, default=None)
-        for family in (SOUND, MOTION, TEXTBOOK, ENGINE)
-    )
+    hold, disk, plain, peer = (nearest(records, family=family) for family in (SOUND, MOTION, TEXTBOOK, ENGINE))
     lines = [
         f"For a table that only sounds take the {told(hold)}: the force between two samples is all that errs.",
         f"For one that acts back take the {told(disk)}: the mode is where the closed form has it.",
@@ -102,4 +99,4 @@ def conclusion(records: list[Record]) -> list[str]:
 
 def told(record: Record) -> str:
     """Return method, error, rate and time of a record in words."""
-    return f"{record.method}, {number(record.error)} at {record.setting} in {1e3 * record.seconds:.2g} ms"
+    return f"{record.method}, {number(record.error)} at {record.setting} in {milliseconds(record)}"

@@ -5,23 +5,24 @@ A = -(P/M)/(w^2 - O^2 + 2 i zeta w O). In the turning frame the weight stays at 
 force is the weight, however heavy the load. An answer is z e^{-i O t}/A at the end: exactly 1.
 """
 
+from functools import cache
 from types import SimpleNamespace
 
 import numpy as np
 from numba import njit
-from scipy.interpolate import CubicSpline
 
 from dynamics.coupled.from_scene import contact_law
 from dynamics.coupled.full import Compliant
 from dynamics.coupled.handover import columns, release
-from dynamics.coupled.table import LENGTH1, LENGTH2, LawTable
+from dynamics.coupled.table import LawTable
 from dynamics.coupled.waves import Q
 from dynamics.disk import Friction
 from dynamics.rates import precession_rate
-from dynamics.steady import steady_precession
 from dynamics.surface import ModesSurface, SurfaceMode
 from modal import surface_modes
+from sonify.charts.contact_case import without_creep
 from sonify.charts.records import Answer, Failure
+from sonify.claims.halt import steady
 from sonify.scene import load_scene
 from sonify.sound.oscillators import OscillatorBank
 
@@ -59,28 +60,22 @@ def exact_hold(rate: float) -> Answer:
 
 
 def plain(step, rate: float) -> Answer:
-    """Steps of the textbooks, compiled, under the same force."""
+    """Steps of the textbooks, compiled, under the same force; `step` as in steps.py."""
     n = round(SPAN * rate)
-    return answer(step(amplitude(), 1j * OMEGA * amplitude(), 1 / rate, n, W, ZETA, OMEGA, LOAD * GRAVITY / MASS), n)
+    force = -LOAD * GRAVITY / MASS * np.exp(1j * OMEGA * np.arange(n + 1) / rate)
+    return answer(_stepped(compiled(step), amplitude(), 1j * OMEGA * amplitude(), force, W, ZETA * W, 1 / rate), n)
 
 
-@njit(cache=True)
-def semi_implicit_euler(z, v, h, n, w, zeta, omega, load):
-    """The velocity from the old place, the place from the new velocity."""
-    for i in range(n):
-        v += h * (-load * np.exp(1j * omega * i * h) - 2 * zeta * w * v - w * w * z)
-        z += h * v
-    return z
+@cache
+def compiled(step):
+    """Return the compiled step."""
+    return njit(step)
 
 
-@njit(cache=True)
-def newmark(z, v, h, n, w, zeta, omega, load):
-    """Newmark's method of average acceleration."""
-    a = -load - 2 * zeta * w * v - w * w * z
-    for i in range(1, n + 1):
-        z, v = z + h * v + h * h / 4 * a, v + h / 2 * a
-        a = (-load * np.exp(1j * omega * i * h) - 2 * zeta * w * v - w * w * z) / (1 + h * zeta * w + h * h / 4 * w * w)
-        z, v = z + h * h / 4 * a, v + h / 2 * a
+@njit
+def _stepped(step, z, v, force, w, d, h):
+    for i in range(len(force) - 1):
+        z, v = step(z, v, force[i], force[i + 1], w, d, h)
     return z
 
 
@@ -88,17 +83,15 @@ def with_the_disk(rate: float, inclination: float = 5e-4, heavier: float = 1e5) 
     """Our steps of a table that acts back: the published disk is the weight, rolls steadily on a mode `heavier` than
     itself, which hardly slows it, and turns at X of its frequency; `rate` is in steps per 0.1 s of the mode."""
     scene = load_scene("published").replace("contact.law=elastic")
-    disk, steady = scene.disk, steady_precession(inclination, scene.disk.aspect, scene.disk.gyration)
-    turning, w3 = steady / scene.disk.time_unit, steady / scene.disk.time_unit * np.sin(inclination)
-    w = turning / X
+    disk, start = scene.disk, steady(scene.disk, inclination)
+    w = start[7] / np.sin(inclination) / X
     mode = SurfaceMode(order=1, frequency=w / (2 * np.pi), damping_ratio=ZETA, modal_mass=heavier * disk.mass)
     table = LawTable(law=contact_law(scene))
-    creepless = np.where(np.isin(np.arange(7), (LENGTH1, LENGTH2)), 1e9, 1.0)
-    table.__dict__["spline"] = CubicSpline(table.grid, table.spline(table.grid) * creepless)
+    without_creep(table)
     known = surface_modes(SimpleNamespace(disk=disk, surface=ModesSurface(modes=(mode,)), numerics=scene.numerics))
     steps = rate * w / W
     model = Compliant(table=table, friction=Friction(mu_static=10.0, mu_dynamic=10.0), modes=known, rate=steps)
-    y = release(model, np.array([0.0, inclination, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0]))
+    y = release(model, start)
     waves, n = model.waves(y), round(SPAN * rate)
     *_, last = model.run(y, n, n / steps, waves=waves)
     found = columns(model, last.state[-1:])

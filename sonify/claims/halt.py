@@ -10,6 +10,7 @@ from dynamics.coupled.full import Compliant
 from dynamics.coupled.handover import inclination, release
 from dynamics.coupled.march import LIES
 from dynamics.coupled.table import LawTable
+from dynamics.disk import Disk
 from dynamics.numerics import inclination_at
 from dynamics.steady import steady_precession
 from dynamics.surface import ModesSurface, SurfaceMode
@@ -28,6 +29,12 @@ class Halt(NamedTuple):
 
     contact_lost: bool
     advanced: float
+
+
+def steady(disk: Disk, beta: float) -> np.ndarray:
+    """Return the columns (11,) of the steady motion with a fixed centre at an inclination [rad]."""
+    w3 = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit * np.sin(beta)
+    return np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0])
 
 
 def halt(
@@ -52,8 +59,7 @@ def halt(
     )
     known = surface_modes(SimpleNamespace(disk=disk, surface=ModesSurface(modes=(mode,)), numerics=scene.numerics), 1e6)
     model = Compliant(table=LawTable(law=contact_law(scene)), friction=scene.friction, modes=known, rate=rate)
-    w3 = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit * np.sin(beta)
-    y = release(model, np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0]))
+    y = release(model, steady(disk, beta))
     rigid = time_left(beta, disk, scene.friction, None) - time_left(LIES, disk, scene.friction, None)
     first, flat = np.inf, 0.0
     for piece in model.run(y, round(rate / 1e4), 2 * rigid):

@@ -86,10 +86,14 @@ def not_from(result: "Result") -> list[str]:
 
 
 PICTURES = {
-    "spectrogram.png": spectrogram,
-    "stems.png": stems,
-    "motion.png": motion,
-    "energy.png": energy,
-    "modes.png": modes,
+    "spectrogram.png": (spectrogram, "The pressure at the listener in two bands; the solved rates drawn over."),
+    "stems.png": (stems, "What can be heard: each cause of sound against the threshold of hearing."),
+    "motion.png": (motion, "Figures 3 to 6 of the paper."),
+    "energy.png": (energy, "Where the energy is and goes while the table acts back."),
+    "modes.png": (
+        modes,
+        "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines; below, "
+        "those of the table, if it has any.",
+    ),
 }
-"""File -> what it shows, a function of the result."""
+"""File -> what it shows, a function of the result, and its caption."""

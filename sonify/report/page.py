@@ -22,14 +22,6 @@ from sonify.report.page_data import compressed, page_data
 if TYPE_CHECKING:
     from sonify.result import Result
 
-PICTURES = {
-    "spectrogram.png": "The pressure at the listener in two bands; the solved rates drawn over.",
-    "stems.png": "What can be heard: each cause of sound against the threshold of hearing.",
-    "motion.png": "Figures 3 to 6 of the paper.",
-    "energy.png": "Where the energy is and goes while the table acts back.",
-    "modes.png": "The modes: the whole body exaggerated, and the axial motion of its upper face with the nodal lines; "
-    "below, those of the table, if it has any.",
-}
 MOST_EMBEDDED = 100_000_000
 """A longer sound [bytes] is not put into a notebook."""
 
@@ -52,8 +44,8 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[
-                (embedded(result.out / name, "image/png"), caption, words.PICTURES[name](result))
-                for name, caption in PICTURES.items()
+                (embedded(result.out / name, "image/png"), caption, shown(result))
+                for name, (shown, caption) in words.PICTURES.items()
                 if (result.out / name).exists()
             ],
             **(numbers or told(result)),

@@ -199,11 +199,10 @@ def version_of(package: str) -> str:
         return "not installed"
 
 
-def commit() -> str:
-    """Return the git commit of the checkout that this file is in, or 'unknown'."""
-    here = Path(__file__).parent
+def commit(*asked: str) -> str:
+    """Return what git tells of the checkout that this file is in, its commit unless `asked` else; or 'unknown'."""
+    command = ["git", "-C", str(Path(__file__).parent), *(asked or ("rev-parse", "HEAD"))]
     try:
-        asked = subprocess.run(["git", "rev-parse", "HEAD"], cwd=here, capture_output=True, text=True, check=False)
+        return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip() or "unknown"
     except OSError:
         return "unknown"
-    return asked.stdout.strip() or "unknown"
