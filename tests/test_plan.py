@@ -21,7 +21,7 @@ from modal import radiation_decay
 from modal.radiation import TOP
 from sonify import SceneError, load_scene
 from sonify.plan.plan import contact_rate, plan_of
-from sonify.plan.predictions import END, audible_error, level_error, measured, predicted_sound, true_error
+from sonify.plan.predictions import END, FREQUENCIES, SOUND, audible_error, level_error, predicted_sound, true_error
 from sonify.plan.solvable import planned
 from sonify.plan.table import with_table
 from sonify.scene import shipped_scenes
@@ -31,6 +31,17 @@ from sonify.sound.render import Renderer
 
 FACTOR = 3
 """Predicted and measured errors agree within this."""
+
+
+def measured(run, reference) -> dict[str, float]:
+    """Return the errors of a run by the names of its predictions; both are results of `sonify.solve`."""
+    found, true = run.modes.frequency, reference.modes.frequency
+    count = min(len(found), len(true))
+    return {
+        END: float(reference.motion.t[-1] - run.motion.t[-1]),
+        FREQUENCIES: float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0,
+        SOUND: audible_error(run.sound.pressure, reference.sound.pressure),
+    }
 
 
 def rendered(scene, accuracy):

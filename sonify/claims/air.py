@@ -168,23 +168,22 @@ def heard_through_film(sound: Sound) -> float:
     return float(max((levels - THRESHOLD_DB[:, None]).max() for levels in seen))
 
 
-def friction_exponent(scene: Scene) -> Finding:
+@finding(
+    "The friction of the scene lets the precession rate grow as measured",
+    "exponent of the precession rate in the time left",
+    "recordings of disks on granite, 2026: 0.31(3)",
+    at_least=MEASURED,
+    at_most=MEASURED,
+    tolerance=SPREAD,
+)
+def friction_exponent(scene: Scene):
     """The exponent of the precession rate in the time left that the friction of the scene gives a steady disk.
 
     Of a power P ~ beta^p it is 1/(2 (1 - p)): 1/3 of contour friction, 1 of the arm k_2. The film is not in it.
     """
     low, high = INCLINATIONS
     slope = log(steady_friction(scene, high) / steady_friction(scene, low)) / log(high / low)
-    return Finding(
-        key="friction_exponent",
-        claim="The friction of the scene lets the precession rate grow as measured",
-        value=1 / (2 * (1 - slope)) if slope < 1 else float("inf"),
-        unit="exponent of the precession rate in the time left",
-        at_least=MEASURED,
-        at_most=MEASURED,
-        tolerance=SPREAD,
-        source="recordings of disks on granite, 2026: 0.31(3)",
-    )
+    return 1 / (2 * (1 - slope)) if slope < 1 else float("inf")
 
 
 def steady_friction(scene: Scene, beta: float) -> float:

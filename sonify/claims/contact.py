@@ -1,6 +1,5 @@
 """ELASTIC CONTACT -> FINDINGS: whether a carrier rises, whether it is the contact's, and whether contact is lost."""
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -54,8 +53,7 @@ LEAST_LOSS = 1e-4
 """Contact that is lost for a smaller part of the time is not broken by vibrations: a slip may do that."""
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
-class Vibration:
+class Vibration(NamedTuple):
     """What the linear contact lets expect along a motion, at even times t (k,) [s].
 
     Inclination [rad], normal force without the vibration [N], speed of the contact [m/s], whether it rolls; the `rms`
@@ -86,18 +84,8 @@ def vibration(scene: Scene, motion: Motion) -> Vibration:
         power = predicted_power(table, scene.roughness, inclination, load, speed)
         half = table.law.semi_axes(inclination, load)[0]
         shift = shift_of_contact(scene.roughness, inclination, half, scene.disk.radius)
-    return Vibration(
-        table=table,
-        t=t,
-        inclination=inclination,
-        load=load,
-        speed=speed,
-        rolls=rolls,
-        rms=rms,
-        power=power,
-        shift=shift,
-        softer=softness(scene, motion, t),
-    )
+    softer = softness(scene, motion, t)
+    return Vibration(table, t, inclination, load, speed, rolls, rms, power, shift, softer)
 
 
 def table_of(scene: Scene, motion: Motion) -> LawTable:

@@ -1,7 +1,5 @@
 """AIR: whether the film under the disk acts, from when on it matters, and how wrong its law is."""
 
-from dataclasses import replace
-
 import numpy as np
 
 from dynamics import Motion
@@ -34,12 +32,8 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
     decision = Decision(subject="film of air under the disk", choice=acts, reason=told.reason)
     own, (filtered, left) = papers_law(scene), on_the_way(scene)
     twice = [TWICE] if told.film and own else []
-    return replace(
-        plan,
-        decisions=(*plan.decisions, decision),
-        modelled=(*plan.modelled, *(MODELLED if told.film else ()), *filtered),
-        left_out=(*plan.left_out, *(LEFT_OUT if told.film else VACUUM), *twice, *own, *left),
-    )
+    modelled, left_out = (MODELLED, LEFT_OUT) if told.film else ((), VACUUM)
+    return plan.also(decision, modelled=[*modelled, *filtered], left_out=[*left_out, *twice, *own, *left])
 
 
 def on_the_way(scene: Scene) -> tuple[list[str], list[str]]:

@@ -22,10 +22,10 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
     """Return the plan with how the contact of the edge is solved, and how far its sound will be from the reference."""
     chosen = choice(scene)
     reason = f"{chosen.reason}; {ERROR}" if chosen.kind == "filter" else chosen.reason
-    bends = [] if chosen.kind == "rigid" else [bending(scene)]
+    elastic, film = chosen.kind != "rigid", film_of(scene).film is not None
+    bends = [bending(scene)] if elastic else []
     takes = roughness_takes(scene) if scene.roughness else 0.0
     counted = scene.contact.body == "elastic" and scene.edge is not None
-    elastic, film = chosen.kind != "rigid", film_of(scene).film is not None
     missing = (
         *LEFT_OUT[chosen.kind],
         *([BESIDES.format(takes)] if chosen.kind == "filter" and takes else []),
@@ -33,22 +33,13 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
         *([BARELY_A_WEDGE] if chosen.kind == "full" and film else []),
         *([ON_THE_CONTACT if film else NO_FILM] if elastic else []),
     )
-    counted_once = [TAKES[scene.roughness.loss]] if chosen.kind != "rigid" and scene.roughness else []
-    return replace(
-        plan,
-        predictions=tuple(rough_sound(p, chosen.kind, film) if p.name == SOUND else p for p in plan.predictions)
-        if scene.roughness
-        else plan.predictions,
-        decisions=(*plan.decisions, Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)),
-        modelled=(
-            *plan.modelled,
-            *MODELLED[chosen.kind],
-            *bends[:counted],
-            *counted_once,
-            *([OVER_A_FILM] if elastic and film else []),
-        ),
-        left_out=(*plan.left_out, *missing),
-    )
+    counted_once = [TAKES[scene.roughness.loss]] if elastic and scene.roughness else []
+    modelled = *MODELLED[chosen.kind], *bends[:counted], *counted_once, *([OVER_A_FILM] if elastic and film else [])
+    if scene.roughness:
+        rough = (rough_sound(p, chosen.kind, film) if p.name == SOUND else p for p in plan.predictions)
+        plan = replace(plan, predictions=tuple(rough))
+    contact = Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)
+    return plan.also(contact, modelled=modelled, left_out=missing)
 
 
 def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:

@@ -1,6 +1,6 @@
 """SCENE -> PLAN: what a run computes and what it leaves out, why, and how wrong that makes it; decided beforehand."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from math import pi
 
@@ -52,6 +52,11 @@ class Plan:
         count = "" if self.sounding is None else f", {len(self.sounding)} modes sound"
         motion = f"motion to {self.final_inclination:.2g} rad at tolerance {self.tolerance:g}"
         return f"Plan({self.accuracy}: {motion}, modes below {self.highest_mode:g} Hz{count})"
+
+    def also(self, *decisions: Decision, modelled: Iterable[str] = (), left_out: Iterable[str] = ()) -> "Plan":
+        """Return the plan with these besides."""
+        modelled, left_out = (*self.modelled, *modelled), (*self.left_out, *left_out)
+        return replace(self, decisions=(*self.decisions, *decisions), modelled=modelled, left_out=left_out)
 
     def error(self, name: str) -> float:
         """Return the predicted error of that name; of the reference 0, since what it lacks is not known from within."""
@@ -128,7 +133,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
         if len(heard) < len(modes.frequency)
         else "none is left out",
     )
-    plan = replace(plan, sounding=tuple(heard.tolist()), decisions=(*plan.decisions, solver, which))
+    plan = replace(plan, sounding=tuple(heard.tolist())).also(solver, which)
     if plan.accuracy == "reference":
         return plan
     further = predicted_frequencies(scene, modes), predicted_sound(scene, modes, loudness)
@@ -138,7 +143,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
 def with_end(plan: Plan, motion: Motion, silence: Sequence[str] = ()) -> Plan:
     """Return the plan with how the motion ended, and why a sound tells nothing."""
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
-    return replace(plan, modelled=(*plan.modelled, ending), left_out=(*plan.left_out, *unsettled(motion), *silence))
+    return plan.also(modelled=[ending], left_out=[*unsettled(motion), *silence])
 
 
 def unsettled(motion: Motion) -> list[str]:

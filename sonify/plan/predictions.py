@@ -1,4 +1,4 @@
-"""PLAN -> ERRORS: how far a run will be from the same one at accuracy "reference", and how far it was."""
+"""PLAN -> ERRORS: how far a run will be from the same one at accuracy "reference", and how far apart sounds are."""
 
 from dataclasses import dataclass
 from math import isfinite, pi
@@ -72,17 +72,6 @@ def true_error(scene: Scene, modes: Modes) -> np.ndarray:
     """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
     level = scene.numerics.level
     return modes.error * (level.patch if scene.support.kind == "patch" else level.free)
-
-
-def measured(run, reference) -> dict[str, float]:
-    """Return the errors of a run by the names of its predictions; both are results of `sonify.solve`."""
-    found, true = run.modes.frequency, reference.modes.frequency
-    count = min(len(found), len(true))
-    return {
-        END: float(reference.motion.t[-1] - run.motion.t[-1]),
-        FREQUENCIES: float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0,
-        SOUND: audible_error(run.sound.pressure, reference.sound.pressure),
-    }
 
 
 def audible_error(sound, reference, weighted: bool = True) -> float:

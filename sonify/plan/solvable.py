@@ -44,7 +44,7 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
         raise SceneError(str(error)) from None
     modes = damped(with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates)
     if scene.support.kind == "contact":
-        plan = replace(plan, decisions=(*plan.decisions, compared(scene, modes, plan.highest_mode)))
+        plan = plan.also(compared(scene, modes, plan.highest_mode))
     return with_contact(with_sounding(plan, scene, modes, *after_a_jump(modes, scene)), scene), modes
 
 

@@ -9,7 +9,7 @@ from dynamics import Motion
 from dynamics.coupled.acting import acting, no_one_contact, unsolved
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan.plan import ENERGY_SHARE, NO_ACTION, ON_A_PLANE, Decision, Plan
-from sonify.plan.predictions import END, SOUND, Prediction
+from sonify.plan.predictions import END, SOUND
 from sonify.scene import Scene, SceneError
 from sonify.sound.table import after_a_newton, contact_place
 
@@ -51,15 +51,13 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     Raises SceneError where the modes cannot be sought.
     """
     if scene.imperfection:
-        heard_so = with_table_heard(plan.predictions, scene)
-        plan = replace(plan, predictions=heard_so, modelled=(*plan.modelled, WAVY), left_out=(*plan.left_out, UNTOLD))
+        plan = with_table_heard(plan, scene).also(modelled=[WAVY], left_out=[UNTOLD])
     if scene.surface.kind == "rigid":
-        return replace(plan, left_out=(*plan.left_out, RIGID)), None
+        return plan.also(left_out=[RIGID]), None
     if scene.surface.kind == "infinite":
         why = f"surface.action = '{scene.surface.action}': a table that acts back must have modes"
         endless = Decision(subject="table", choice=SOUNDS, reason=why)
-        plan = replace(plan, decisions=(*plan.decisions, endless), modelled=(*plan.modelled, ENDLESS))
-        return replace(plan, left_out=(*plan.left_out, *LEFT_OUT, FROM_AFAR)), None
+        return plan.also(endless, modelled=[ENDLESS], left_out=[*LEFT_OUT, FROM_AFAR]), None
     try:
         every = surface_modes(scene, below=plan.highest_mode)
     except UnsolvableError as error:
@@ -67,21 +65,17 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     except ValueError as error:
         raise SceneError(f"surface: {error}".replace("surface: surface", "surface")) from None
     modes = every.select(heard(every, scene))
-    told = (
-        action(scene, modes),
-        Decision(
-            subject="modes of the table",
-            choice=f"{len(modes)} of {len(every)} below {plan.highest_mode:g} Hz; {every.method}, "
-            f"{every.unknowns} unknowns",
-            reason=f"the others are more than {scene.numerics.level.range_db:g} dB(A) below the loudest at the "
-            f"listener, and hold less than {ENERGY_SHARE:.0%} of the energy",
-        ),
+    acts = action(scene, modes)
+    which = Decision(
+        subject="modes of the table",
+        choice=f"{len(modes)} of {len(every)} below {plan.highest_mode:g} Hz; {every.method}, "
+        f"{every.unknowns} unknowns",
+        reason=f"the others are more than {scene.numerics.level.range_db:g} dB(A) below the loudest at the "
+        f"listener, and hold less than {ENERGY_SHARE:.0%} of the energy",
     )
-    plan = replace(plan, predictions=with_table_heard(plan.predictions, scene))
-    plan = replace(plan, decisions=(*plan.decisions, *told), modelled=(*plan.modelled, *MODELLED[scene.surface.kind]))
-    left_out = (*LEFT_OUT[told[0].choice != SOUNDS :], UNTOLD)
-    plan = plan if told[0].choice == SOUNDS else moving(plan, scene)
-    return replace(plan, left_out=(*plan.left_out, *left_out, *bending(every, scene))), modes
+    plan = with_table_heard(plan, scene).also(acts, which, modelled=MODELLED[scene.surface.kind])
+    plan = plan if acts.choice == SOUNDS else moving(plan, scene)
+    return plan.also(left_out=[*LEFT_OUT[acts.choice != SOUNDS :], UNTOLD, *bending(every, scene)]), modes
 
 
 def moving(plan: Plan, scene: Scene) -> Plan:
@@ -97,14 +91,15 @@ def moving(plan: Plan, scene: Scene) -> Plan:
     )
 
 
-def with_table_heard(predictions, scene: Scene) -> tuple[Prediction, ...]:
-    """Return the predictions that hold beside a table: not its samples, nor the end of a motion that waves shake.
+def with_table_heard(plan: Plan, scene: Scene) -> Plan:
+    """Return the plan with the predictions that hold beside a table: not its samples, nor the end of a motion that
+    waves shake.
 
     Of a rough contact the sound is that contact's.
     """
     unknown = set() if scene.roughness else {SOUND}
     unknown |= {END} if acts_back(scene) or scene.imperfection else set()
-    return tuple(p for p in predictions if p.name not in unknown)
+    return replace(plan, predictions=tuple(p for p in plan.predictions if p.name not in unknown))
 
 
 def action(scene: Scene, modes: SurfaceModes) -> Decision:

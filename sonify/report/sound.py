@@ -51,7 +51,8 @@ def draw_spectrogram(
             bottom.set(xlim=span, xlabel="time at the listener [s]")
             log_frequency(bottom, (LOWEST_MODE / 1e3, high.frequency[-1] / 1e3))
             ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
-            _mode_lines(bottom, frequencies, span, 1e3, "modes of the disk, solved")
+            modes = np.unique(np.round(frequencies)) / 1e3
+            bottom.hlines(modes, *span, color="w", lw=0.8, ls=":", alpha=0.7, label="modes of the disk, solved")
             if len(table):
                 _table_lines((top, bottom), table, span)
             if carrier is not None:
@@ -135,10 +136,6 @@ def _rate_lines(axes, time, rates, unit):
 
 def _legend(axes):
     axes.legend(loc="upper left", fontsize=8, facecolor="0.2", labelcolor="w")
-
-
-def _mode_lines(axes, frequencies, span, unit, label):
-    axes.hlines(np.unique(np.round(frequencies)) / unit, *span, color="w", lw=0.8, ls=":", alpha=0.7, label=label)
 
 
 def _table_lines(panels, table, span):
