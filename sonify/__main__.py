@@ -47,19 +47,22 @@ class OneLine(click.Group):
             _stop(f"{where}: {error.strerror}", 1 if error.errno in FULL else 2)
 
 
-class Output(click.Path):
-    """A file or folder that has a name: the empty one is neither that nor the default."""
+class Given(click.ParamType):
+    """A text that says something: an empty one, as of a variable that is not set, is not taken for the default."""
+
+    def __init__(self, name):
+        self.name = name
 
     def convert(self, value, parameter, context):
-        """Return the name. Raises InputError where there is none."""
+        """Return the text. Raises InputError where there is none."""
         from sonify.scene_errors import InputError
 
         if not value:
-            raise InputError("--out = '': must name a place for the files; without --out they go to the default")
-        return super().convert(value, parameter, context)
+            raise InputError(f"{parameter.opts[0]} = '': must not be empty")
+        return value
 
 
-OUT = Output()
+PATH, TEXT = Given("path"), Given("text")
 
 
 def _stop(message, status):
@@ -74,8 +77,8 @@ def main():
 
 
 @main.command()
-@click.argument("scene", default="published")
-@click.option("--out", type=OUT, help="Folder for the files; default outputs/<scene name>.")
+@click.argument("scene", default="published", type=TEXT)
+@click.option("--out", type=PATH, help="Folder for the files; default outputs/<scene name>.")
 @click.option("--accuracy", type=click.Choice(ACCURACIES), help="Instead of the scene's.")
 @click.option(
     "--set", "assignments", multiple=True, metavar="KEY=VALUE", help="Replace a value, as friction.mu_static=0.3."
@@ -104,9 +107,9 @@ def run(scene, out, accuracy, assignments, animation):
 
 
 @main.command()
-@click.argument("recording", type=click.Path())
-@click.option("--out", type=OUT, help="Folder for picture and numbers; default outputs/listen/<name of the file>.")
-@click.option("--scene", help="Whose resonances the carriers are matched to: a name or a file.")
+@click.argument("recording", type=PATH)
+@click.option("--out", type=PATH, help="Folder for picture and numbers; default outputs/listen/<name of the file>.")
+@click.option("--scene", type=TEXT, help="Whose resonances the carriers are matched to: a name or a file.")
 def listen(recording, out, scene):
     """Seek the rising tone, its end and exponent, and the carriers in RECORDING, a sound file of your own."""
     from sonify.report.recording import tell
@@ -116,9 +119,11 @@ def listen(recording, out, scene):
 
 
 @main.command()
-@click.argument("recordings", nargs=-1, required=True, type=click.Path())
-@click.option("--scene", default="toy", show_default=True, help="Whose radius, thickness and air: a name or a file.")
-@click.option("--out", type=OUT, help="Folder for the files; default outputs/fit/<name of the first file>.")
+@click.argument("recordings", nargs=-1, required=True, type=PATH)
+@click.option(
+    "--scene", type=TEXT, default="toy", show_default=True, help="Whose radius, thickness and air: a name or a file."
+)
+@click.option("--out", type=PATH, help="Folder for the files; default outputs/fit/<name of the first file>.")
 @click.option("--like", type=click.Choice(["fu-berlin"]), help="Also the exponents of a published chain.")
 def fit(recordings, scene, out, like):
     """Find what slowed the disk in RECORDINGS: sound files, exports of phyphox, or folders of takes."""
@@ -153,7 +158,7 @@ def scenes(keys, schema):
 @main.command()
 @click.argument("name", type=click.Choice([*(c.replace("_", "-") for c in CHARTS), "all"]), default="all")
 @click.option("--quick", is_flag=True, help="Fewer settings of every method, in under two minutes.")
-@click.option("--out", type=OUT, default="outputs/charts", show_default=True, help="Folder for the files.")
+@click.option("--out", type=PATH, default="outputs/charts", show_default=True, help="Folder for the files.")
 @click.option("--redraw", is_flag=True, help="Measure nothing: make pictures and pages from the tables in the folder.")
 def chart(name, quick, out, redraw):
     """Measure speed against accuracy, and where methods fail; write a table, a picture and a page."""
@@ -169,9 +174,9 @@ def chart(name, quick, out, redraw):
 
 @main.command()
 @click.argument("what", type=click.Choice(["modes"]))
-@click.argument("scene", default="published")
+@click.argument("scene", default="published", type=TEXT)
 @click.option("--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="Kind of file.")
-@click.option("--out", type=OUT, help="The file; default <scene name> with the suffix of its kind.")
+@click.option("--out", type=PATH, help="The file; default <scene name> with the suffix of its kind.")
 def export(what, scene, form, out):
     """Write the modes of SCENE for Faust, for modal analysis (universal file, extra `uff`) or for ParaView."""
     from sonify.export import export_modes
@@ -180,7 +185,7 @@ def export(what, scene, form, out):
 
 
 @main.command()
-@click.argument("folder", default="outputs", type=click.Path())
+@click.argument("folder", default="outputs", type=PATH)
 @click.option("--port", default=8000, show_default=True, help="Port; 0 is any that is free.")
 @click.option(
     "--host", default="127.0.0.1", show_default=True, help="Address to listen on; by default this machine alone."
@@ -193,10 +198,12 @@ def serve(folder, port, host):
 
 
 @main.command()
-@click.argument("sweep")
-@click.option("--scheduler", metavar="ADDRESS", help="Of Dask, as tcp://10.0.0.1:8786, or local (extra `cluster`).")
+@click.argument("sweep", type=TEXT)
+@click.option(
+    "--scheduler", type=TEXT, metavar="ADDRESS", help="Of Dask, as tcp://10.0.0.1:8786, or local (extra `cluster`)."
+)
 @click.option("--processes", type=click.IntRange(1), help="Processes of this machine; default: its cores.")
-@click.option("--out", type=OUT, help="Folder for the table; default outputs/sweeps/<name>.")
+@click.option("--out", type=PATH, help="Folder for the table; default outputs/sweeps/<name>.")
 @click.option("--plan", "planned", is_flag=True, help="Only tell how many runs there are and how long they would take.")
 @click.option("--yes", is_flag=True, help="Begin even more than a million runs.")
 @click.option("--retry", is_flag=True, help="Solve runs with an error again.")
@@ -221,11 +228,11 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
 
 
 @main.command("map")
-@click.argument("table", type=click.Path())
-@click.option("--x", help="Column; default: the first axis.")
-@click.option("--y", help="Column; default: the second axis, if --x is not given.")
-@click.option("--of", required=True, help="Column of which a picture is drawn, as t_end or outcome.")
-@click.option("--out", type=OUT, help="The picture; default <of>.png beside the table.")
+@click.argument("table", type=PATH)
+@click.option("--x", type=TEXT, help="Column; default: the first axis.")
+@click.option("--y", type=TEXT, help="Column; default: the second axis, if --x is not given.")
+@click.option("--of", type=TEXT, required=True, help="Column of which a picture is drawn, as t_end or outcome.")
+@click.option("--out", type=PATH, help="The picture; default <of>.png beside the table.")
 def draw(table, x, y, of, out):
     """Draw a column of TABLE, the runs.parquet of a sweep, over one or two of its axes."""
     from sonify.sweeps.maps import make_map

@@ -6,6 +6,7 @@ Source: the README's table of commands. Oracle: the files that exist afterwards,
 import errno
 import json
 import pkgutil
+import re
 import subprocess
 import sys
 import tomllib
@@ -173,12 +174,15 @@ def test_a_full_disk_ends_with_1_and_one_line(tmp_path, monkeypatch):
     assert result.stderr.splitlines()[-1] == "sonify: sound.wav: No space left on device"
 
 
-@pytest.mark.parametrize("command", ["run", "listen x.wav", "chart motion", "export modes --as vtu", "map x --of y"])
-def test_an_empty_name_for_the_files_is_refused_in_one_line(command):
-    result = ask(*command.split(), "--out", "")
+EMPTY = ["run --out", "listen x.wav --out", "export modes --as vtu --out", "map x --of y --out", "chart motion --out"]
+EMPTY += ["listen x.wav --scene", "sweep friction --scheduler", "map x --of y --x", "run", "serve"]
+
+
+@pytest.mark.parametrize("command", EMPTY)
+def test_an_empty_text_is_refused_in_one_line_and_not_taken_for_the_default(command):
+    result = ask(*command.split(), "")
     assert (result.exit_code, result.stdout) == (2, "")
-    assert result.stderr.startswith("sonify: --out = '': must name")
-    assert result.stderr.count("\n") == 1
+    assert re.fullmatch(r"sonify: (--\w+|scene|folder) = '': must not be empty\n", result.stderr)
 
 
 @pytest.mark.parametrize("fault", [KeyboardInterrupt(), OSError(errno.ENOSPC, "full")])

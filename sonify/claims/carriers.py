@@ -4,10 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.coupled.choice import steady_rate
 from dynamics.coupled.from_scene import law_table
-from dynamics.disk import Friction
-from dynamics.equations import law_of
-from dynamics.steady import steady_precession
 from modal import eigenmodes
 from modal.surface import surface_modes
 from sonify.hearing.carriers import Carrier
@@ -45,7 +43,7 @@ def matched(carrier: Carrier, known: list[tuple[str, float]]) -> Match | None:
 
 
 def _contact(scene):
-    disk, law = scene.disk, law_of(scene.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
+    disk = scene.disk
     beta = np.geomspace(FLATTEST, max(np.radians(scene.release.inclination_deg), 2 * FLATTEST), PLACES)
-    speed = np.array([steady_precession(b, law.h, law.K) for b in beta]) * disk.radius / disk.time_unit
+    speed = np.array([steady_rate(disk, b) for b in beta]) * disk.radius
     return law_table(scene).carrier(beta, np.full(PLACES, disk.weight), speed).frequency

@@ -118,8 +118,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
     loudest, or holds ENERGY_SHARE of the energy.
     """
     level = LEVELS[plan.accuracy]
-    loud = loudness >= 10 ** (-level.range_db / 10) * loudness.max(initial=0.0)
-    heard = np.flatnonzero((loud | (energy >= ENERGY_SHARE * energy.sum())) & (energy > 0))
+    heard = counted(loudness, energy, level.range_db)
     solver = Decision(
         subject="solver of the modes",
         choice=f"{modes.method}, {modes.unknowns} unknowns for accuracy '{plan.accuracy}'",
@@ -138,6 +137,12 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
         return plan
     further = predicted_frequencies(scene, modes), predicted_sound(scene, modes, loudness)
     return replace(plan, predictions=plan.predictions + further)
+
+
+def counted(loudness, energy, range_db: float) -> np.ndarray:
+    """Return which modes (k,) count: within the range of the loudest, or with ENERGY_SHARE of the energy of all."""
+    loud = loudness >= 10 ** (-range_db / 10) * loudness.max(initial=0.0)
+    return np.flatnonzero((loud | (energy >= ENERGY_SHARE * energy.sum())) & (energy > 0))
 
 
 def with_end(plan: Plan, motion: Motion, silence: Sequence[str] = ()) -> Plan:

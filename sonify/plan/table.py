@@ -8,7 +8,7 @@ import numpy as np
 from dynamics import Motion
 from dynamics.coupled.acting import acting, no_one_contact, unsolved
 from modal import SurfaceModes, UnsolvableError, surface_modes
-from sonify.plan.plan import ENERGY_SHARE, NO_ACTION, ON_A_PLANE, Decision, Plan
+from sonify.plan.plan import ENERGY_SHARE, NO_ACTION, ON_A_PLANE, Decision, Plan, counted
 from sonify.plan.predictions import END, SOUND
 from sonify.scene import Scene, SceneError
 from sonify.sound.table import after_a_newton, contact_place
@@ -119,11 +119,8 @@ def action(scene: Scene, modes: SurfaceModes) -> Decision:
 
 
 def heard(modes: SurfaceModes, scene: Scene) -> np.ndarray:
-    """Return which modes (k,) count: within the range of the accuracy of the loudest, or with ENERGY_SHARE of the
-    energy that a jump of the force leaves."""
-    loudness, energy = after_a_newton(modes, scene)
-    loud = loudness >= 10 ** (-scene.numerics.level.range_db / 10) * loudness.max(initial=0.0)
-    return np.flatnonzero(loud | (energy >= ENERGY_SHARE * energy.sum()))
+    """Return which modes (k,) count after a jump of the force, at the accuracy of the scene."""
+    return counted(*after_a_newton(modes, scene), scene.numerics.level.range_db)
 
 
 def bending(modes: SurfaceModes, scene: Scene) -> list[str]:
