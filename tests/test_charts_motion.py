@@ -175,7 +175,11 @@ def test_families_are_told_apart_in_a_grey_print():
     assert np.diff(lightness).min() > 0.05
 
 
-def test_without_records_there_is_nothing_to_draw_again(tmp_path):
+@pytest.mark.parametrize("held", [None, "", "a,b\n1,2\n", "family,method\nx\n"])
+def test_without_records_there_is_nothing_to_draw_again(tmp_path, held):
+    if held is not None:
+        (tmp_path / "sound.csv").write_text(held)
+        (tmp_path / "sound.md").write_text("")
     asked = CliRunner().invoke(main, ["chart", "sound", "--redraw", "--out", str(tmp_path)])
     assert asked.exit_code == 2
     assert "sound.csv" in asked.stderr

@@ -14,6 +14,7 @@ from time import process_time
 from typing import Any, NamedTuple
 
 from sonify.files import whole
+from sonify.scene_errors import InputError
 
 REPEATS = 5
 """How often a run is timed, as long as that takes less than PATIENCE."""
@@ -174,7 +175,12 @@ def write_csv(records: list[Record], path: Path):
 
 
 def read_csv(path: Path) -> list[Record]:
-    """Return the records of a file of `write_csv`."""
-    with path.open(newline="", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    return [Record(**{f.name: f.type(row[f.name]) for f in fields(Record)}) for row in rows]
+    """Return the records of a file of `write_csv`. Raises InputError where it is none, or holds none."""
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            records = [Record(**{f.name: f.type(row[f.name]) for f in fields(Record)}) for row in csv.DictReader(file)]
+    except (KeyError, TypeError, ValueError):
+        records = []
+    if not records:
+        raise InputError(f"{path}: not the records of a chart")
+    return records
