@@ -97,15 +97,13 @@ def quadrilaterals(triangles: MeshTri) -> np.ndarray:
 
 def matrices(basis, case: ModesCase):
     """Return stiffness and mass of a basis."""
-    material = case.plate.material
+    stiffness = linear_elasticity(*lame_parameters(case.plate.material.young, case.plate.material.poisson))
 
     @BilinearForm
     def inertia(u, v, w):
         return case.plate.density * helpers.dot(u, v)
 
-    return linear_elasticity(*lame_parameters(material.young, material.poisson)).assemble(basis), inertia.assemble(
-        basis
-    )
+    return stiffness.assemble(basis), inertia.assemble(basis)
 
 
 def patch_unknowns(basis, case: ModesCase, segments: int):

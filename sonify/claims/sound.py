@@ -197,10 +197,9 @@ def carriers_are_steady(heard: Heard):
 @finding("The strongest steady tone is a mode of the disk", "cents to the nearest mode", "section 8", at_most=5.0)
 def carriers_are_modes(heard: Heard, modes: Modes):
     """The distance of the strongest carrier from the nearest mode [cents]."""
-    strongest = heard.carriers[0].frequency
-    return np.abs(1200 * np.log2(strongest / modes.frequency)).min(), 2 * 1200 / np.log(2) * heard.carriers[
-        0
-    ].error / strongest
+    strongest = heard.carriers[0]
+    away = np.abs(1200 * np.log2(strongest.frequency / modes.frequency)).min()
+    return away, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency
 
 
 def _ratio(tone, here, motion, sound, solved):

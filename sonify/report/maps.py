@@ -116,25 +116,20 @@ def _levels(values):
 def _categories(panel, places, words):
     names = sorted(set(words))
     for name, mark, colour in zip(names, cycle(MARKS), cycle(COLOURS), strict=False):
-        here = places[np.array(words) == name]
-        flat = np.full(len(here), names.index(name))
-        panel.plot(
-            here[:, 0],
-            here[:, 1] if here.shape[1] == 2 else flat,
-            mark,
-            color=colour,
-            ls="",
-            label=fill(name.replace("_", " "), WORDS),
-        )
+        here, label = places[np.array(words) == name], fill(name.replace("_", " "), WORDS)
+        panel.plot(here[:, 0], _heights(here, names.index(name)), mark, color=colour, ls="", label=label)
     _legend(panel)
 
 
 def _failed(panel, places):
     if len(places):
-        at = panel.get_ylim()[0]
-        y = places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
-        panel.plot(places[:, 0], y, "rx", ms=7, label="no value", clip_on=False)
+        panel.plot(places[:, 0], _heights(places, panel.get_ylim()[0]), "rx", ms=7, label="no value", clip_on=False)
         _legend(panel)
+
+
+def _heights(places, at):
+    """The second coordinates of places; over one axis all are `at` one height."""
+    return places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
 
 
 def _legend(panel):

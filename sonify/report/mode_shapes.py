@@ -44,14 +44,8 @@ def draw_modes(
     for i in range(len(modes)):
         row, column = divmod(i, COLUMNS)
         x, y = ACROSS * (column + 0.5), -high * row
-        axis.text(
-            x,
-            y - 0.05,
-            caption(modes, i, bool(support) and support.kind != "free"),
-            fontsize=10,
-            ha="center",
-            va="top",
-        )
+        told = caption(modes, i, bool(support) and support.kind != "free")
+        axis.text(x, y - 0.05, told, fontsize=10, ha="center", va="top")
         if slanted:
             draw_solid(axis, modes, polygons, i, (x, y - HEAD - tall / 2))
         draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2), support)

@@ -59,11 +59,8 @@ def halt_table(table: pa.Table) -> list[str]:
     """What ends a disk that runs into the waves of a table of one mode, by its mass and by the pressure of the air."""
     mass, pressure, kept, end = columns(table, "surface.modes.0.modal_mass", "air.pressure", "contact_kept", "t_end")
     (back,), air = columns(table, "dissipation_never_falls"), is_in(table, "ended_by", "the film of air")
-    solved, waves, failed = (
-        ~np.isnan(kept),
-        is_in(table, "ended_by", "the table"),
-        table["passed"].to_pylist().count(False),
-    )
+    solved, waves = ~np.isnan(kept), is_in(table, "ended_by", "the table")
+    failed = table["passed"].to_pylist().count(False)
     light, heavy = (np.nanmedian(end[mass == m]) for m in (mass.min(), mass.max()))
     over_air = max(np.ptp(end[solved & (mass == m)]) for m in np.unique(mass[solved]))
     gives = f"; in {failed} the film gives back up to {np.nanmax(back):.1g} of the energy, which a self-check refuses"
