@@ -254,6 +254,8 @@ def bad_takes(folder, decline):
     t, random = np.arange(6 * RATE) / RATE, np.random.default_rng(0)
     (folder / "text.wav").write_text("This is not a sound.")
     (folder / "rows.csv").write_text("a,b\n1,2\n")
+    (folder / "back.csv").write_text("Time (s),Recording (a.u.)\n" + "".join(f"{-i},1\n" for i in range(200)))
+    soundfile.write(folder / "slow.wav", 0.5 * falling(t), RATE, subtype="PCM_16")
     good = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
     return {
         "not a sound file": folder / "text.wav",
@@ -263,6 +265,8 @@ def bad_takes(folder, decline):
         "clipped": write(folder / "clipped.wav", np.clip(8 * good, -1, 1)),
         "second disk": write(folder / "two.wav", np.concatenate([good, good])),
         "Time \\(s\\)": folder / "rows.csv",
+        "does not rise": folder / "back.csv",
+        "towards an end": folder / "slow.wav",
         "No such file": folder / "nowhere.wav",
     }
 

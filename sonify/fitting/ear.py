@@ -44,8 +44,9 @@ STARTS = (1e-4, 1.0, 1.0)
 """Shares of the LAWS with which the search begins."""
 RIDGE_ERROR = 0.03
 """Relative error of the ridge of a spectrogram, from which the search begins."""
-CLIPPED, RUN = 1e-3, 3
-"""A sound is clipped if this share of it, in runs of so many samples, is at its greatest value."""
+CLIPPED, RUN, NEAR_TOP = 1e-3, 3, 0.98
+"""A sound is clipped if this share of it, in runs of so many samples, is at its greatest value, and less above this
+share of that: the round top of a slow tone is not."""
 ABSENT, PRESENT = 0.1, 0.02
 """A law is absent if, at the upper end of its interval, it takes less than this share of the power that was lost; and
 present if it takes at least that at the lower end."""
@@ -136,11 +137,12 @@ def _tones(samples, rate, wanted):
 
 
 def _refuse_clipped(samples, name):
-    top = np.abs(samples) > np.abs(samples).max() * (1 - 1e-6)
+    share = np.abs(samples) / np.abs(samples).max()
+    top, below = share > 1 - 1e-6, (share > NEAR_TOP) & (share <= 1 - 1e-6)
     runs = top.copy()
     for i in range(1, RUN):
         runs[:-i] &= top[i:]
-    if runs.sum() > max(CLIPPED * len(samples), RUN):
+    if runs.sum() > max(CLIPPED * len(samples), RUN) and top.sum() > below.sum():
         raise RecordingError(
             f"{name}: clipped: {top.mean():.1%} of its samples are at full scale; record it more quietly"
         )

@@ -85,8 +85,10 @@ def _recording(text, path):
         t, x = np.array([[float(c.replace(",", ".") if comma else c) for c in pair] for pair in cells]).T
     except ValueError:
         raise RecordingError(f"{path}: a row of its table is not two numbers") from None
-    if len(t) < LEAST_ROWS or not (np.diff(t) > 0).all():
-        raise RecordingError(f"{path}: {len(t)} rows of rising time: at least {LEAST_ROWS} are needed")
+    if not np.isfinite([t, x]).all() or not (np.diff(t) > 0).all():
+        raise RecordingError(f"{path}: its time does not rise from row to row, or a cell is not finite")
+    if len(t) < LEAST_ROWS:
+        raise RecordingError(f"{path}: {len(t)} rows: at least {LEAST_ROWS} are needed")
     even = np.linspace(t[0], t[-1], len(t))
     second = 1e3 if unit[1].lower() == "ms" else 1.0
     return Recording(samples=np.interp(even, t, x), sample_rate=round((len(t) - 1) / (t[-1] - t[0]) * second))
