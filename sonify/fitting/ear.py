@@ -131,9 +131,9 @@ def _tones(samples, rate, wanted):
     found = {kind: clearest_tone(*signals[kind]) for kind in wanted if kind in signals}
     tones = {kind: tone for kind, tone in found.items() if tone is not None and tone.stands_out(NEARLY)}
     signals["tone"] = resample_poly(samples, 1, down), rate / down
-    if not any(follows(*signals[kind], tone) > FOLLOWED for kind, tone in tones.items()):
-        return {}
-    return {kind: tone for kind, tone in tones.items() if tone.stands_out()} or tones
+    sure = {kind: tone for kind, tone in tones.items() if follows(*signals[kind], tone) > FOLLOWED}
+    clear = {kind: tone for kind, tone in tones.items() if tone.stands_out()}
+    return clear if clear.keys() & sure.keys() else sure
 
 
 def _refuse_clipped(samples, name):
