@@ -1,10 +1,9 @@
 """Claim: the program's own sound of a scene gives back what slowed its disk, within the interval.
 
 Source: the sound is made by force, modes and film along a motion of many regimes; the ear knows the steady decline, and
-motions that it solves itself with the shares it has found. Oracle: the numbers of the scene. Slips come at other times
-in every motion, and two of these scenes start with many: their intervals are wide. Those of the coin are, too: it hops,
-and begins far from steady motion. The ear knows no table that acts back, and lays to friction what it takes: here
-tables only sound.
+motions that it solves itself with the shares it has found. Oracle: the numbers of the scene. Those of the coin come in
+wide intervals: it hops, and begins far from steady motion. The ear knows no table that acts back, and lays to friction
+what it takes: here tables only sound.
 """
 
 import numpy as np
@@ -21,6 +20,8 @@ pytestmark = pytest.mark.slow
 CONTOUR = ("thorne", "toy", "contour", "granite", "polished", "glass")
 STEADY = ("thorne", "toy", "contour", "glass", "power", "hoop", "viscous")
 """Those that hardly slip, contact or table aside: which motion explains the others hangs on when they slip."""
+KNOWN = ("thorne", "granite", "polished", "glass")
+"""Those whose contact friction takes most of the power along a motion that can be told: within 5 %."""
 OTHER = ("published", "power", "glass-plate", "hoop", "boundary_layer", "viscous")
 
 
@@ -47,6 +48,7 @@ def test_contour_friction_and_film_are_given_back(name, tmp_path):
     values = fits.values()
     assert held(values["rolling"], rolling)
     assert tells(fits, values["rolling"], rolling) or name not in STEADY
+    assert values["rolling"].high - values["rolling"].low < 0.1 * rolling or name not in KNOWN
     assert held(values["air"], 1.0) if has_film(scene) else "air" not in values
     assert fits.verdict in {"rolling", "both"}
 

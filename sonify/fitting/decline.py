@@ -12,6 +12,7 @@ from math import atan
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from scipy.interpolate import CubicHermiteSpline, CubicSpline
+from scipy.ndimage import convolve1d
 
 from dynamics import simulate
 from dynamics.disk import Friction, Release
@@ -27,13 +28,14 @@ from sonify.scene import Scene
 
 LAWS = ("rolling", "air", "law")
 """What slows a disk: contour friction, the film, and whatever else its scene names."""
-LEAST_LEFT, SOLVED, PLACES, FAR = 2e-3, 4000, 8, 0.5
-"""The correction is known to so little time left [s], from a table of so many times, in so many places a turn; a rate
-that is so far from that of a steady motion, over that, is none."""
+LEAST_LEFT, SOLVED, PLACES = 2e-3, 4000, 8
+"""A solved motion is told to so little time left [s], from a table of so many times, in so many places a turn."""
 TOLERANCE = 1e-12
 """Relative tolerance of a motion that is averaged so: 1e-2 of a turn in a thousand."""
 BLOCK = 16
 """Turns over which a solved motion is averaged, as a sound is."""
+SMOOTH = np.hanning(2 * PLACES + 1)[1:-1] / PLACES
+"""Means over a turn or two: what a nutation adds to the turns in between is no change of their rate."""
 SUM = "their sum"
 """The line that is heard as often as disk and contact turn and nutate together."""
 NUTATING = (0.005, 0.02, 0.08, 0.3)
@@ -77,8 +79,13 @@ def has_film(scene: Scene) -> bool:
 class Decline:
     """The steady decline of the disk of a scene. Shown by tests/test_fit.py."""
 
-    correction = np.zeros((2, 1))
-    """log(time left) (c,) and log(precession solved / steady) (c,) there."""
+    ahead = np.zeros((2, 1))
+    """Times left (k,) [s], rising, and how many turns more than in steady motion were made up to then (k,)."""
+    own: np.ndarray | None = None
+    """The shares (3,) with which that motion was solved."""
+
+    faster = 0.0
+    """log(rate solved / steady) (b,) at every inclination that a steady motion has so long before the end."""
 
     def __init__(self, scene: Scene):
         self.scene, self.disk = scene, scene.disk
@@ -185,22 +192,30 @@ class Decline:
 
     def course(self, shares) -> np.ndarray:
         """Return times left [s], the periods still to come up to the flattest inclination, and how many there are a
-        second [Hz], (3, b)."""
-        time = self.left(shares)
-        rate = self.rate * np.exp(np.interp(np.log(time), *self.correction))
-        return np.array([time, self._integral(rate * self._passing(shares)), rate])
+        second [Hz], (3, b): of a solved motion, where this is a line of one, with its own shares."""
+        shares = shares if self.own is None else self.own
+        time, turned = self.left(shares), self._integral(self.rate * self._passing(shares))
+        return self._overtaken(time, turned) if self.ahead.any() else np.array([time, turned, self.rate])
+
+    def _overtaken(self, time, turned):
+        """The course of a steady motion, and what a solved one is ahead of it."""
+        left = self.ahead[0]
+        left = np.concatenate([time[time < left[0]], left, time[time > left[-1]]])
+        turned = _spline(time, turned, self.rate)(np.log(left)) - np.interp(left, *self.ahead)
+        rate = np.gradient(turned, left)
+        if rate.min() <= 0:
+            raise ValueError("the solved motion is far from every steady one")
+        return np.array([left, turned, rate])
 
     def turns(self, left, shares) -> tuple[np.ndarray, np.ndarray]:
         """Return the same periods, and how many there are a second [Hz], at times left (k,) [s] > 0."""
         time, turned, rate = self.course(shares)
-        spline, within = CubicHermiteSpline(np.log(time), turned, rate * time), np.log(np.clip(left, time[0], time[-1]))
+        spline, within = _spline(time, turned, rate), np.log(np.clip(left, time[0], time[-1]))
         return spline(within), spline.derivative()(within) / np.exp(within)
 
     def frequency(self, left, shares) -> np.ndarray:
-        """Return periods a second [Hz] at times left (k,) [s] > 0."""
-        time = np.log(self.left(shares))
-        rate = np.log(self.rate) + np.interp(time, *self.correction)
-        return np.exp(np.interp(np.log(left), time, rate))
+        """Return periods a second [Hz] at times left (k,) [s] > 0, smoothed over slips."""
+        return np.exp(np.interp(np.log(left), np.log(self.left(shares)), np.log(self.rate) + self.faster))
 
     def inclination(self, left, shares) -> np.ndarray:
         """Return the inclination [rad] at times left (k,) [s]."""
@@ -234,12 +249,10 @@ class Decline:
             "nutation": nutated,
             SUM: lambda t: turned(t) + nutated(t),
         }
-        found = {name: self.lines[name]._corrected(count, motion.t[-1], end, shares) for name, count in counts.items()}
-        if found["precession"] is None:
-            raise ValueError("the solved motion is far from every steady one")
+        found = {name: self.lines[name]._along(count, motion.t[-1], end, shares) for name, count in counts.items()}
         return {name: line for name, line in found.items() if line is not None}
 
-    def _corrected(self, count, last, end, shares):
+    def _along(self, count, last, end, shares):
         """The line as `count(t)` (k,) has it in a motion up to the time `last`; None where that says little."""
         left = np.geomspace(end, max(end - last, LEAST_LEFT), SOLVED)
         steady = self.turns(left, shares)[0]
@@ -247,12 +260,11 @@ class Decline:
         left = np.interp(even, steady[::-1], left[::-1])
         excess = count(np.clip(end - left, 0.0, last)) + even
         here = np.isfinite(excess)
-        middle, ratio = _slopes(-left[here], excess[here], self.frequency(left[here], shares))
-        near = np.abs(ratio) < FAR
-        if near.sum() < 2:
-            return None
         other = copy(self)
-        other.correction = np.array([np.log(-middle[near]), np.log1p(ratio[near])])[:, ::-1]
+        other.own = np.array(shares, float)
+        left, excess, other.own = left[here], excess[here], np.array(shares, float)
+        other.ahead = np.array([left, convolve1d(excess, SMOOTH, mode="nearest")])[:, ::-1]
+        other.faster = np.interp(self.left(shares), *_slopes(left, excess, self.frequency(left, shares)))
         return other
 
     def _scene_of(self, rolling, air, law):
@@ -272,18 +284,23 @@ class Decline:
         )
 
 
+def _spline(time, turned, rate):
+    """The cubic of turns (b,) over the logarithm of times (b,) between which there are so many a second (b,)."""
+    return CubicHermiteSpline(np.log(time), turned, rate * time)
+
+
 def _beyond(near):
     """What comes before the first of four values on a cubic."""
     return 4 * near[0] - 6 * near[1] + 4 * near[2] - near[3]
 
 
-def _slopes(t, excess, frequency):
-    """Middles (b,) [s] of blocks of even turns, and the slopes (b,) there of what was turned in excess (k,) at times t
-    (k,) [s], over the `frequency` (k,), with a Hann window."""
-    size = min(BLOCK * PLACES, len(t))
-    window = np.sin(np.pi * (np.arange(size) + 0.5) / size) ** 2 if size else np.zeros(1)
-    t, excess, frequency = (sliding_window_view(x, len(window))[:: max(size // 4, 1)] for x in (t, excess, frequency))
-    middle = t @ window / window.sum()
-    since = (t - middle[:, None]) * window
-    slope = np.sum(since * excess, axis=1) / np.sum(since * t, axis=1)
-    return middle, slope / (frequency @ window / window.sum())
+def _slopes(left, excess, frequency):
+    """Middles (b,) [s] of blocks of even turns, rising, and log(solved / steady) there, of the slope of what is turned
+    in excess (k,) at times left (k,) [s] over the `frequency` (k,) [Hz], with a Hann window."""
+    size = BLOCK * PLACES
+    window = np.sin(np.pi * (np.arange(size) + 0.5) / size) ** 2
+    left, excess, frequency = (sliding_window_view(x, size)[:: size // 4] for x in (left, excess, frequency))
+    middle = left @ window / window.sum()
+    since = (middle[:, None] - left) * window
+    slope = np.sum(since * excess, axis=1) / np.sum(since * -left, axis=1) / (frequency @ window / window.sum())
+    return middle[::-1], np.log1p(np.clip(slope, -0.5, 0.5))[::-1]

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.signal import resample_poly
 
 from sonify.fitting.decline import LAWS, Decline
-from sonify.fitting.estimate import FLOOR, LENGTHS, Fit, Followed, Heard, Value, fit, followed, mixed, solved_near
+from sonify.fitting.estimate import FLOOR, LENGTHS, TINY, Fit, Followed, Heard, Value, fit, followed, mixed, solved_near
 from sonify.fitting.phase import FARTHEST, OVERLAP, SHORTEST, Rates, follows
 from sonify.hearing.power_law import TIME_LEFT
 from sonify.hearing.recording import AFTER, ENVELOPE_FROM, LONGEST, RecordingError, between, envelope, later, read
@@ -25,19 +25,21 @@ BEFORE, BEYOND, TRIED = 12.0, 2.0, 12
 """So long before and after an end a tone that is hidden by what is louder is sought [s], at so many ends."""
 MAIN = ("precession", "its double", "nutation")
 """Lines that the loudest tone may be."""
-NEAR, USUAL, MARGIN = 0.05, 5.0, 30.0
+NEAR, USUAL, LIKELY = 0.05, 5.0, 0.5
 """A block speaks for a line by the logarithm of this over the spread of the fit; the contact is usually heard once in a
-turn; tracks that are so near the best are tried along a solved motion."""
+turn; tracks for which so much speaks, over that for the best, are tried along solved motions."""
 MOST_AIR, MUCH = 2.0, 20.0
 """Theory knows the film within this factor; how much an excess of it speaks against a track."""
 LITTLE = 1e-4
 """Of its unit, with which a share begins that was sought before."""
-TIMES, AGAIN, APART = 2, (8.0, 12.0, 16.0), (0.95, 1.0, 1.05)
-"""A motion is solved so often, with the shares found before; turns in a block along it; motions slip at other times
-where the shares are so many times as large, and may explain a sound as well."""
-AS_WELL, OTHER = 2.0, 0.3
-"""So does a motion whose spread is not so many times as large, nor what is heard along it so many times less; a film
-that is so far from that of theory is another."""
+FIRST, THEN = (8.0, 12.0), (16.0,) * 4
+"""Turns in a block along motions that are solved one after the other: for all likely tracks, and for the best."""
+SETTLED, AS_WELL = 0.25, 2.0
+"""Shares that move by less than this, over their standard deviation, have settled; a motion explains a sound as well
+whose spread is not so many times as large, nor what is heard along it so many times less."""
+UNKNOWN = 0.004
+"""So much of the power may go elsewhere: the precession of a hoop tells 0.7 % more of it than there is, its nutation
+what there is."""
 UNEXPLAINED = 0.01
 """A motion that leaves more of the rates than this, and than noise, does not explain them."""
 STARTS = (1e-4, 1.0, 1.0)
@@ -153,21 +155,17 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
 
     `correct` by solved motions, unless a steady one leaves but noise and these fit worse.
     """
-    tracks = _tracks(decline, sounds)
-    first, lines = max(track.score for track in tracks), tracks
-    rivals = tracks = [track for track in tracks if track.score > first - MARGIN]
-    likeliest = max(tracks, key=lambda track: track.score).fit
-    but_noise = likeliest.spread < AS_WELL * np.median(likeliest.sigma)
-    for _ in range(TIMES if correct else 0):
-        tracks = [solved for track in tracks for solved in _along(track, decline)]
-        rivals = rivals + tracks
-        if but_noise and all(track.fit.spread > AS_WELL * likeliest.spread for track in tracks):
-            correct = False
-            break
-    best = max(rivals, key=lambda track: track.score)
-    same = [track for track in rivals if (track.signal, track.line) == (best.signal, best.line)]
-    best = min(same, key=lambda track: track.fit.spread)
-    one = _settled(best, same, decline) if correct else best.fit
+    lines = _tracks(decline, sounds)
+    best = max(lines, key=lambda track: track.score)
+    likely = [track for track in lines if track.score >= LIKELY * best.score] if correct else []
+    found = [solved for track in likely for solved in _approached(track, decline, FIRST)]
+    if found:
+        nearest = max(found, key=lambda track: track.score)
+        found = list(_approached(nearest, decline, THEN)) or [nearest]
+    if any(track.fit.spread <= AS_WELL * best.fit.spread for track in found):
+        best = min(found, key=lambda track: track.fit.spread)
+    same = [track for track in lines + found if (track.signal, track.line) == (best.signal, best.line)]
+    one = _mean_of([track.fit for track in same], decline) if best.model == "solved" else best.fit
     explained = not correct or one.spread < max(UNEXPLAINED, AS_WELL * np.median(one.sigma))
     if not explained:
         others = [track.fit for track in lines if (track.signal, track.line) != (best.signal, best.line)]
@@ -219,9 +217,8 @@ def _evidence(line, streams, ends, shares, length, near=FARTHEST):
     """How much speaks for a line: the sum of log(1 + power over noise) of the blocks that are `near` where they should
     be, over that; another line beside it is no noise."""
     found = 0.0
-    for i, _, rates in followed(line, streams, ends, shares, length, noise_of=np.median):
-        missed = np.log(rates.frequency / line.frequency(ends[i] - rates.time, shares))
-        found += np.log1p(rates.clear[np.abs(missed) < near]).sum() / OVERLAP
+    for one in followed(line, streams, ends, shares, length, noise_of=np.median):
+        found += np.log1p(one.rates.clear[np.abs(one.rates.missed) < near]).sum() / OVERLAP
     return found
 
 
@@ -291,7 +288,7 @@ def _ridges(sounds, signal):
     tones = [sound.tones[signal] for sound in sounds]
     ends = np.array([sound.start + tone.end for sound, tone in zip(sounds, tones, strict=True)])
     ridges = [
-        Rates(sound.start + tone.time, tone.frequency, RIDGE_ERROR * tone.frequency, tone.level)
+        Rates(sound.start + tone.time, tone.frequency, RIDGE_ERROR * tone.frequency, tone.level, 0 * tone.frequency)
         for sound, tone in zip(sounds, tones, strict=True)
     ]
     return ridges, ends
@@ -299,7 +296,7 @@ def _ridges(sounds, signal):
 
 def _guess(decline, line, ridges, ends):
     """Ends and shares with which a line is near the ridges: of every law that is sought alone, or of two of them."""
-    heard = tuple(Followed(i, line, ridge) for i, ridge in enumerate(ridges))
+    heard = tuple(Followed(i, line, ridge, ridge.frequency) for i, ridge in enumerate(ridges))
     sought, tried = _free(decline), []
     for some in (*((law,) for law in sought), sought[:2]):
         start = np.zeros(3)
@@ -308,54 +305,65 @@ def _guess(decline, line, ridges, ends):
     return min(tried, key=lambda one: one[2])[:2]
 
 
-def _along(track, decline, factors=(1.0,)):
-    """The tracks along motions solved with the shares found, times each of the factors, where these can be solved."""
-    for factor in factors:
+def _approached(track, decline, lengths):
+    """The track along motions that are solved one after the other, each with the shares found along the one before, in
+    blocks of so many turns, until these have settled."""
+    for length in lengths:
         try:
-            lines = decline.solved(np.where(np.isin(range(3), track.fit.free), factor, 1.0) * track.fit.shares)
-            yield replace(track, model="solved", lines=lines, fit=_followed(lines[track.line], track))
-        except (ValueError, ArithmeticError, KeyError):
-            continue
+            lines, one = _followed(track, decline, length)
+        except (ValueError, ArithmeticError, KeyError):  # there is no such motion, or it has no such line
+            return
+        moved = np.abs(one.shares - track.fit.shares)
+        track = replace(track, model="solved", lines=lines, fit=one)
+        yield track
+        if (moved <= SETTLED * np.hypot(one.draws[:, len(one.ends) :].std(axis=0), _unknown(decline, one))).all():
+            return
 
 
-def _followed(line, track):
-    """The fit of a line of a solved motion where a track has been, or else near what was heard there."""
-    one = track.fit
+def _followed(track, decline, length):
+    """The lines of the motion with the shares of a track, and the fit of its line there; or of the motion by which
+    what was heard there would be explained."""
+    one, lines = track.fit, decline.solved(track.fit.shares)
     try:
-        return fit(line, track.streams, one.ends, one.shares, one.free, AGAIN, LITTLE)
+        return lines, fit(lines[track.line], track.streams, one.ends, one.shares, one.free, (length,), LITTLE)
     except ValueError:
-        ends, shares, _ = solved_near(tuple(h._replace(line=line) for h in one.heard), one.ends, one.shares, one.free)
-        return fit(line, track.streams, ends, shares, one.free, AGAIN, LITTLE)
+        heard = tuple(h._replace(line=lines[track.line]) for h in one.heard)
+        ends, shares, _ = solved_near(heard, one.ends, one.shares, one.free)
+        lines = decline.solved(shares)
+        return lines, fit(lines[track.line], track.streams, ends, shares, one.free, (length,), LITTLE)
 
 
-def _settled(track, same, decline):
-    """The fit along all motions that explain as much of the sounds as well, steady ones and solved: these differ by
-    when they slip, and by what the film of theory takes where another was found."""
-    found = [track, *(one for one in same if one.model == "steady" and one is not track)]
-    for _ in range(TIMES):
-        found += _along(track, decline, APART)
-        before, track = track, max(found, key=lambda one: one.score)
-        if track is before:
-            break
-    if 1 in track.fit.free and abs(track.fit.shares[1] - 1) > OTHER:
-        others = tuple(law for law in track.fit.free if law != 1)
-        theory = replace(track.fit, shares=track.fit.shares * [1, 0, 1] + [0, 1, 0], free=others)
-        for first in _along(replace(track, fit=theory), decline):
-            found += [first, *_along(first, decline, APART)]
-    as_much = len(track.fit.residual) / AS_WELL
-    fits = [one.fit for one in found if len(one.fit.residual) >= as_much]
-    fits.sort(key=lambda one: one.spread)
-    return replace(mixed([one for one in fits if one.spread <= AS_WELL * track.fit.spread]), free=track.fit.free)
+def _mean_of(fits, decline):
+    """The mean of fits along all motions that explain as much of the sounds as well, which differ by when they slip;
+    as uncertain as if every law took or left what is UNKNOWN of the power."""
+    as_much = max(len(one.residual) for one in fits) / AS_WELL
+    fits = sorted((one for one in fits if len(one.residual) >= as_much), key=lambda one: one.spread)
+    one = mixed([one for one in fits if one.spread <= AS_WELL * fits[0].spread])
+    draws = one.draws.copy()
+    draws[:, len(one.ends) :] += _unknown(decline, one) * np.random.default_rng(0).standard_normal((len(draws), 3))
+    return replace(one, draws=draws)
+
+
+def _unknown(decline, one):
+    """By how much every share (3,) that is sought is uncertain that takes or leaves what is UNKNOWN of the power."""
+    power, fall = _powers(decline, one)
+    unknown = UNKNOWN * (one.shares @ power @ fall) / np.maximum(power @ fall, TINY)
+    return np.where(np.isin(range(3), one.free), unknown, 0.0)
+
+
+def _powers(decline, one):
+    """The power that each of the LAWS takes (3, 60) at inclinations that were heard, and how far these are apart (60,):
+    energy goes with the inclination."""
+    left = np.concatenate([one.ends[h.sound] - h.rates.time for h in one.heard])
+    beta = np.geomspace(*decline.inclination(np.clip([left.min(), left.max()], 1e-3, None), one.shares), 60)
+    return np.array([np.interp(beta, decline.beta, p) for p in decline.powers]), np.gradient(beta)
 
 
 def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]]:
     """Return for each of the LAWS the least and greatest share, in 95 %, of the energy that was lost while heard."""
-    left = np.concatenate([one.ends[h.sound] - h.rates.time for h in one.heard])
-    beta = np.geomspace(*decline.inclination(np.clip([left.min(), left.max()], 1e-3, None), one.shares), 60)
-    power = np.array([np.interp(beta, decline.beta, p) for p in decline.powers])
-    fall = np.gradient(beta)  # energy goes with the inclination
-    each = one.draws[:, len(one.ends) :, None] * power
-    share = (np.clip(each, 0, None) / np.clip(each, 0, None).sum(axis=1, keepdims=True) * fall).sum(axis=2) / fall.sum()
+    power, fall = _powers(decline, one)
+    each = np.clip(one.draws[:, len(one.ends) :, None] * power, 0, None)
+    share = (each / np.maximum(each.sum(axis=1, keepdims=True), TINY) * fall).sum(axis=2) / fall.sum()
     low, high = np.percentile(share, [2.5, 97.5], axis=0)
     return {name: (float(low[i]), float(high[i])) for i, name in enumerate(LAWS)}
 

@@ -37,11 +37,13 @@ class Value:
 
 
 class Followed(NamedTuple):
-    """The rates at which a line of the decline is heard in one of several sounds, which count from 0."""
+    """The rates at which a line of the decline is heard in one of several sounds, which count from 0, and those (k,)
+    [Hz] that it would have in steady motion."""
 
     sound: int
     line: Decline
     rates: Rates
+    steady: np.ndarray
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -119,8 +121,11 @@ def fit(line: Decline, sounds: list[Heard], ends, shares, free: tuple[int, ...],
 def followed(line: Decline, sounds: list[Heard], ends, shares, length, **how) -> tuple[Followed, ...]:
     """Return the rates of a line in every sound, beside the decline of ends [s] and shares (3,); `how` as for
     `rates`."""
-    pairs = enumerate(zip(sounds, ends, strict=True))
-    return tuple(Followed(i, line, tracked(line, sound, end, shares, length, **how)) for i, (sound, end) in pairs)
+    found = []
+    for i, (sound, end) in enumerate(zip(sounds, ends, strict=True)):
+        here = tracked(line, sound, end, shares, length, **how)
+        found.append(Followed(i, line, here, line.frequency(end - here.time, shares) * (1 + here.missed)))
+    return tuple(found)
 
 
 def solved_near(heard: tuple[Followed, ...], ends, shares, free):
@@ -155,10 +160,10 @@ def _residual(x, heard, sounds, shares, free, unit):
     usual."""
     ends, full, corner = _unpack(x, sounds, shares, free, unit)
     out = []
-    for i, line, h in heard:
+    for i, line, h, steady in heard:
         left = np.maximum(ends[i] - h.time, LAST / 10)
         model = _through_high_pass(partial(line.frequency, shares=full), left, corner)
-        out.append(np.log(h.frequency / model) / _relative_error(h))
+        out.append(np.log(steady / model) / _relative_error(h))
     return np.concatenate([*out, x[sounds + len(free) :] - 1.0])
 
 
@@ -180,7 +185,7 @@ def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
     x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, least), [1.0] * filtered])
     others = np.zeros(len(x) - len(ends))
     last = np.full(len(ends), -np.inf)
-    for i, _, h in heard:
+    for i, _, h, _ in heard:
         last[i] = max(last[i], h.time.max(initial=-np.inf))
     lower, upper = np.append(last + LAST / 5, others), np.full(len(x), np.inf)
     upper[len(ends) + len(free) :] = HIGHEST_CORNER
@@ -270,7 +275,7 @@ def pooled(fits: list[Fit]) -> Fit:
         ends=np.concatenate([one.ends for one in fits]),
         shares=mean,
         draws=np.hstack([ends, mean + away * np.maximum(apart, 1.0)]),
-        heard=tuple(Followed(i, h.line, h.rates) for i, one in enumerate(fits) for h in one.heard),
+        heard=tuple(h._replace(sound=i) for i, one in enumerate(fits) for h in one.heard),
         residual=np.concatenate([one.residual for one in fits]),
         sigma=np.concatenate([one.sigma for one in fits]),
     )

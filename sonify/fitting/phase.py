@@ -35,13 +35,14 @@ SHORTEST, SLOWEST = 2.0, 1 / 8
 
 
 class Rates(NamedTuple):
-    """Middle of the blocks [s], turns a second there [Hz], their standard errors by noise [Hz], and power over that of
-    the noise, all (k,)."""
+    """Middle of the blocks [s], turns a second there [Hz], their standard errors by noise [Hz], power over that of the
+    noise, and by how much these are more than was expected, over that, all (k,)."""
 
     time: np.ndarray
     frequency: np.ndarray
     error: np.ndarray
     clear: np.ndarray
+    missed: np.ndarray
 
 
 def rates(samples, rate: float, first: float, course, length: float, noise_of=np.mean, integral=None) -> Rates:
@@ -104,12 +105,12 @@ def _told(heard, length, noise_of):
     still, t, frequency = heard
     size = round(length * BINS)
     if len(t) < size:
-        return np.zeros(0, bool), *np.zeros((4, 0))
+        return np.zeros(0, bool), *np.zeros((5, 0))
     blocks = (sliding_window_view(x, size)[:: _step(length)] for x in (still, t))
-    middle, missed, error, clear = _blocks(*blocks, noise_of)
+    middle, mean, missed, error, clear = _blocks(*blocks, noise_of)
     expected = np.interp(middle, t, frequency)
     told = (clear > CLEAR) & (np.abs(missed) < FARTHEST * expected)
-    return told, middle, expected + missed, error, clear
+    return told, middle, expected + missed, error, clear, missed / mean
 
 
 def _binned(samples, integral, rate, first, course):
@@ -129,7 +130,7 @@ def _binned(samples, integral, rate, first, course):
 
 
 def _blocks(still, t, noise_of):
-    """Middle, missed rate, error and clarity (b,) of blocks (b, bins); the clarity of silence is 0."""
+    """Middle, mean rate expected, missed rate, error and clarity (b,) of blocks (b, bins); silence has none."""
     phase = (np.arange(still.shape[1]) + 0.5) / still.shape[1]
     window = np.sin(np.pi * phase) ** 2  # a Hann window over turns
     middle = t @ window / window.sum()
@@ -139,8 +140,9 @@ def _blocks(still, t, noise_of):
     beside = np.abs(seen @ np.exp(-2j * np.pi * np.outer(phase, SIDES))) ** 2
     noise = np.maximum(noise_of(beside, axis=1), TINY)
     spread = since**2 @ window / window.sum()
+    mean = since @ (window * (np.arange(len(phase)) - len(phase) / 2)) / (BINS * window.sum() * spread)
     share = since**2 @ window**2 / np.sum(window**2)
     clear = np.abs(tone) ** 2 / noise
     missed = (slope / np.where(tone == 0, 1, tone)).imag / (2 * np.pi * spread)
     error = np.sqrt(share / 2 / np.maximum(clear, TINY)) / (2 * np.pi * spread)
-    return middle, missed, error, clear
+    return middle, mean, missed, error, clear

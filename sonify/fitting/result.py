@@ -9,7 +9,7 @@ from sonify.fitting import estimate
 from sonify.fitting.apart import each
 from sonify.fitting.decline import Decline
 from sonify.fitting.ear import Judged, heard, judge, verdict_of
-from sonify.fitting.estimate import Fit, Value, in_words, pooled
+from sonify.fitting.estimate import FLOOR, Fit, Value, in_words, pooled
 from sonify.fitting.fu_berlin import Exponent, exponents
 from sonify.fitting.null import Null, null_tests
 from sonify.fitting.readings import recorded, source, takes
@@ -117,7 +117,7 @@ def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
 def radius_shows(judged: Judged) -> bool:
     """Return whether declines of disks whose radius is 10 % off fit far worse, however what slows them is chosen."""
     found = [_with_radius(judged, factor) for factor in WRONG]
-    return all(spread is None or spread > BETTER * judged.fit.spread for spread in found)
+    return all(spread is None or spread > BETTER * max(judged.fit.spread, FLOOR) for spread in found)
 
 
 def _with_radius(judged, factor):
@@ -125,7 +125,7 @@ def _with_radius(judged, factor):
     scene = judged.decline.scene
     disk = replace(scene.disk, radius=factor * scene.disk.radius, density=None)  # it keeps its mass
     decline = Decline(replace(scene, disk=disk)).lines[judged.line]
-    decline.correction = judged.decline.correction
+    decline.ahead = judged.decline.ahead
     try:
         return estimate.fit(decline, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free).spread
     except ValueError:
