@@ -21,6 +21,11 @@ class Law(NamedTuple):
     k2: float
     k3: float
 
+    @property
+    def arms(self) -> tuple[float, float, float]:
+        """The arms of the resisting moments about a_1, a_2, a_3, over R."""
+        return self.k1, self.k2, self.k3
+
 
 def law_of(disk, friction) -> Law:
     """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
@@ -57,6 +62,11 @@ class Contact(NamedTuple):
     m2: float
     m3: float
     inertia: float
+
+    @property
+    def moments(self) -> tuple[float, float, float]:
+        """The resisting moments along -a_1, -a_2, -a_3."""
+        return self.m1, self.m2, self.m3
 
 
 UNLOADED = Loads()

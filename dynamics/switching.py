@@ -71,7 +71,7 @@ def _candidates(y, law, at_zero, leaving, senses):
         0.0 if 2 in at_zero else math.copysign(1.0, turn2),
         0.0 if 3 in at_zero else math.copysign(1.0, turn3),
     )
-    resisted = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
+    resisted = tuple([arm > 0 for arm in law.arms])
     return _choices(turning, senses, resisted, law.mu_static < math.inf, 0 in at_zero, leaving)
 
 
@@ -98,12 +98,12 @@ def _consistent(y, contact, regime, law, at_zero) -> bool:
     cone = law.mu_static * contact.Phi
     if not regime.sliding and cone * cone * (1 + ROUND_OFF) < contact.F1**2 + contact.F2**2:
         return False
-    for i in at_zero - {0}:
-        arm = law[3 + i]
-        if regime.stuck[i - 1]:
-            if abs(contact[7 + i]) > arm * contact.Phi * (1 + ROUND_OFF):
+    for i in (axis - 1 for axis in at_zero if axis):
+        arm = law.arms[i]
+        if regime.stuck[i]:
+            if abs(contact.moments[i]) > arm * contact.Phi * (1 + ROUND_OFF):
                 return False
-        elif arm > 0 and regime.senses[i - 1] * turning_rates(y, contact)[i - 1] < -ROUND_OFF:
+        elif arm > 0 and regime.senses[i] * turning_rates(y, contact)[i] < -ROUND_OFF:
             return False
     return True
 
