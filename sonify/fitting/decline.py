@@ -261,7 +261,6 @@ class Decline:
         excess = count(np.clip(end - left, 0.0, last)) + even
         here = np.isfinite(excess)
         other = copy(self)
-        other.own = np.array(shares, float)
         left, excess, other.own = left[here], excess[here], np.array(shares, float)
         other.ahead = np.array([left, convolve1d(excess, SMOOTH, mode="nearest")])[:, ::-1]
         other.faster = np.interp(self.left(shares), *_slopes(left, excess, self.frequency(left, shares)))
