@@ -6,7 +6,7 @@ that is modulated ever faster.
 
 import numpy as np
 import pytest
-from scipy.signal import butter, sosfilt
+from scipy.signal import butter, lfilter, sosfilt
 
 from sonify import load_scene
 from sonify.claims.carriers import matched, resonances
@@ -94,6 +94,35 @@ def test_of_many_peaks_as_speech_has_only_near_ones_are_compared():
     """Of an hour's, all pairs would take hours: so near the work grows with their number, not with its square."""
     few, many = (np.array([[0] * n, 60.0 * np.arange(n), [20] * n]) for n in (1000, 2000))
     assert 1900 < _pairs(many).shape[1] - _pairs(few).shape[1] <= 1000 * 2 * APART[1] / 60
+
+
+def band(drift, seed):
+    """Noise half of whose power is within some 80 cents of 1800 Hz, which drifts [cents/s], in white noise."""
+    rng = np.random.default_rng(seed)
+    keeps = np.exp(-2 * np.pi * 1800 * (2 ** (80 / 1200) - 1) / RATE)
+    turns = np.cumsum(1800 * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
+    slow = lfilter([1.0], [1.0, -keeps], rng.standard_normal((2, len(TIME))) * np.sqrt(1 - keeps**2))
+    return (
+        slow[0] * np.cos(2 * np.pi * turns) - slow[1] * np.sin(2 * np.pi * turns) + 0.3 * rng.standard_normal(len(TIME))
+    )
+
+
+@pytest.mark.parametrize("drift", [-40.0, 0.0, 20.0, 60.0])
+def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
+    """Its peaks are no lines, however long one lasts; a line beside it is one."""
+    missed = []
+    for seed in range(4):
+        sound = band(drift, seed) + np.cos(2 * np.pi * 4000 * TIME)
+        line, *bands = carriers(sound, RATE)
+        assert (line.frequency, line.reach) == (pytest.approx(4000, abs=0.1), 0)
+        assert all(40 < one.reach < 200 for one in bands)
+        assert sum(one.end - one.begin for one in bands) > 0.7 * LENGTH
+        middles = [(one.begin + one.end) / 2 - LENGTH / 2 for one in bands]
+        away = [1200 * np.log2(one.frequency / 1800) - drift * at for one, at in zip(bands, middles, strict=True)]
+        missed += [(one.drift - drift) / one.drift_error for one in bands]
+        missed += [x / (1200 / np.log(2) * one.error / 1800) for x, one in zip(away, bands, strict=True)]
+    assert np.sqrt(np.mean(np.square(missed))) < 2  # of errors that seven degrees of freedom tell
+    assert np.max(np.abs(missed)) < 6
 
 
 def test_noise_has_no_carriers():

@@ -124,7 +124,7 @@ def contact_findings(
     broken = [contact_is_lost(motion, expected), *([micro_flights(motion)] if motion.contact_losses else [])]
     if scene.roughness is None:
         return broken, marked
-    lasting = [c for c in known.carriers if c.end - c.begin > LASTING * known.duration] if known else []
+    lasting = [c for c in known.lines if c.end - c.begin > LASTING * known.duration] if known else []
     lines = [c.frequency for c in lasting if c.spread < STEADY]
     heard = carrier_heard(sound, motion, expected, lines)
     found = carrier_findings(scene, motion, expected, heard) if np.isfinite(heard.frequency).sum() >= 3 else []

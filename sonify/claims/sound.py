@@ -44,8 +44,8 @@ def all_verdicts(heard: Heard | None, motion: Motion, modes: Modes, sound: Sound
     energy = [modes_take_little(motion, sound, error)]
     if heard is None:
         return energy
-    found = [carriers_are_steady(heard)] if heard.carriers else []
-    found += [carriers_are_modes(heard, modes)] if heard.carriers and len(modes.frequency) else []
+    found = [carriers_are_steady(heard)] if heard.lines else []
+    found += [carriers_are_modes(heard, modes)] if heard.lines and len(modes.frequency) else []
     found += energy
     if motion.outcome.name != "SETTLED" or heard.tone is None:
         return found
@@ -188,16 +188,16 @@ def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -
     at_most=5.0,
 )
 def carriers_are_steady(heard: Heard):
-    """How far the strongest carrier spreads or drifts [cents]; its spread is known to a half from five frames."""
-    one = heard.carriers[0]
+    """How far the strongest line spreads or drifts [cents]; its spread is known to a half from five frames."""
+    one = heard.lines[0]
     drift, error = (x * (one.end - one.begin) for x in (abs(one.drift), one.drift_error))
     return max(one.spread, drift), max(one.spread / 2, 2 * error)
 
 
 @finding("The strongest steady tone is a mode of the disk", "cents to the nearest mode", "section 8", at_most=5.0)
 def carriers_are_modes(heard: Heard, modes: Modes):
-    """The distance of the strongest carrier from the nearest mode [cents]."""
-    strongest = heard.carriers[0]
+    """The distance of the strongest line from the nearest mode [cents]."""
+    strongest = heard.lines[0]
     away = np.abs(1200 * np.log2(strongest.frequency / modes.frequency)).min()
     return away, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency
 

@@ -154,6 +154,7 @@ def _carrier(name, c):
     drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
     place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
     near += "" if c["heard"] else "; heard by its sidebands alone"
+    near += f"; a band of noise that reaches {c['reach']:.0f} cents" if c["reach"] else ""
     return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {near}"
 
 

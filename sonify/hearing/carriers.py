@@ -6,7 +6,7 @@ from statistics import median
 
 import numpy as np
 from scipy.interpolate import make_interp_spline
-from scipy.ndimage import maximum_filter1d
+from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
 from scipy.signal import ShortTimeFFT
 
 from sonify.hearing.hum import vertex
@@ -20,12 +20,22 @@ REACH, LAST, GAP = 30.0, 5, 2
 BAND, WIDE = 30.0, 15.0
 """What is so many cents from a stronger carrier is part of it, or so many times as far as this goes from frame to
 frame, which is far in a band of noise."""
+GRID, BROAD, FRAMES = 5.0, 120.0, 5
+"""Bands of noise are sought on a grid of so many cents, in medians over so many and means of so many frames;"""
+AROUND, COARSE = 1200.0, 10
+"""above the median over so many cents, taken on so many times the grid."""
+FAINTEST, HALF, AHEAD = 5.0, 3.0, 60.0
+"""A band stands out by as much [dB], goes down to so much less [dB], and is so far [cents] from the middle of its LAST
+frames at most."""
+LINE, BROADEST = 75.0, 400.0
+"""A line looks like a band that reaches so far [cents] at most; what reaches farther than the other is no band."""
 FEWEST, SHARE = 8, 0.2
 """Frames that show a carrier: so many, or so large a share of them all and at least five."""
 PARTS, LEAST_PART = 8, 3
 """Parts of a carrier for the jackknife, of so many frames at least: neighbours share half of what they hear."""
 PLACE = 0.02
-"""Error of the place of a peak between the bins of the spectrum, over their spacing, that no carrier is without."""
+"""Error of the place of a peak between the bins of the spectrum, over their spacing, that no line is without; that of
+a band is GRID."""
 SURE = 2.0
 """A carrier rises or falls if its drift is so many times its error."""
 APART, FINE, BESIDE = (6.0, 300.0), 2, (6, 80)
@@ -40,7 +50,8 @@ class Carrier:
     """A tone or narrow band from `begin` to `end` [s]: its `frequency` in the middle and the standard `error` [Hz], its
     `drift` and `drift_error` [cents/s], its `spread` about the drift [cents], how far it stands out (`level` [dB]), and
     how far from it its sidebands are [Hz], in the middle and between which `rates`. Where a carrier is not `heard`
-    itself, all this is that of the middle of its sidebands."""
+    itself, all this is that of the middle of its sidebands. A band of noise has a `reach` [cents] to the farther side,
+    where it has half of its power; a line has none."""
 
     frequency: float
     error: float
@@ -53,6 +64,7 @@ class Carrier:
     sidebands: tuple[float, ...] = ()
     rates: tuple[float, float] | None = None
     heard: bool = True
+    reach: float = 0.0
 
     @property
     def course(self) -> str:
@@ -64,11 +76,12 @@ class Carrier:
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A peak that was followed: frames (k,), frequencies (k,) [Hz] and levels (k,) [dB]."""
+    """A peak that was followed: frames (k,), frequencies (k,) [Hz] and levels (k,) [dB]; how far it reaches [cents]."""
 
     frame: np.ndarray
     frequency: np.ndarray
     level: np.ndarray
+    reach: float = 0.0
 
 
 def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
@@ -80,9 +93,11 @@ def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
     windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
     power = np.abs(windows.stft(samples, 1, 2 + (len(samples) - size) // (size // 2))) ** 2  # none beyond the samples
     hop, spacing = size // 2 / rate, rate / size
-    peaks = _peaks(10 * np.log10(power.T + 1e-300), spacing)
+    level = 10 * np.log10(power.T + 1e-300)
+    peaks = _peaks(level, spacing)
     aside, centres = _sidebands(peaks, spacing)
-    tracks = sorted(_tracks(peaks[:, ~aside], power.shape[1]), key=lambda track: -np.median(track.level))
+    tracks = _with_bands(_tracks(peaks[:, ~aside], len(level)), level, spacing)
+    tracks = sorted(tracks, key=lambda track: -np.median(track.level))
     found = [_carrier(track, start, hop, spacing) for track in tracks[:MOST]]
     for track, apart in centres:
         found = _with_sidebands(found, _carrier(track, start, hop, spacing), apart, spacing)
@@ -112,10 +127,10 @@ def _common(one, other):
     return min(one.end, other.end) - max(one.begin, other.begin)
 
 
-def _floor(level):
-    """The median level (t, f) in BANDS neighbouring bands of each frame, on straight lines between their middles, not
+def _floor(level, count):
+    """The median level (t, f) in so many neighbouring bands of each frame, on straight lines between their middles, not
     more than 90 dB below its highest."""
-    edges = np.linspace(0, level.shape[1], BANDS + 1).astype(int)
+    edges = np.linspace(0, level.shape[1], count + 1).astype(int)
     floor = np.column_stack([np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)])
     floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
     middle = (edges[1:] + edges[:-1] - 1) / 2
@@ -123,26 +138,94 @@ def _floor(level):
 
 
 def _peaks(level, spacing):
-    """Frames, frequencies [Hz] and levels above the floor [dB] (3, n) of all peaks that stand out."""
-    above = level - _floor(level)
+    """Frames, frequencies [Hz] and levels above the floor [dB] (3, n) of all peaks of levels (t, f) that stand out."""
+    frame, place, height = _tops(level - _floor(level, BANDS), STANDS_OUT_DB)
+    return np.array([frame, place * spacing, height])[:, place > LOWEST / spacing]
+
+
+def _tops(level, least):
+    """Frames, places between the columns, and heights (n,) of all peaks above the `least` in levels (t, f)."""
     low, top, high = level[:, :-2], level[:, 1:-1], level[:, 2:]
-    here = (top > low) & (top >= high) & (above[:, 1:-1] > STANDS_OUT_DB)
-    here[:, : int(LOWEST / spacing)] = False
-    frame, place = np.nonzero(here)
-    between = vertex(low[frame, place], top[frame, place], high[frame, place])
-    return np.array([frame, (place + 1 + between) * spacing, above[frame, place + 1]])
+    frame, place = np.nonzero((top > low) & (top >= high) & (top > least))
+    low, top, high = low[frame, place], top[frame, place], high[frame, place]
+    return frame, place + 1 + vertex(low, top, high), top
 
 
-def _tracks(peaks, count):
-    """The tracks of peaks (3, n) through frames, from the most outstanding peak on; each takes the band around it."""
+def _with_bands(tracks, level, spacing):
+    """Tracks of lines, and those of bands of noise in levels (t, f); what does not stand out of a band is part of it,
+    or of the line that looks like one."""
+    for band in _bands(level, spacing):
+        line = band.reach < LINE
+        inside = [track for track in tracks if _within(track, band, band.reach if line else 2 * band.reach)]
+        loudest = max(inside, key=lambda track: np.median(track.level), default=None)
+        bar = np.median(band.level) + STANDS_OUT_DB
+        own = [track for track in inside if np.median(track.level) > bar or (line and track is loudest)]
+        tracks = [track for track in tracks if track not in inside or track in own]
+        tracks += [] if line else _straight(band)
+    return tracks
+
+
+def _bands(level, spacing):
+    """The tracks of bands of noise in levels (t, f)."""
+    octaves, size = np.log2(0.9 * level.shape[1] * spacing / LOWEST), int(BROAD / GRID) + 1
+    frequency = LOWEST * 2 ** (np.arange(0, 1200 * octaves, GRID) / 1200)
+    grid = median_filter(level[:, np.round(frequency / spacing).astype(int)], (1, size))
+    around = median_filter(grid[:, ::COARSE], (1, int(AROUND / GRID / COARSE) + 1))
+    places = np.arange(0, grid.shape[1], COARSE)
+    grid -= make_interp_spline(places, around, 1, axis=1)(np.clip(np.arange(grid.shape[1]), 0, places[-1]))
+    grid = uniform_filter1d(grid, size, axis=1)
+    mean = uniform_filter1d(grid, FRAMES, axis=0)
+    frame, place, height = _tops(mean, FAINTEST)
+    found = _tracks(np.array([frame, LOWEST * 2 ** (place * GRID / 1200), height]), len(level), AHEAD)
+    return [band for band in (_middled(one, mean, grid) for one in found) if band.reach < BROADEST]
+
+
+def _middled(band, mean, grid):
+    """A band with the middle by power of what is in it as its frequency, in levels (t, f) and their mean over some
+    frames, which reaches as far from there as the median over its frames."""
+    tops, middles, sides = np.round(1200 / GRID * np.log2(band.frequency / LOWEST)).astype(int), [], []
+    for row, own, top in zip(mean[band.frame], grid[band.frame], tops, strict=True):
+        out = np.flatnonzero(row < row[top] - HALF)
+        low, high = out[out < top].max(initial=-1) + 1, out[out > top].min(initial=len(row))
+        middles.append(np.average(np.arange(low, high), weights=10 ** (own[low:high] / 10)))
+        sides.append(max(middles[-1] - low, high - middles[-1]))
+    return replace(band, frequency=LOWEST * 2 ** (np.array(middles) * GRID / 1200), reach=GRID * median(sides))
+
+
+def _within(track, band, reach):
+    """Whether a track is within the reach [cents] of a band for most of its frames."""
+    middle = np.interp(track.frame, band.frame, band.frequency, np.nan, np.nan)
+    return np.sum(np.abs(1200 * np.log2(track.frequency / middle)) < reach) > len(track.frame) / 2
+
+
+def _straight(track):
+    """A track in as few parts as are straight, by halves: those of a straight one go on alike."""
+    half = len(track.frame) // 2
+    parts = [
+        replace(track, frame=track.frame[i], frequency=track.frequency[i], level=track.level[i])
+        for i in (slice(half), slice(half, None))
+    ]
+    if half < FEWEST or _alike(*(_carrier(part, 0.0, 1.0, 0.0) for part in parts)):
+        return [track]
+    return [straight for part in parts for straight in _straight(part)]
+
+
+def _alike(one, other):
+    """Whether two carriers drift alike, as far as their errors tell."""
+    return abs(one.drift - other.drift) < SURE * np.hypot(one.drift_error, other.drift_error)
+
+
+def _tracks(peaks, count, reach=REACH):
+    """The tracks of peaks (3, n) through frames, from the most outstanding peak on; each takes the band around it and
+    goes on within a reach [cents]."""
     frame, cents, level = peaks[0].astype(int), 1200 * np.log2(peaks[1]), peaks[2]
     inside = [np.flatnonzero(frame == i) for i in range(count)]
     left, found = np.ones(len(frame), bool), []
     for seed in np.argsort(-level):
         if not left[seed]:
             continue
-        chosen = [seed, *_followed(seed, range(frame[seed] + 1, count), inside, cents, level, left)]
-        chosen += _followed(seed, range(frame[seed] - 1, -1, -1), inside, cents, level, left)
+        chosen = [seed, *_followed(seed, range(frame[seed] + 1, count), inside, cents, level, left, reach)]
+        chosen += _followed(seed, range(frame[seed] - 1, -1, -1), inside, cents, level, left, reach)
         chosen = np.array(sorted(chosen, key=lambda peak: frame[peak]))
         wide = max(BAND, WIDE * np.median(np.abs(np.diff(cents[chosen], prepend=cents[seed]))))
         for peak in chosen:
@@ -153,13 +236,13 @@ def _tracks(peaks, count):
     return found
 
 
-def _followed(seed, frames, inside, cents, level, left):
+def _followed(seed, frames, inside, cents, level, left, reach):
     """The peaks that continue a seed in frames, one after the other, until GAP of them show none: the highest that is
     near the middle of the last ones."""
     found, missed = [seed], 0
     for i in frames:
         near = inside[i][left[inside[i]]]
-        near = near[np.abs(cents[near] - median(cents[found[-LAST:]].tolist())) < REACH]
+        near = near[np.abs(cents[near] - median(cents[found[-LAST:]].tolist())) < reach]
         if len(near):
             found.append(near[np.argmax(level[near])])
             missed = 0
@@ -177,7 +260,7 @@ def _carrier(track, start, hop, spacing):
     part = np.arange(len(t)) * min(PARTS, max(len(t) // LEAST_PART, 2)) // len(t)
     without = np.array([_line((t - middle)[part != i], cents[part != i]) for i in range(part[-1] + 1)])
     error = np.sqrt((len(without) - 1) / len(without) * np.square(without - without.mean(axis=0)).sum(axis=0))
-    place = 1200 / np.log(2) * PLACE * spacing / np.median(track.frequency)
+    place = GRID if track.reach else 1200 / np.log(2) * PLACE * spacing / np.median(track.frequency)
     frequency = float(np.median(track.frequency) * 2 ** (line[0] / 1200))
     return Carrier(
         frequency=frequency,
@@ -188,6 +271,7 @@ def _carrier(track, start, hop, spacing):
         drift_error=float(np.hypot(error[1], place / (t[-1] - t[0]))),
         begin=float(t[0] - hop),
         end=float(t[-1] + hop),
+        reach=track.reach,
     )
 
 

@@ -42,6 +42,11 @@ class Heard:
     carriers: list[Carrier]
     missing: float = 0.0
 
+    @property
+    def lines(self) -> list[Carrier]:
+        """The carriers that are no band of noise."""
+        return [carrier for carrier in self.carriers if not carrier.reach]
+
 
 def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
     """Return what a source, or a file of any rate, channels and format that libsndfile reads, tells; the repetition of

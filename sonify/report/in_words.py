@@ -23,7 +23,7 @@ def spectrogram(result: "Result") -> str:
     """Return what the spectrogram shows."""
     tone = None if result.heard is None else result.heard.tone
     rising = f", a tone that rises {tone.factor:.2g} times over the ridge that is heard" if tone else ""
-    carriers = [f"{c.frequency:.0f} Hz" for c in (result.heard.carriers if result.heard else [])]
+    carriers = [f"{c.frequency:.0f} Hz" for c in (result.heard.lines if result.heard else [])]
     steady = f", steady tones at {', '.join(carriers)}" if carriers else ""
     return (
         f"Spectrogram of {result.scene.name}, 10 Hz to {result.sound.sample_rate / 2000:g} kHz over "
