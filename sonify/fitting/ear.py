@@ -37,6 +37,9 @@ FIRST, THEN = (8.0, 12.0), (16.0,) * 4
 SETTLED, AS_WELL = 0.25, 2.0
 """Shares that move by less than this, over their standard deviation, have settled; a motion explains a sound as well
 whose spread is not so many times as large, nor what is heard along it so many times less."""
+SLIPS, FAR_WORSE = 2.5e-3, 4.0
+"""A steady motion that leaves less of the rates than slips do stands, if the motion solved with its shares leaves so
+many times as much."""
 UNKNOWN = 0.004
 """So much of the power may go elsewhere: the precession of a hoop tells 0.7 % more of it than there is, its nutation
 what there is."""
@@ -153,10 +156,11 @@ def _refuse_clipped(samples, name):
 def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged:
     """Return what sounds of the same disk tell. Raises RecordingError if none of them can be followed.
 
-    `correct` by solved motions, unless a steady one leaves but noise and these fit worse.
+    `correct` by solved motions, unless a steady one leaves little and the solved one far more.
     """
     lines = _tracks(decline, sounds)
     best = max(lines, key=lambda track: track.score)
+    correct = correct and not _stands(best, decline)
     likely = [track for track in lines if track.score >= LIKELY * best.score] if correct else []
     found = [solved for track in likely for solved in _approached(track, decline, FIRST)]
     if found:
@@ -303,6 +307,12 @@ def _guess(decline, line, ridges, ends):
         start[list(some)] = np.array(STARTS)[list(some)]
         tried.append(solved_near(heard, ends, base(decline, start), some))
     return min(tried, key=lambda one: one[2])[:2]
+
+
+def _stands(track, decline):
+    """Whether a steady motion leaves little, and the motion that is solved with its shares far more."""
+    least = FAR_WORSE * track.fit.spread
+    return track.fit.spread < SLIPS and all(one.fit.spread > least for one in _approached(track, decline, FIRST[:1]))
 
 
 def _approached(track, decline, lengths):
