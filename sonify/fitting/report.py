@@ -150,12 +150,12 @@ def _carriers(fits: Fits) -> list[str]:
 
 
 def _carrier(name, c):
-    near = "{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"]) if c["matched"] else ""
+    near = ["{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"])] if c["matched"] else []
     drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
     place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
-    near += "" if c["heard"] else "; heard by its sidebands alone"
-    near += f"; a band of noise that reaches {c['reach']:.0f} cents" if c["reach"] else ""
-    return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {near}"
+    near += [] if c["heard"] else ["heard by its sidebands alone"]
+    near += [f"a band of noise that reaches {c['reach']:.0f} cents"] if c["reach"] else []
+    return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {'; '.join(near)}"
 
 
 def page(fits: Fits) -> str:

@@ -92,7 +92,7 @@ def _carrier(c):
     beside = ", sidebands ± {:.3g} to {:.3g} Hz".format(*c.rates) if c.rates else ""
     beside += "" if c.heard else ", not heard itself but by these"
     beside += f", a band of noise that reaches {c.reach:.0f} cents" if c.reach else ""
-    place = f"{c.frequency:.2f} ± {c.error:.2g} Hz from {c.begin:.2f} to {c.end:.2f} s, {course}"
+    place = f"{c.frequency:.2f} ± {c.error:.3g} Hz from {c.begin:.2f} to {c.end:.2f} s, {course}"
     return f"{place}, spread {c.spread:.2f} cents, {c.level:.0f} dB out of its surroundings{beside}"
 
 
