@@ -25,15 +25,16 @@ BEFORE, BEYOND, TRIED = 12.0, 2.0, 12
 """So long before and after an end a tone that is hidden by what is louder is sought [s], at so many ends."""
 MAIN = ("precession", "its double", "nutation")
 """Lines that the loudest tone may be."""
-NEAR, USUAL, LIKELY = 0.05, 5.0, 0.5
+NEAR, USUAL, LIKELY, LIKELIER = 0.05, 5.0, 0.5, 0.7
 """A block speaks for a line by the logarithm of this over the spread of the fit; the contact is usually heard once in a
-turn; tracks for which so much speaks, over that for the best, are tried along solved motions."""
+turn; tracks for which so much speaks, over that for the best, are tried along a solved motion, and along a second."""
 MOST_AIR, MUCH = 2.0, 20.0
 """Theory knows the film within this factor; how much an excess of it speaks against a track."""
 LITTLE = 1e-4
 """Of its unit, with which a share begins that was sought before."""
-FIRST, THEN = (8.0, 12.0), (16.0,) * 4
-"""Turns in a block along motions that are solved one after the other: for all likely tracks, and for the best."""
+FIRST, SECOND, THEN = (8.0,), (12.0,), (16.0,) * 4
+"""Turns in a block along motions that are solved one after the other: for likely tracks, for likelier ones, and for the
+best."""
 SETTLED, AS_WELL = 0.25, 2.0
 """Shares that move by less than this, over their standard deviation, have settled; a motion explains a sound as well
 whose spread is not so many times as large, nor what is heard along it so many times less."""
@@ -161,11 +162,10 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
     lines = _tracks(decline, sounds)
     best = max(lines, key=lambda track: track.score)
     correct = correct and not _stands(best, decline)
-    likely = [track for track in lines if track.score >= LIKELY * best.score] if correct else []
-    found = [solved for track in likely for solved in _approached(track, decline, FIRST)]
-    if found:
-        nearest = max(found, key=lambda track: track.score)
-        found = list(_approached(nearest, decline, THEN)) or [nearest]
+    first = _approached(_near_the_best(lines, LIKELY) if correct else [], decline, FIRST)
+    second = _approached(_near_the_best(first, LIKELIER), decline, SECOND)
+    nearest = _near_the_best(first + second, 1.0)[:1]
+    found = _approached(nearest, decline, THEN) or nearest
     if any(track.fit.spread <= AS_WELL * best.fit.spread for track in found):
         best = min(found, key=lambda track: track.fit.spread)
     same = [track for track in lines + found if (track.signal, track.line) == (best.signal, best.line)]
@@ -309,25 +309,34 @@ def _guess(decline, line, ridges, ends):
     return min(tried, key=lambda one: one[2])[:2]
 
 
+def _near_the_best(tracks, share):
+    """The tracks for which as much speaks as this share of what does for the best."""
+    return [track for track in tracks if track.score >= share * max(one.score for one in tracks)]
+
+
 def _stands(track, decline):
     """Whether a steady motion leaves little, and the motion that is solved with its shares far more."""
     least = FAR_WORSE * track.fit.spread
-    return track.fit.spread < SLIPS and all(one.fit.spread > least for one in _approached(track, decline, FIRST[:1]))
+    return track.fit.spread < SLIPS and all(one.fit.spread > least for one in _approached([track], decline, FIRST))
 
 
-def _approached(track, decline, lengths):
-    """The track along motions that are solved one after the other, each with the shares found along the one before, in
-    blocks of so many turns, until these have settled."""
-    for length in lengths:
-        try:
-            lines, one = _followed(track, decline, length)
-        except (ValueError, ArithmeticError, KeyError):  # there is no such motion, or it has no such line
-            return
-        moved = np.abs(one.shares - track.fit.shares)
-        track = replace(track, model="solved", lines=lines, fit=one)
-        yield track
-        if (moved <= SETTLED * np.hypot(one.draws[:, len(one.ends) :].std(axis=0), _unknown(decline, one))).all():
-            return
+def _approached(tracks, decline, lengths):
+    """Every track along motions that are solved one after the other, each with the shares found along the one before,
+    in blocks of so many turns, until these have settled."""
+    found = []
+    for track in tracks:
+        for length in lengths:
+            try:
+                lines, one = _followed(track, decline, length)
+            except (ValueError, ArithmeticError, KeyError):  # there is no such motion, or it has no such line
+                break
+            moved = np.abs(one.shares - track.fit.shares)
+            track = replace(track, model="solved", lines=lines, fit=one)
+            found.append(track)
+            away = np.hypot(one.draws[:, len(one.ends) :].std(axis=0), _unknown(decline, one))
+            if (moved <= SETTLED * away).all():
+                break
+    return found
 
 
 def _followed(track, decline, length):
