@@ -134,7 +134,7 @@ def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(m
     lasting = {"a": 0.3 * CLOCK, "b": 0.4 * PATIENCE}
     works = [Work("f", a, "s", "c", partial(call, a, lasting[a]), lambda values: 0.0) for a in lasting]
     short, long = measured(works)
-    assert "".join(calls) == "ab" + "aaaab" + 3 * "aaaa"
+    assert "".join(calls) == "ab" + "aaaaab" + 3 * "aaaaa"  # of each turn the first is not timed
     assert (short.repeats, long.repeats) == (5, 2)
     assert (short.seconds, long.seconds) == pytest.approx(tuple(lasting.values()))
     calls.clear()
