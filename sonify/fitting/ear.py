@@ -122,7 +122,8 @@ def heard(source: Source, name: str, wanted=("tone", "envelope"), recorded: bool
     end = max(tone.end for tone in tones.values()) + 1.0
     after = samples[int(end * rate) :]
     if len(after) > 4 * rate and np.abs(after).max() > 0.1 * np.abs(samples).max():
-        for again in _tones(after, rate, ("tone",)).values():
+        again = _tones(after, rate, ("tone",)).get("tone")
+        if again is not None:
             end += start + again.end
             raise RecordingError(f"{name}: a second disk ends at {end:.2f} s: cut the file between them")
     return Sound(name=name, samples=samples, rate=rate, start=start, tones=tones, recorded=recorded)
@@ -132,7 +133,7 @@ def _tones(samples, rate, wanted):
     """The rising tones of the signals wanted, if the phase of one is followed: those that stand out, or nearly do."""
     down = max(int(rate // TONE_RATE), 1)
     signals = {"tone": (samples, rate)}
-    if rate > 2 * ENVELOPE_FROM:
+    if "envelope" in wanted and rate > 2 * ENVELOPE_FROM:
         signals["envelope"] = envelope(samples, rate)
     found = {kind: clearest_tone(*signals[kind]) for kind in wanted if kind in signals}
     tones = {kind: tone for kind, tone in found.items() if tone is not None and tone.stands_out(NEARLY)}
