@@ -4,7 +4,6 @@ Source: (2.5) and (3.3) for the start and the moments given to them. Oracle: the
 hypergeometric functions, and quadruple precision for the published case. Engines that are not installed are skipped.
 """
 
-from functools import partial
 from importlib.util import find_spec
 from math import acos, pi, sin, sqrt
 from types import SimpleNamespace
@@ -26,12 +25,10 @@ POINT_CONTACT = [name for name in (peers.RUNS | peers.WITHOUT_MOMENTS) if "areas
 
 def error(method, case, which):
     """At the setting of that index, or at a step of that length."""
-    package, module, function, first, settings = (peers.RUNS | peers.WITHOUT_MOMENTS)[method]
-    if not find_spec(package):
-        pytest.skip(f"{peers.ENGINES[package]} is not installed")
-    return case.error(
-        peers.solved(case, module, function, *first, settings[which] if isinstance(which, int) else which).values
-    )
+    peer = (peers.RUNS | peers.WITHOUT_MOMENTS)[method]
+    if not find_spec(peer.package):
+        pytest.skip(f"{peers.ENGINES[peer.package]} is not installed")
+    return case.error(peer.ask(case, *peer.first, peer.last[which] if isinstance(which, int) else which).values)
 
 
 @pytest.mark.parametrize("span", [1.0, 10.0])
@@ -124,10 +121,10 @@ def test_contact_by_areas_takes_energy_from_a_rim_that_rolls():
 
 def test_a_missing_engine_is_left_out_and_says_so(monkeypatch):
     monkeypatch.setattr(peers, "find_spec", lambda package: None)
-    runs = list(peers.runs(conservative(1.0)))
-    assert len(runs) == len(POINT_CONTACT) + 1
-    for method, setting, function, arguments in runs:
-        call = partial(function, conservative(1.0), *arguments)
+    able = peers.able(conservative(1.0))
+    assert len(able) == len(POINT_CONTACT) + 1
+    for method, peer in able.items():
+        ((setting, call),) = peer.runs(conservative(1.0))
         record = measure(Work("engine", method, setting, "conservative", call, float))
         assert record.left_out
         assert record.failure.startswith(LEFT_OUT)
@@ -140,4 +137,4 @@ def test_an_engine_that_stops_is_a_failure(monkeypatch):
 
     monkeypatch.setattr(peers, "import_module", lambda name: SimpleNamespace(engine=stops))
     with pytest.raises(Failure, match="stops: no convergence"):
-        peers.solved(conservative(1.0), "any", "engine")
+        peers.Peer("any", "engine", (), ()).ask(conservative(1.0))

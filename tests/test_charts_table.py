@@ -43,17 +43,17 @@ def test_the_disk_on_the_mode_is_the_weight_of_the_closed_form():
 
 @pytest.mark.parametrize("method", [name for name in table.PEERS if "flexes" not in name and "areas" not in name])
 def test_engines_converge_to_the_closed_form(method):
-    package, function, first, _ = table.PEERS[method]
-    if not find_spec(package):
-        pytest.skip(f"{package} is not installed")
-    coarse, fine = (table.distance(table.engine(function, *first, step).values) for step in (1e-2, 1e-3))
+    peer = table.PEERS[method]
+    if not find_spec(peer.package):
+        pytest.skip(f"{peer.package} is not installed")
+    coarse, fine = (table.distance(peer.ask(*peer.first, rate).values) for rate in peer.last[:2])
     assert fine < 0.01
     assert coarse > 5 * fine
 
 
 def test_what_cannot_be_asked_is_a_row():
     with pytest.raises(Failure, match=LEFT_OUT):
-        table.missing("mujoco")
+        table.PEERS["PyBullet"].missing()
     if find_spec("mujoco"):
         flexes = next(work for work in table.works(quick=True) if "flexes" in work.method)
         assert "no modes to be given" in measure(flexes).failure

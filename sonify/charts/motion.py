@@ -1,8 +1,6 @@
 """The chart of the motion: error of inclination and energy against seconds, for every way to solve a rolling disk."""
 
 from functools import partial
-from itertools import groupby
-from operator import itemgetter
 
 from sonify.charts import event_driven, peers
 from sonify.charts.moreau import moreau
@@ -73,9 +71,9 @@ def works(case: Case, quick: bool) -> list[Work]:
     for step in ends((1e-1, 3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4), quick):
         runs.append(work("Moreau", "time-stepping", f"step {step:g}", moreau, step))
     if case.name != "sticking":
-        for method, some_runs in groupby(peers.runs(case), itemgetter(0)):
-            for _, setting, function, arguments in middle(list(some_runs)):
-                runs.append(work("engine", method, setting, function, *arguments))
+        for method, peer in peers.able(case).items():
+            for setting, call in middle(peer.runs(case)):
+                runs.append(Work("engine", method, setting, case.name, call, case.error, NONSENSE))
     return runs
 
 
@@ -103,10 +101,9 @@ def proofs() -> list[Work]:
 
 def _proofs_of_engines(case):
     """Return the finest run of every engine on an easy case."""
-    for method, settings in groupby(peers.runs(case), itemgetter(0)):
-        *_, (_, _, function, arguments) = settings
+    for method, peer in peers.able(case).items():
         if method != AREAS:
-            yield Work("engine", method, "proof", case.name, partial(function, case, *arguments), case.error)
+            yield Work("engine", method, "proof", case.name, peer.runs(case)[-1][1], case.error)
 
 
 def prove() -> list[Record]:

@@ -1,13 +1,11 @@
 """The chart of the table: one mode under a weight that goes round, for our methods, textbooks' and physics engines."""
 
 from functools import partial
-from importlib import import_module
-from importlib.util import find_spec
 
 from sonify.charts import table_case as case
 from sonify.charts.page import milliseconds, number
-from sonify.charts.peers import ENGINES
-from sonify.charts.records import LEFT_OUT, Answer, Failure, Record, Work, ends, measured, nearest
+from sonify.charts.peers import Peer
+from sonify.charts.records import Record, Work, ends, measured, nearest
 from sonify.charts.steps import bilinear, semi_implicit_euler
 
 PROBLEM = r"""
@@ -25,58 +23,38 @@ of $A$ is what the table takes from the motion.
 CASE = "one mode under a weight that goes round"
 SOUND, MOTION, TEXTBOOK, ENGINE = "it sounds", "it acts back", "textbook", "engine"
 WRONG = 0.1
+RATE = "{:g} 1/s"
 PEERS = {
-    "MuJoCo, Euler": ("mujoco", "mujoco", ("Euler",), (1e-2, 1e-3, 1e-4)),
-    "MuJoCo, RK4": ("mujoco", "mujoco", ("RK4",), (1e-2, 1e-3, 1e-4)),
-    "MuJoCo, plate of flexes": ("mujoco", "flexes", (), (9, 17)),
-    "Drake, TAMSI": ("pydrake", "drake", ("Tamsi",), (1e-2, 1e-3, 1e-4)),
-    "Drake, SAP": ("pydrake", "drake", ("Sap",), (1e-2, 1e-3, 1e-4)),
-    "Drake, contact by areas": ("pydrake", "areas", (), (1e-2, 1e-3)),
-    "PyBullet": ("pybullet", "bullet", (), (1e-2, 1e-3, 1e-4)),
+    "MuJoCo, Euler": Peer("mujoco", "table", ("Euler",), (1e2, 1e3, 1e4), RATE),
+    "MuJoCo, RK4": Peer("mujoco", "table", ("RK4",), (1e2, 1e3, 1e4), RATE),
+    "MuJoCo, plate of flexes": Peer("mujoco", "flexes", (), (9, 17), "{} vertices a side"),
+    "Drake, TAMSI": Peer("pydrake", "table", ("Tamsi",), (1e2, 1e3, 1e4), RATE),
+    "Drake, SAP": Peer("pydrake", "table", ("Sap",), (1e2, 1e3, 1e4), RATE),
+    "Drake, contact by areas": Peer("pydrake", "areas", (), (1e2, 1e3), RATE),
+    "PyBullet": Peer("pybullet", "table", (), (1e2, 1e3, 1e4), RATE),
 }
-"""Method: package, function of peer_table and its first arguments, steps [s] or vertices."""
 
 
 def works(quick: bool) -> list[Work]:
     """Return every run; `quick` keeps both ends of every path."""
-
-    def work(family, method, setting, call):
-        return Work(family, method, setting, CASE, call, distance, WRONG)
-
-    runs = []
-    for rate in ends((25, 100, 400, 1600, 6400), quick):
-        runs.append(work(SOUND, "exact hold", f"{rate:g} 1/s", partial(case.exact_hold, rate)))
-    for rate in ends((2000, 4000, 8000, 16000), quick):
-        runs.append(work(MOTION, "midpoint rule, with the disk", f"{rate:g} 1/s", partial(case.with_the_disk, rate)))
-    for method, step in (("semi-implicit Euler", semi_implicit_euler), ("average acceleration", bilinear)):
-        for rate in ends((100, 400, 1600, 6400), quick):
-            runs.append(work(TEXTBOOK, method, f"{rate:g} 1/s", partial(case.plain, step, rate)))
-    for method, (package, function, first, settings) in PEERS.items():
-        if not find_spec(package):
-            runs.append(work(ENGINE, method, "", partial(missing, package)))
-            continue
-        for setting in ends(settings, quick):
-            about = f"{setting} vertices a side" if setting > 1 else f"{1 / setting:g} 1/s"
-            runs.append(work(ENGINE, method, about, partial(engine, function, *first, setting)))
-    return runs
+    runs = [
+        (SOUND, "exact hold", (25, 100, 400, 1600, 6400), case.exact_hold),
+        (MOTION, "midpoint rule, with the disk", (2000, 4000, 8000, 16000), case.with_the_disk),
+        (TEXTBOOK, "semi-implicit Euler", (100, 400, 1600, 6400), partial(case.plain, semi_implicit_euler)),
+        (TEXTBOOK, "average acceleration", (100, 400, 1600, 6400), partial(case.plain, bilinear)),
+    ]
+    about = [
+        (family, method, RATE.format(rate), partial(solve, rate))
+        for family, method, rates, solve in runs
+        for rate in ends(rates, quick)
+    ]
+    about += [(ENGINE, method, *run) for method, peer in PEERS.items() for run in ends(peer.runs(), quick)]
+    return [Work(*names, CASE, call, distance, WRONG) for *names, call in about]
 
 
 def distance(values) -> float:
     """Return how far the answer is from 1 in the plane of complex numbers: amplitude and phase in one."""
     return abs(values[0] - 1)
-
-
-def missing(package: str) -> Answer:
-    """Raise the Failure of an engine that is not installed."""
-    raise Failure(f"{LEFT_OUT}: {ENGINES[package]} is not installed")
-
-
-def engine(function: str, *arguments) -> Answer:
-    """Call a function of peer_table. Raises Failure where the engine stops."""
-    try:
-        return getattr(import_module("sonify.charts.peer_table"), function)(*arguments)
-    except RuntimeError as error:
-        raise Failure(f"stops: {' '.join(str(error).split())[:80]}") from None
 
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:

@@ -33,6 +33,15 @@ MASS, RADIUS, LOAD, GRAVITY = 1.0, 1.0, 0.1, 10.0
 SPAN = 2.5
 """Time to the end [s]: what a method begins with has by then decayed to exp(-8) of itself."""
 OMEGA = X * W
+INERTIA = MASS * RADIUS**2
+SPRING, DAMPER = INERTIA * W**2, 2 * ZETA * W * INERTIA
+"""To the engines the mode is a plate on two hinges in its face, under a ball without friction that slides up and down
+on an arm, which turns steadily."""
+BALL, DEEP, GREAT, SMALL = 0.02, 0.05, 10.0, 1e-6
+"""Radius of the ball, half thickness of the plate [m]; inertia of the arm [kg m^2], which drag slows by 1e-5; inertia
+or mass of what has none. The tolerance of SAP is relative to the momentum of all there is."""
+HALF = (3 * RADIUS**2 - DEEP**2) ** 0.5
+"""Half width of a plate of that mass whose inertia [m] is that of the mode: PyBullet takes it from the shape."""
 
 
 def amplitude(load=LOAD * GRAVITY / MASS, w=W, omega=OMEGA, zeta=ZETA):
@@ -40,12 +49,24 @@ def amplitude(load=LOAD * GRAVITY / MASS, w=W, omega=OMEGA, zeta=ZETA):
     return -load / (w**2 - omega**2 + 2j * zeta * w * omega)
 
 
-def answer(z: complex, steps: int, at: float = SPAN) -> Answer:
-    """Return z exp(-i Omega t)/A. Raises Failure where it is not finite."""
-    ratio = z * np.exp(-1j * OMEGA * at) / amplitude()
+def answer(z: complex, steps: int) -> Answer:
+    """Return z exp(-i Omega t)/A at the end. Raises Failure where it is not finite."""
+    ratio = z * np.exp(-1j * OMEGA * SPAN) / amplitude()
     if not np.isfinite(ratio):
         raise Failure("not finite")
     return Answer((ratio,), steps)
+
+
+def at_start() -> tuple[np.ndarray, np.ndarray, float]:
+    """Return the angles of the plate about x and y [rad], their rates [1/s], and how high the ball is [m]."""
+    A = amplitude()
+    angles, rates = (np.array([z.imag, -z.real]) / RADIUS for z in (A, 1j * OMEGA * A))
+    return angles, rates, A.real + BALL
+
+
+def tilted(angles, steps: int) -> Answer:
+    """Return the answer of the angles of the plate about x and y at the end."""
+    return answer(complex(-angles[1], angles[0]) * RADIUS, steps)
 
 
 def exact_hold(rate: float) -> Answer:

@@ -1,0 +1,192 @@
+"""Drake: the disk, a sharp-edged cylinder on a half space, and the plate that rocks; in discrete steps or by RK3.
+
+Point contact, as stiff as the method bears, or contact by areas, with a modulus in place of a step. The moments (3.3)
+act as external torques, which Drake has no law for. In discrete steps there is one coefficient of friction, for which
+the static one is taken.
+"""
+
+import logging
+
+import numpy as np
+from pydrake import geometry
+from pydrake.math import RigidTransform
+from pydrake.multibody import tree
+from pydrake.multibody.math import SpatialForce
+from pydrake.multibody.plant import (
+    AddMultibodyPlantSceneGraph,
+    ContactModel,
+    CoulombFriction,
+    DiscreteContactApproximation,
+    ExternallyAppliedSpatialForce,
+)
+from pydrake.systems.analysis import Simulator
+from pydrake.systems.framework import DiagramBuilder
+
+from sonify.charts import table_case as plate
+from sonify.charts.motion_case import Case
+from sonify.charts.records import Answer
+from sonify.charts.rigid_body import Pose, answer, at_start, gravity, inertia, quaternion, resistance
+
+STIFFNESS = 1e8
+"""Of a point of contact, over m g/R."""
+SLIP = 1e-5
+"""Slip speed up to which friction is smeared, over R/chi."""
+HYDROELASTIC_STEP, FINENESS = 1e-3, 0.05
+"""Step, and the length of the sides of the tetrahedra, of the contact by areas."""
+MODULUS = 1e6
+"""Hydroelastic modulus of the ball on the plate [Pa]."""
+RELAXES = 1e-4
+"""Time [s] in which a contact of SAP gives way: far less than a period of the mode."""
+
+
+def disk(case: Case, solver: str, step: float) -> Answer:
+    """Solve a case by the discrete `solver`, 'Tamsi' or 'Sap', in steps of `step`."""
+    plant, body, diagram = _disk(case, step, solver)
+    simulator, context = _started(case, plant, diagram)
+    count = round(case.span / step)
+    if case.law.k1 or case.law.k2 or case.law.k3:
+        for i in range(1, count + 1):
+            _resist(plant, body, context, case.law)
+            simulator.AdvanceTo(i * step)
+    else:
+        simulator.AdvanceTo(case.span)
+    return answer(_pose(plant, body, context), case.law, count)
+
+
+def continuous(case: Case, slip: float) -> Answer:
+    """Solve a case without moments by RK3 with error control, friction smeared over the speed `slip`."""
+    plant, body, diagram = _disk(case, 0.0, slip=slip)
+    simulator, context = _started(case, plant, diagram)
+    integrator = simulator.get_mutable_integrator()
+    integrator.set_target_accuracy(1e-3)
+    simulator.AdvanceTo(case.span)
+    return answer(_pose(plant, body, context), case.law, integrator.get_num_steps_taken())
+
+
+def hydroelastic(case: Case, modulus: float) -> Answer:
+    """Solve a case without moments by contact over areas of a `modulus`, over m g/R^2, in steps of TAMSI."""
+    plant, body, diagram = _disk(case, HYDROELASTIC_STEP, "Tamsi", modulus=modulus)
+    simulator, context = _started(case, plant, diagram)
+    simulator.AdvanceTo(case.span)
+    return answer(_pose(plant, body, context), case.law, round(case.span / HYDROELASTIC_STEP))
+
+
+def table(solver: str, rate: float, modulus: float = 0.0) -> Answer:
+    """Solve the plate with `rate` steps a second; with a `modulus` [Pa] by contact over areas, else at a point."""
+    plant, joints, diagram = _plate(solver, 1 / rate, modulus)
+    (angles, rates, _), simulator = plate.at_start(), Simulator(diagram)
+    context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
+    for joint, angle, speed in zip(joints, [*angles, 0.0], [*rates, plate.OMEGA], strict=True):
+        joint.set_angle(context, angle)
+        joint.set_angular_rate(context, speed)
+    simulator.AdvanceTo(plate.SPAN)
+    return plate.tilted([joint.get_angle(context) for joint in joints[:2]], round(plate.SPAN * rate))
+
+
+def areas(rate: float) -> Answer:
+    """Solve the plate by contact over areas, in steps of TAMSI."""
+    return table("Tamsi", rate, MODULUS)
+
+
+def _world(step, fall, solver, by_areas):
+    """Return the builder and the plant of an empty world."""
+    logging.getLogger("drake").setLevel(logging.ERROR)
+    builder = DiagramBuilder()
+    plant, _ = AddMultibodyPlantSceneGraph(builder, time_step=step)
+    if solver:
+        plant.set_discrete_contact_approximation(getattr(DiscreteContactApproximation, f"k{solver}"))
+    plant.set_contact_model(ContactModel.kHydroelastic if by_areas else ContactModel.kPoint)
+    plant.mutable_gravity_field().set_gravity_vector([0, 0, -fall])
+    return builder, plant
+
+
+def _matter(mu, dissipation, stiffness, size, modulus=None):
+    """Return what a body is made of: for contact by areas rigid, or of a `modulus`, in cells of a `size`; at a point
+    without a size."""
+    matter, friction = geometry.ProximityProperties(), CoulombFriction(mu, mu)
+    geometry.AddContactMaterial(
+        dissipation=dissipation, point_stiffness=stiffness, friction=friction, properties=matter
+    )
+    if modulus:
+        geometry.AddCompliantHydroelasticProperties(size, modulus, matter)
+    elif size:
+        geometry.AddRigidHydroelasticProperties(size, matter)
+    return matter
+
+
+def _disk(case, step, solver=None, slip=SLIP, modulus=None):
+    law = case.law
+    builder, plant = _world(step, gravity(law), solver, modulus)
+    body = plant.AddRigidBody("disk", tree.SpatialInertia(1.0, [0, 0, 0], tree.UnitInertia(*inertia(law))))
+    about = (law.mu_static, 0.0, None, FINENESS) if modulus else (law.mu_static, 0.0, STIFFNESS, None)
+    for on, shape, soft in (
+        (plant.world_body(), geometry.HalfSpace(), None),
+        (body, geometry.Cylinder(1.0, 2 * law.h), modulus),
+    ):
+        plant.RegisterCollisionGeometry(on, RigidTransform(), shape, on.name(), _matter(*about, soft))
+    plant.Finalize()
+    plant.set_stiction_tolerance(slip)
+    return plant, body, builder.Build()
+
+
+def _started(case, plant, diagram):
+    simulator, start = Simulator(diagram), at_start(case)
+    context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
+    plant.SetPositions(context, [*quaternion(case), *start.centre])
+    plant.SetVelocities(context, [*start.angular, *start.velocity])
+    simulator.Initialize()
+    return simulator, context
+
+
+def _resist(plant, body, context, law):
+    """Apply the moments under the normal force and the angular velocity of now."""
+    contacts = plant.get_contact_results_output_port().Eval(context)
+    found = range(contacts.num_point_pair_contacts())
+    normal = abs(sum(contacts.point_pair_contact_info(i).contact_force()[2] for i in found))
+    pose = _pose(plant, body, context)
+    moment = ExternallyAppliedSpatialForce()
+    moment.body_index = body.index()
+    moment.F_Bq_W = SpatialForce(resistance(pose.rotation[:, 2], pose.angular, normal, law), np.zeros(3))
+    plant.get_applied_spatial_force_input_port().FixValue(context, [moment])
+
+
+def _pose(plant, body, context):
+    place, moving = plant.EvalBodyPoseInWorld(context, body), plant.EvalBodySpatialVelocityInWorld(context, body)
+    return Pose(place.translation(), place.rotation().matrix(), moving.translational(), moving.rotational())
+
+
+def _plate(solver, step, modulus):
+    """Return the plant, its three hinges and the diagram."""
+    builder, plant = _world(step, plate.GRAVITY, solver, modulus)
+
+    def body(name, mass, inertia):
+        unit = tree.UnitInertia(*[inertia / mass] * 3)
+        return plant.AddRigidBody(name, tree.SpatialInertia(mass, [0, 0, 0], unit))
+
+    between, top = body("between", plate.SMALL, plate.SMALL), body("plate", 1.0, plate.INERTIA)
+    arm, ball = body("arm", 1.0, plate.GREAT), body("ball", plate.LOAD, plate.SMALL)
+    joints = [
+        plant.AddJoint(tree.RevoluteJoint(f"{i}", parent.body_frame(), child.body_frame(), axis, damping))
+        for i, (parent, child, axis, damping) in enumerate(
+            (
+                (plant.world_body(), between, [1, 0, 0], plate.DAMPER),
+                (between, top, [0, 1, 0], plate.DAMPER),
+                (plant.world_body(), arm, [0, 0, 1], 0.0),
+            )
+        )
+    ]
+    for joint in joints[:2]:
+        plant.AddForceElement(tree.RevoluteSpring(joint, 0.0, plate.SPRING))
+    end = RigidTransform([plate.RADIUS, 0, plate.at_start()[2]])
+    rail = plant.AddFrame(tree.FixedOffsetFrame("rail", arm, end))
+    plant.AddJoint(tree.PrismaticJoint("slide", rail, ball.body_frame(), [0, 0, 1]))
+    box = geometry.Box(2 * plate.HALF, 2 * plate.HALF, 2 * plate.DEEP)
+    for on, depth, shape, size, soft in (
+        (top, plate.DEEP, box, 2 * plate.HALF, None),
+        (ball, 0.0, geometry.Sphere(plate.BALL), plate.BALL / 4, modulus),
+    ):
+        matter = _matter(0.0, 1.0, 1e6, size if modulus else None, soft)
+        matter.AddProperty("material", "relaxation_time", RELAXES)
+        plant.RegisterCollisionGeometry(on, RigidTransform([0, 0, -depth]), shape, on.name(), matter)
+    plant.Finalize()
+    return plant, joints, builder.Build()
