@@ -12,7 +12,7 @@ from scipy.integrate import solve_ivp
 
 from sonify.charts import table
 from sonify.charts import table_case as case
-from sonify.charts.records import LEFT_OUT, Failure, Record, measure
+from sonify.charts.records import LEFT_OUT, Failure, Record, from_one, measure
 from sonify.charts.steps import bilinear, semi_implicit_euler
 
 
@@ -32,13 +32,13 @@ def test_the_closed_form_is_where_a_mode_at_rest_comes_to():
 def test_our_steps_and_the_textbooks_have_their_orders(method, order):
     rates = (800, 1600, 3200)
     answers = [method(r) if method is case.exact_hold else case.plain(method, r) for r in rates]
-    errors = [table.distance(answer.values) for answer in answers]
+    errors = [from_one(answer.values) for answer in answers]
     assert -np.polyfit(np.log(rates), np.log(errors), 1)[0] == pytest.approx(order, abs=0.1)
 
 
 def test_the_disk_on_the_mode_is_the_weight_of_the_closed_form():
     """The disk begins in the steady motion of a rigid table and nutates a little: a part in a thousand."""
-    assert table.distance(case.with_the_disk(8000).values) < 1e-3
+    assert from_one(case.with_the_disk(8000).values) < 1e-3
 
 
 @pytest.mark.parametrize("method", [name for name in table.PEERS if "flexes" not in name and "areas" not in name])
@@ -46,7 +46,7 @@ def test_engines_converge_to_the_closed_form(method):
     peer = table.PEERS[method]
     if not find_spec(peer.package):
         pytest.skip(f"{peer.package} is not installed")
-    coarse, fine = (table.distance(peer.ask(*peer.first, rate).values) for rate in peer.last[:2])
+    coarse, fine = (from_one(peer.ask(*peer.first, rate).values) for rate in peer.last[:2])
     assert fine < 0.01
     assert coarse > 5 * fine
 

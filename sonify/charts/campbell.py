@@ -1,6 +1,6 @@
 """The Campbell diagram of a disk on one mode of a table, and the growth of its flutter by the steps of two ways."""
 
-from functools import cache, partial
+from functools import cache
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -17,7 +17,7 @@ from dynamics.surface import ModesSurface, SurfaceMode
 from modal.surface import table_by_modes
 from sonify.charts.chart import DPI, save
 from sonify.charts.page import number
-from sonify.charts.records import Answer, Failure, Record, Work, ends, measured, nearest
+from sonify.charts.records import Answer, Failure, Record, Work, along, ends, measured, nearest
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -74,9 +74,8 @@ def expected(mode: SurfaceMode, x: float) -> float:
 
 def works(quick: bool) -> list[Work]:
     """Return every run; `quick` keeps both ends."""
-    what = "two ways", "discrete gradient"
     rates = ends((1e4, 5e4, 1e5, 2e5, 4e5, 8e5), quick)
-    return [Work(*what, f"{rate:g} 1/s", "growth of the flutter", partial(_answer, rate), _off, 0.1) for rate in rates]
+    return along("two ways", "discrete gradient", "{:g} 1/s", rates, _answer, "growth of the flutter", _off, 0.1)
 
 
 def _answer(rate):

@@ -8,7 +8,7 @@ from sonify.charts import chart
 from sonify.charts import contact_case as case
 from sonify.charts.contact_case import explicit_euler, leap_frog
 from sonify.charts.page import milliseconds, number
-from sonify.charts.records import Answer, Record, Work, ends, measured, nearest
+from sonify.charts.records import Answer, Record, Work, along, ends, from_one, measured, nearest
 from sonify.claims.halt import steady
 from sonify.scene import load_scene
 
@@ -22,27 +22,20 @@ several contacts (rms $z'' R/\beta$), and ever smaller inclination.
 IMPACT, ROLLING = "a lossless impact", "rolling on roughness"
 UNDAMPED, SEVERAL, FLAT = "loss factor of the contact to 0", "rms(z'') R/beta beyond 1", "inclination to 0"
 FINEST = 3.2e6
-KIND = {"full": "discrete gradient", "filter": "exact along the rigid motion"}
+FULL, FILTER, RATE = "discrete gradient", "exact along the rigid motion", "{:g} 1/s"
 
 
 def works(quick: bool) -> list[Work]:
     """Return every run; `quick` keeps both ends of every path."""
-    rates = ends((1e5, 2e5, 4e5, 8e5, 1.6e6), quick)
-    runs = [
-        Work("full", KIND["full"], f"{rate:g} 1/s", IMPACT, partial(case.impact, rate), _from_one, wrong=0.1)
-        for rate in rates
-    ]
+    rates, off = ends((1e5, 2e5, 4e5, 8e5, 1.6e6), quick), partial(_off, case.RMS, FINEST)
+    runs = along("full", FULL, RATE, rates, case.impact, IMPACT, from_one, 0.1)
     for name, step in (("leap-frog", leap_frog), ("explicit Euler", explicit_euler)):
-        runs += [
-            Work("explicit", name, f"{r:g} 1/s", IMPACT, partial(case.explicit_impact, step, r), _from_one, wrong=0.1)
-            for r in ends((2.5e4, *rates), quick)
-        ]
-    runs.append(Work("rigid", "event-driven", "-", ROLLING, _rigid, _off))
-    for rate in ends((1e5, 2e5, 4e5), quick):
-        runs.append(Work("full", KIND["full"], f"{rate:g} 1/s", ROLLING, partial(case.full, rate), _off))
-    for rate in ends((6e3, 1.2e4, 2.4e4, 4.8e4, 9.6e4, 1.92e5), quick):
-        runs.append(Work("filter", KIND["filter"], f"{rate:g} 1/s", ROLLING, partial(case.filtered, rate), _off, 0.1))
-    return runs + hazards(quick)
+        slow, solve = ends((2.5e4, *rates), quick), partial(case.explicit_impact, step)
+        runs += along("explicit", name, RATE, slow, solve, IMPACT, from_one, 0.1)
+    runs.append(Work("rigid", "event-driven", "-", ROLLING, _rigid, off))
+    runs += along("full", FULL, RATE, ends((1e5, 2e5, 4e5), quick), case.full, ROLLING, off)
+    rates = ends((6e3, 1.2e4, 2.4e4, 4.8e4, 9.6e4, 1.92e5), quick)
+    return [*runs, *along("filter", FILTER, RATE, rates, case.filtered, ROLLING, off, 0.1), *hazards(quick)]
 
 
 def hazards(quick: bool) -> list[Work]:
@@ -50,13 +43,11 @@ def hazards(quick: bool) -> list[Work]:
     runs = []
     for loss in ends((0.02, 0.002, 0.0), quick):
         for name, creeps in (("with creep", True), ("without creep", False)):
-            runs.append(Work("full", name, f"{loss:g}", UNDAMPED, partial(case.undamped, loss, creeps), _from_one))
+            runs.append(Work("full", name, f"{loss:g}", UNDAMPED, partial(case.undamped, loss, creeps), from_one))
     for rms in ends((1e-8, 3e-8, 1e-7, 3e-7, 1e-6), quick):
-        call, judge = partial(case.filtered, 9.6e4, rms=rms), partial(_against_full, rms)
-        runs.append(Work("filter", KIND["filter"], f"{case.shift(rms):.2g}", SEVERAL, call, judge, 0.1))
-    for beta in ends((1e-2, 1e-4, 1e-6, 1e-7, 3e-8), quick):
-        runs.append(Work("full", KIND["full"], f"{beta:g}", FLAT, partial(case.flat, beta), _from_one))
-    return runs
+        call, off = partial(case.filtered, 9.6e4, rms=rms), partial(_off, rms, 4e5)
+        runs.append(Work("filter", FILTER, f"{case.shift(rms):.2g}", SEVERAL, call, off, 0.1))
+    return runs + along("full", FULL, "{:g}", ends((1e-2, 1e-4, 1e-6, 1e-7, 3e-8), quick), case.flat, FLAT, from_one)
 
 
 def _rigid() -> Answer:
@@ -68,20 +59,13 @@ def _rigid() -> Answer:
 
 
 @cache
-def _reference(rms: float = case.RMS, rate: float = FINEST) -> float:
+def _reference(rms: float, rate: float) -> float:
     return case.full(rate, rms=rms).values[0]
 
 
-def _off(values) -> float:
-    return abs(values[0] / _reference() - 1)
-
-
-def _against_full(rms, values) -> float:
-    return abs(values[0] / _reference(rms, 4e5) - 1)
-
-
-def _from_one(values) -> float:
-    return max(abs(value - 1) for value in values)
+def _off(rms, rate, values) -> float:
+    """Return how far off a force is from that of the full model in steps of 1/rate."""
+    return abs(values[0] / _reference(rms, rate) - 1)
 
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:

@@ -11,7 +11,7 @@ from dynamics.film.law import compressibility, film_under, thickness
 from dynamics.film.reynolds import FilmMesh, compressible
 from dynamics.steady import flat_square
 from sonify.charts.page import number
-from sonify.charts.records import Answer, Failure, Record, Work, measured, relative
+from sonify.charts.records import Answer, Failure, Record, along, measured, relative
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -50,7 +50,7 @@ def scale(beta: float) -> float:
     return 12 * air.viscosity * disk.radius**3 * rate(beta) ** 2 / np.sin(beta)
 
 
-def elements(beta: float, cells: int, unsteady: bool) -> Answer:
+def elements(unsteady: bool, beta: float, cells: int) -> Answer:
     """Return the power [W] of incompressible air, by elements, of steady or of unsteady flow."""
     disk, air = disk_and_air()
     mesh = FilmMesh(cells)
@@ -66,7 +66,7 @@ def squeezed(beta: float, cells: int) -> Answer:
         share = compressible([compressibility(beta, rate(beta), disk_and_air()[1])], mesh)[1][0]
     except ArithmeticError:
         raise Failure("Newton's method does not converge") from None
-    return Answer((share * elements(beta, cells, False).values[0],), mesh.basis.N)
+    return Answer((share * elements(False, beta, cells).values[0],), mesh.basis.N)
 
 
 def closed(beta: float) -> Answer:
@@ -86,29 +86,27 @@ def estimate(beta: float, **law) -> Answer:
 @cache
 def reference(beta: float) -> float:
     """Return the power [W] that is taken as true."""
-    share = squeezed(beta, COMPRESSED).values[0] / elements(beta, COMPRESSED, False).values[0]
-    return share * elements(beta, FINE, True).values[0]
+    share = squeezed(beta, COMPRESSED).values[0] / elements(False, beta, COMPRESSED).values[0]
+    return share * elements(True, beta, FINE).values[0]
 
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of every method on every case."""
     air = disk_and_air()[1]
     layer = {"boundary_layer_viscosity": air.viscosity / air.density, "air_density": air.density}
+    moffatt, bildsten = partial(estimate, air_viscosity=air.viscosity), partial(estimate, **layer)
     works = []
     for name, beta in CASES.items():
-        judge = relative((reference(beta),))
-
-        def add(family, method, setting, call, name=name, judge=judge):
-            works.append(Work(family, method, setting, name, call, judge, WRONG))
-
-        add("closed form", "I and the fit of inertia", "", partial(closed, beta))
-        add("estimate", "Moffatt", "", partial(estimate, beta, air_viscosity=air.viscosity))
-        add("estimate", "Bildsten", "", partial(estimate, beta, **layer))
-        for cells in (4, 8) if quick else (4, 8, 16):
-            setting = f"{cells} cells"
-            add("elements", "incompressible, steady", setting, partial(elements, beta, cells, False))
-            add("elements", "incompressible, unsteady", setting, partial(elements, beta, cells, True))
-            add("elements", "compressible, steady", setting, partial(squeezed, beta, cells))
+        judged, cells = (name, relative((reference(beta),)), WRONG), (4, 8) if quick else (4, 8, 16)
+        works += along("closed form", "I and the fit of inertia", "", [beta], closed, *judged)
+        works += along("estimate", "Moffatt", "", [beta], moffatt, *judged)
+        works += along("estimate", "Bildsten", "", [beta], bildsten, *judged)
+        for flow, solve in (
+            ("incompressible, steady", partial(elements, False, beta)),
+            ("incompressible, unsteady", partial(elements, True, beta)),
+            ("compressible, steady", partial(squeezed, beta)),
+        ):
+            works += along("elements", flow, "{} cells", cells, solve, *judged)
     return measured(works, watch, warm=lambda work: True)
 
 

@@ -8,6 +8,7 @@ import math
 import os
 from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields
+from functools import partial
 from pathlib import Path
 from statistics import median
 from time import process_time
@@ -73,6 +74,11 @@ class Work(NamedTuple):
     call: Callable[[], Answer]
     error: Callable[[tuple], float]
     wrong: float = WRONG
+
+
+def along(family, method, setting, values, solve, case, error, wrong=WRONG) -> list[Work]:
+    """Return a run for each of the values: `setting` is how one is written, solve(value) what it gives."""
+    return [Work(family, method, setting.format(x), case, partial(solve, x), error, wrong) for x in values]
 
 
 def spent() -> float:
@@ -166,6 +172,11 @@ def ends(values, quick: bool):
 def relative(reference) -> Callable[[tuple], float]:
     """Return the largest relative error against the values `reference`."""
     return lambda values: max(abs(a / b - 1) for a, b in zip(values, reference, strict=True))
+
+
+def from_one(values) -> float:
+    """Return the largest distance from 1 of numbers, real or complex, that are 1 if they are exact."""
+    return max(abs(value - 1) for value in values)
 
 
 def write_csv(records: list[Record], path: Path):

@@ -24,7 +24,7 @@ from modal.mesh.symmetry import COMPONENTS, Mirror, free_unknowns
 from modal.spectral.basis import problem
 from modal.spectral.converge import solve
 from sonify.charts.modes_case import modes_case
-from sonify.charts.records import Answer, Failure, Work, ends
+from sonify.charts.records import Answer, Failure, Work, along, ends, from_one
 
 OURS, RICH = (8, 4), (14, 8)
 """Polynomials, radial and axial, of our method and of its judge."""
@@ -101,9 +101,9 @@ def polynomials(plate: Plate, size=OURS) -> float:
     return float(np.sqrt(solve(plate, problem(plate, 2, -1), size, rate(plate)).values[0])) / (2 * pi)
 
 
-def bent(frequency, plate: Plate) -> Answer:
-    """Return the frequency of the first bending mode, over the true one."""
-    return Answer(frequency(plate) / polynomials(plate, RICH), 0)
+def bent(frequency, of, x: float) -> Answer:
+    """Return the frequency of the first bending mode of the disk `of` x, over the true one."""
+    return Answer((frequency(of(x)) / polynomials(of(x), RICH),), 0)
 
 
 @cache
@@ -168,25 +168,14 @@ def follows(frequencies, which: int, at, finer, ratio: float) -> Answer:
 
 def works(quick: bool) -> list[Work]:
     """Return every run; `quick` keeps both ends of every path."""
-
-    def away(ratio):
-        return abs(ratio - 1)
-
-    def farthest(ratios):
-        return max(map(away, ratios))
-
     runs = []
     for hazard, of, path in (("thin disk", thin, ASPECTS), ("incompressible", rubbery, COMPRESSIBILITIES)):
         rows = {("ours", "Fourier x polynomials"): polynomials}
         rows |= {("finite elements", element): partial(by_elements, element) for element in ELEMENTS}
         for about, frequency in rows.items():
-            for x in ends(path, quick):
-                runs.append(Work(*about, f"{x:g}", hazard, partial(bent, frequency, of(x)), away, LOCKED))
-    for share in ends(SHIFTS, quick):
-        about = ("shift-invert", "a free disk", f"{share:g}", "shift")
-        runs.append(Work(*about, partial(shifted, share), farthest, LOCKED))
-    share = rate(disk()) ** 2 / whole()[2]
-    runs.append(Work("ours", "the shift in use", f"{share:.2g}", "shift", partial(shifted, share), farthest))
+            runs += along(*about, "{:g}", ends(path, quick), partial(bent, frequency, of), hazard, from_one, LOCKED)
+    runs += along("shift-invert", "a free disk", "{:g}", ends(SHIFTS, quick), shifted, "shift", from_one, LOCKED)
+    runs += along("ours", "the shift in use", "{:.2g}", [rate(disk()) ** 2 / whole()[2]], shifted, "shift", from_one)
     for which, name in enumerate(("first frequency", "fourth frequency")):
         for x in ends(SIZES, quick):
             call = partial(follows, square, which, x, x / 2, 2.0)

@@ -5,7 +5,7 @@ from functools import partial
 from sonify.charts import table_case as case
 from sonify.charts.page import milliseconds, number
 from sonify.charts.peers import Peer
-from sonify.charts.records import Record, Work, ends, measured, nearest
+from sonify.charts.records import Record, Work, along, ends, from_one, measured, nearest
 from sonify.charts.steps import bilinear, semi_implicit_euler
 
 PROBLEM = r"""
@@ -37,24 +37,18 @@ PEERS = {
 
 def works(quick: bool) -> list[Work]:
     """Return every run; `quick` keeps both ends of every path."""
-    runs = [
+    runs = []
+    for family, method, rates, solve in (
         (SOUND, "exact hold", (25, 100, 400, 1600, 6400), case.exact_hold),
         (MOTION, "midpoint rule, with the disk", (2000, 4000, 8000, 16000), case.with_the_disk),
         (TEXTBOOK, "semi-implicit Euler", (100, 400, 1600, 6400), partial(case.plain, semi_implicit_euler)),
         (TEXTBOOK, "average acceleration", (100, 400, 1600, 6400), partial(case.plain, bilinear)),
-    ]
-    about = [
-        (family, method, RATE.format(rate), partial(solve, rate))
-        for family, method, rates, solve in runs
-        for rate in ends(rates, quick)
-    ]
-    about += [(ENGINE, method, *run) for method, peer in PEERS.items() for run in ends(peer.runs(), quick)]
-    return [Work(*names, CASE, call, distance, WRONG) for *names, call in about]
-
-
-def distance(values) -> float:
-    """Return how far the answer is from 1 in the plane of complex numbers: amplitude and phase in one."""
-    return abs(values[0] - 1)
+    ):
+        runs += along(family, method, RATE, ends(rates, quick), solve, CASE, from_one, WRONG)
+    for method, peer in PEERS.items():
+        for setting, call in ends(peer.runs(), quick):
+            runs.append(Work(ENGINE, method, setting, CASE, call, from_one, WRONG))
+    return runs
 
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
