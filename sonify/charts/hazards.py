@@ -1,7 +1,15 @@
-"""The hazards of the map of failures, and what a run on the path to one is called."""
+"""The hazards of the map of failures, what a run on the path to one is called, and the map.
+
+A panel per hazard, a row per method, its edge to the right: a dot where a method is fine, a ring where it is degraded,
+a cross where it fails, readable without colour.
+"""
 
 from typing import NamedTuple
 
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from sonify.charts.chart import save
 from sonify.charts.records import Record
 from sonify.charts.stability_sound import HEARD
 
@@ -30,6 +38,15 @@ HAZARDS = {
     "point support": Hazard("Support to a point", "half angle of patch, or elements at its edge [degrees]", 0.02, True),
 }
 """By the case of the records."""
+STYLES = {
+    FINE: {"marker": "o", "color": "#1b7837", "ms": 7},
+    DEGRADED: {"marker": "o", "color": "#d98200", "ms": 8, "mfc": "w", "mew": 2},
+    FAILED: {"marker": "X", "color": "#b2182b", "ms": 9},
+}
+ZERO = 0.01
+"""Where a parameter that is zero is drawn, as a part of the least other one."""
+WIDE, APART = 10.0, 1.15
+"""Ratios of parameters: above which a path is drawn in logarithms, below which two labels would overlap."""
 
 
 def state(record: Record) -> str:
@@ -43,3 +60,58 @@ def rows(records: list[Record]) -> dict[tuple[str, str], list[Record]]:
     """Return the records by (family, method), ours first."""
     keys = sorted(dict.fromkeys((r.family, r.method) for r in records), key=lambda key: key[0] != "ours")
     return {key: [r for r in records if (r.family, r.method) == key] for key in keys}
+
+
+def draw(records: list[Record], title: str, path):
+    """Draw every hazard, two panels in a row."""
+    shown = [r for r in records if not r.left_out]
+    cases = [case for case in HAZARDS if any(r.case == case for r in shown)]
+    panels = {case: rows([r for r in shown if r.case == case]) for case in cases}
+    heights = [max(len(panels[case]) for case in cases[i : i + 2]) + 2.5 for i in range(0, len(cases), 2)]
+    figure = Figure(figsize=(19, 0.3 * sum(heights) + 1), dpi=100, layout="constrained")
+    every = [*figure.subplots(len(heights), 2, height_ratios=heights, squeeze=False).flat]
+    for axes, (case, methods) in zip(every, panels.items(), strict=False):
+        _panel(axes, HAZARDS[case], methods)
+    for axes in every[len(panels) :]:
+        axes.remove()
+    handles = [Line2D([], [], ls="", label=name, **style) for name, style in STYLES.items()]
+    figure.legend(handles=handles, loc="outside upper right", ncols=3)
+    figure.suptitle(f"{title} (ours in bold; the edge is to the right)")
+    save(figure, path)
+
+
+def _label(axes, y, runs):
+    """Write the errors over the marks, but for those too close to the one before."""
+    last = 0.0
+    for r in runs:
+        if (x := float(r.setting)) > APART * last:
+            axes.annotate(f"{r.error:.0f}", (x, y), (0, 6), textcoords="offset points", ha="center", fontsize=7)
+            last = x
+
+
+def _panel(axes, hazard, methods):
+    places = sorted({float(r.setting) for runs in methods.values() for r in runs})
+    zero = ZERO * min(place for place in places if place > 0)
+    for y, runs in enumerate(methods.values()):
+        axes.axhline(y, color="0.9", lw=1, zorder=0)
+        for r in runs:
+            x = float(r.setting) or zero
+            axes.plot([x], [y], ls="", **STYLES[state(r)])
+        if "cents" in hazard.label:
+            _label(axes, y, [r for r in runs if r.error > hazard.fine and "grows" not in r.failure])
+    if places[-1] > WIDE * places[0]:
+        axes.set_xscale("log")
+    if 0.0 in places:
+        axes.axvline(zero, color="0.8", lw=0.8, zorder=0)
+        axes.text(zero, 0.02, "0", transform=axes.get_xaxis_transform(), ha="center", fontsize=9)
+    axes.set_yticks(range(len(methods)), [f"{family}: {method}" for family, method in methods], fontsize=8)
+    for label, (family, _) in zip(axes.get_yticklabels(), methods, strict=True):
+        label.set_fontweight("bold" if family == "ours" else "normal")
+    axes.set_ylim(len(methods) - 0.4, -0.8)
+    axes.set_title(hazard.title, fontsize=11)
+    axes.set_xlabel(hazard.label, fontsize=9)
+    axes.tick_params(axis="y", length=0)
+    for side in ("top", "right", "left"):
+        axes.spines[side].set_visible(False)
+    if hazard.falls:
+        axes.invert_xaxis()

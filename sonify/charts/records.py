@@ -40,7 +40,7 @@ class Answer(NamedTuple):
     steps: int
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True)
 class Record:
     """One run: `error` relative to the reference, processor `seconds` (median of `repeats`), or the way it failed."""
 
@@ -102,36 +102,23 @@ class Run:
 
     def time(self, repeats: int):
         """Time it once more, unless that was done as often as it may be."""
-        if self.seconds and (self.failure or len(self.seconds) >= repeats or self.spends_patience):
-            return
-        if self.seconds and self.seconds[-1] < CLOCK:
-            self.work.call()  # what ran in between left nothing of it in the processor's caches
+        if self.seconds:
+            spends_patience = sum(self.seconds) + self.seconds[-1] >= PATIENCE
+            if self.failure or len(self.seconds) >= repeats or spends_patience:
+                return
+            if self.seconds[-1] < CLOCK:
+                self.work.call()  # what ran in between left nothing of it in the processor's caches
         began, calls, passed = spent(), 0, 0.0
         while passed < CLOCK:
             self.work.call()
             calls, passed = calls + 1, spent() - began
         self.seconds.append(passed / calls)
 
-    @property
-    def spends_patience(self) -> bool:
-        """Whether one call more would take longer than PATIENCE in all."""
-        return sum(self.seconds) + self.seconds[-1] >= PATIENCE
-
     def record(self) -> Record:
         """Return what was measured."""
-        work = self.work
-        wrong = "" if self.failure or self.error <= work.wrong else f"wrong by {100 * self.error:.2g} %"
-        return Record(
-            family=work.family,
-            method=work.method,
-            setting=work.setting,
-            case=work.case,
-            error=self.error,
-            steps=self.steps,
-            seconds=median(self.seconds),
-            repeats=len(self.seconds),
-            failure=self.failure or wrong,
-        )
+        wrong = "" if self.failure or self.error <= self.work.wrong else f"wrong by {100 * self.error:.2g} %"
+        timed = median(self.seconds), len(self.seconds)
+        return Record(*self.work[:4], self.error, self.steps, *timed, self.failure or wrong)
 
 
 def measure(work: Work) -> Record:

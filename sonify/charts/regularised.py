@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 
 from dynamics.equations import Law
 from sonify.charts.motion_case import Case
-from sonify.charts.naive import BUDGET, SLIDING, contact, integrate, rates, turnings
+from sonify.charts.naive import SLIDING, contact, integrate, rates, turnings
 from sonify.charts.records import Answer
 
 FADE = 10.0
@@ -44,6 +44,6 @@ def smeared(state, law: Law, width: float):
     return contact(state, SLIDING, (share * state[4], share * state[5]), senses, law)
 
 
-def tanh_regularised(case: Case, method: str, width: float, tolerance: float, budget: int = BUDGET) -> Answer:
+def tanh_regularised(case: Case, method: str, width: float, tolerance: float) -> Answer:
     """Solve a case with friction and moments smeared over the velocity `width`."""
-    return integrate(lambda state: rates(state, smeared(state, case.law, width)), case, method, tolerance, budget)
+    return integrate(lambda state: rates(state, smeared(state, case.law, width)), case, method, tolerance)

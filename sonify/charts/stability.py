@@ -4,8 +4,9 @@ A run fails that gives up or gives nonsense; it is degraded where it errs more t
 a record is its place on the path.
 """
 
-from sonify.charts import pictures, stability_modes, stability_motion, stability_sound
+from sonify.charts import stability_modes, stability_motion, stability_sound
 from sonify.charts.hazards import DEGRADED, FAILED, FINE, HAZARDS, rows, state
+from sonify.charts.hazards import draw as draw
 from sonify.charts.records import WRONG, Record, measured
 
 PROBLEM = r"""
@@ -14,8 +15,6 @@ it. Motions obey $\dot y = f(y)$ with the set-valued laws (3.2), (3.3); oscillat
 $\ddot q + 2 d \dot q + \omega^2 q = g$; elastic disks $K u = \omega^2 M u$, sought from a shift $\sigma$ on. References
 are closed forms, quadruple precision, and converged solutions by another method.
 """
-
-draw = pictures.draw
 
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:

@@ -3,7 +3,6 @@
 from functools import partial
 
 from sonify.charts import event_driven
-from sonify.charts.euler_angles import euler_angles
 from sonify.charts.moreau import moreau
 from sonify.charts.motion_case import (
     INCLINATIONS,
@@ -14,7 +13,7 @@ from sonify.charts.motion_case import (
     pivoting_arm,
     published,
 )
-from sonify.charts.naive import naive_sign
+from sonify.charts.naive import euler_angles, naive_sign
 from sonify.charts.records import Work, ends
 from sonify.charts.regularised import tanh_regularised
 from sonify.charts.slip_tolerance import slip_tolerance
