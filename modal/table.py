@@ -5,8 +5,7 @@ from dataclasses import dataclass, replace
 from math import ceil
 
 import numpy as np
-import scipy.sparse as sp
-from scipy.interpolate import BSpline, make_interp_spline
+from scipy.interpolate import NdBSpline, make_interp_spline
 
 from modal.modes import ModeList
 
@@ -77,22 +76,5 @@ def splined(shape, low, high, length):
 
 def spline_values(knots, coefficients, x, y, slope=(0, 0)):
     """Return the splines, or their derivatives, at x, y (k,) [m]: (k, m)."""
-    if not (len(x) and coefficients.size):
-        return np.zeros((len(x), coefficients.shape[2]))
-    (a, i), (b, j) = (_basis(t, v, d) for t, v, d in zip(knots, (x, y), slope, strict=True))
-    flat = coefficients.reshape(-1, coefficients.shape[2])
-    value = a[:, :, None] * b[:, None, :]
-    where = i[:, :, None] * coefficients.shape[1] + j[:, None, :]
-    ends = np.arange(len(a) + 1) * (DEGREE + 1) ** 2
-    return sp.csr_matrix((value.ravel(), where.ravel(), ends), shape=(len(a), len(flat))) @ flat
-
-
-def _basis(knots, x, slope):
-    """The values (k, 4) and the numbers (k, 4) of the splines that are not zero at x (k,)."""
-    x = np.clip(x, knots[DEGREE], knots[-DEGREE - 1])
-    matrix = BSpline.design_matrix(x, knots, DEGREE)
-    value, number = (part.reshape(len(x), -1) for part in (matrix.data, matrix.indices))
-    if slope:
-        every = BSpline(knots, np.eye(len(knots) - DEGREE - 1), DEGREE).derivative(slope)
-        value = np.take_along_axis(every(x), number, axis=1)
-    return value, number
+    inside = [np.clip(at, t[0], t[-1]) for at, t in zip((x, y), knots, strict=True)]
+    return NdBSpline(knots, coefficients, DEGREE)(np.column_stack(inside), nu=slope)

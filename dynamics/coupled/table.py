@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Protocol
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline, PPoly
@@ -18,34 +18,18 @@ HALVINGS = 40
 """Of the interval in which the carrier is sought, for the flexibility of the disk at its frequency."""
 
 
-class Edge(Protocol):
-    """What the disk yields as a body at its edge, along radius, rim and axis: the flexibility (3, 3) [m/N] of all its
-    elastic modes; of the lowest of them w^2 (m,) [1/s^2], shapes (m, 3) [kg^-1/2], and `order` (m,), the waves round
-    the rim. `modal.yielding_edge` finds it.
-    """
-
-    @property
-    def flexibility(self) -> np.ndarray: ...
-    @property
-    def squared(self) -> np.ndarray: ...
-    @property
-    def shapes(self) -> np.ndarray: ...
-    @property
-    def order(self) -> np.ndarray: ...
-
-
 @dataclass(frozen=True, kw_only=True)
 class LawTable:
     """The columns of a law over x = ln sin(beta); a and every spring grow as the cube root of the load.
 
-    `damping` [N s/m] at the weight replaces the loss factor of the law where it is given. Without an `edge` that yields
-    in series with the springs the disk is rigid; its modes below `moves` [Hz] are not in series along the vertical, for
-    they move by themselves (bending.py).
+    `damping` [N s/m] at the weight replaces the loss factor of the law where it is given. Without an `edge`
+    (`modal.Edge`) that yields in series with the springs the disk is rigid; its modes below `moves` [Hz] are not in
+    series along the vertical, for they move by themselves (bending.py).
     """
 
     law: ContactLaw
     damping: float | None = None
-    edge: Edge | None = None
+    edge: Any = None
     moves: float = 0.0
 
     @cached_property

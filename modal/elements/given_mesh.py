@@ -1,11 +1,12 @@
 """Modes of a body meshed elsewhere: a volume mesh that meshio reads, held on a named surface, by angle, or free.
 
-The axis of the disk is z; the mesh is moved so that its centre of mass is the origin. The mesh is solved as given and
-with every cell cut in eight: the finer frequencies are given, their distance from the coarser says how wrong they are.
+The axis of the disk is z; the mesh is moved so that its centre of mass is the origin. It is solved with every cell cut
+in eight, and what the mesh as given could not do says how wrong that is.
 """
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from math import pi
+from math import inf, pi
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -13,18 +14,15 @@ import numpy as np
 from skfem import ElementHex1, ElementHex2, ElementTetP1, ElementTetP2, MeshHex1, MeshHex2, MeshTet1, MeshTet2
 
 from modal.elements.elastic import Solid, assemble, lowest
+from modal.elements.given_mesh_error import LEVEL, relative_errors
 from modal.elements.given_mesh_modes import record
-from modal.elements.mirrors import lowest_of_classes
+from modal.elements.mirrors import classes, mirrors
 from modal.elements.patch import shift_for
 from modal.mesh.read import patch_facets, read_mesh
-from modal.mesh.sector import joined
+from modal.mesh.sector import hexahedra
 from modal.mesh.symmetry import check_held, free_unknowns
 from modal.modes import Material, Modes, Support
 
-SAFETY = 1.5
-"""Errors are estimated as so many times that distance: where a patch ends, cutting cells no more than halves them."""
-SPARE = 6
-"""Pairs solved beyond a count asked for: Lanczos's method finds the copies of a multiple eigenvalue late."""
 TETRAHEDRA = [(0, 4, 6, 7), (4, 1, 5, 8), (6, 5, 2, 9), (7, 8, 9, 3)]
 TETRAHEDRA += [(4, 5, 6, 8), (4, 6, 7, 8), (5, 6, 8, 9), (6, 7, 8, 9)]
 """The eight parts of a tetrahedron by its corners and the middles of its edges."""
@@ -61,7 +59,7 @@ def level(mesh, facets, element, places, material, density) -> Level:
     """
     nodes = np.concatenate([mesh.mapping().F(x).transpose(1, 2, 0) for x in places])
     first = (MeshTet1, MeshTet2) if mesh.t.shape[0] == 4 else (MeshHex1, MeshHex2)
-    finer = joined(nodes, *first)
+    finer = hexahedra(nodes, *first)
     if len(element.doflocs) == len(finer.t):
         finer = first[0](finer.doflocs[:, : finer.t.max() + 1], finer.t)
     solid = assemble(finer, element, material, density, intorder=4)
@@ -80,26 +78,54 @@ def on_facets(mesh, facets, places):
     return (np.isin(mesh.t2f, facets).T.astype(int) @ on) > 0
 
 
-def pairs(level, components, below, shift, exactly=None, mirrored=False):
-    """Values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs below `below` [Hz], or of exactly so many;
-    `mirrored` solves the symmetry classes of the mesh, if it has any, apart.
+def pairs(level, components, below, shift):
+    """Ascending values (k,), shapes (k, p, 3), residuals (k,) of the elastic pairs below `below` [Hz].
 
-    ArithmeticError unless a free body has exactly six rigid-body modes, a held one none.
+    The symmetry classes of the mesh are solved apart, two at a time, as for a disk on a patch. ArithmeticError unless
+    a free body has exactly six rigid-body modes, a held one none.
     """
     solid = level.solid
-    free = free_unknowns(solid.points, level.held, components)
-    limit = (2 * pi * below) ** 2
-    if mirrored:
-        values, vectors, residual = lowest_of_classes(level, free, limit, shift)
-    else:
-        k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
-        values, vectors, residual = lowest(k, m, limit, shift, start=16, exactly=exactly and exactly + SPARE)
-        values, vectors, residual = values[:exactly], free @ vectors[:, :exactly], residual[:exactly]
+
+    def of_class(basis):
+        k, m = (basis.T @ matrix @ basis for matrix in (solid.stiffness, solid.mass))
+        values, vectors, residual = lowest(k, m, (2 * pi * below) ** 2, shift, start=16)
+        return values, (basis @ vectors).T, residual
+
+    bases = classes(level, free_unknowns(solid.points, level.held, components))
+    with ThreadPoolExecutor(2) as pool:
+        values, shapes, residual = map(np.concatenate, zip(*pool.map(of_class, bases), strict=True))
     rigid = np.count_nonzero(values < 1e-6 * abs(shift))
     if rigid != (6 if shift else 0):
         raise ArithmeticError(f"{rigid} rigid-body modes were found, not {6 if shift else 0}")
-    shapes = vectors.T.reshape(len(values), len(solid.points), 3)
-    return values[rigid:], shapes[rigid:], residual[rigid:]
+    elastic = np.argsort(values, kind="stable")[rigid:]
+    return values[elastic], shapes[elastic].reshape(-1, len(solid.points), 3), residual[elastic]
+
+
+def solved(mesh, facets, components, material, density, below, most, ends):
+    """The `Level` of quadratic elements that is solved, with its `pairs` and their `relative_errors`: values, shapes,
+    residuals, errors.
+
+    Every cell is cut in eight, unless a symmetry class would then have more than `most` unknowns: then the mesh is
+    solved as given, and the errors are told by what linear elements could not do. Facets hold components, none a free
+    body. ValueError where they leave it free to move. `ends` as in `relative_errors`.
+    """
+    linear, quadratic = elements(mesh)
+    whole = [quadratic.doflocs.T]
+    finer = coarse = level(mesh, facets, quadratic, whole, material, density)
+    if len(facets):
+        check_held(coarse.solid.points[coarse.held], components)
+    cut = 8 * 3 * len(coarse.solid.points) <= most * 2 ** len(mirrors(coarse))
+    places = parts(quadratic) if cut else whole
+    if cut:
+        finer = level(mesh, facets, quadratic, places, material, density)
+    else:
+        coarse = level(mesh, facets, linear, whole, material, density)
+    size = np.ptp(finer.solid.points, axis=0)
+    body, support = SimpleNamespace(radius=size.max() / 2, thickness=size[2]), Support(kind="free")
+    shift = 0.0 if len(facets) else shift_for(body, material, support, density)
+    values, shapes, residual = pairs(finer, components, below, shift)
+    error = relative_errors(mesh, facets, finer, coarse, places, values, shapes, shift, ends)
+    return finer, values, shapes, residual, error
 
 
 def mesh_modes(
@@ -109,35 +135,19 @@ def mesh_modes(
     support: Support,
     below: float = 24000.0,
     patch: str | None = None,
-    promote: bool = True,
     refine: bool = True,
 ) -> Modes:
     """The `Modes` below `below` [Hz] of the volume mesh in a file; empty if it has none there.
 
     material -- `Material`; density [kg/m^3]; support -- `Support`, whose patch is found by its angle unless `patch`
-    names a surface of the mesh (a physical group, a set). Linear cells are given quadratic elements unless promote is
-    False. `error` is of the body as meshed: what straight sides cut off a round one is not in it. The finer mesh has
-    eight times the unknowns, some 20 to 50 times the seconds; without `refine` the mesh is solved as given, and
-    `error` is the distance between linear and quadratic elements, far too large where nothing is singular.
-    ValueError, with a sentence, for a mesh that won't do, an empty patch, a height or angle no facet lies in, or held
-    components that leave the body free to move.
+    names a surface of the mesh (a physical group, a set). Elements are quadratic. `error` is of the body as meshed:
+    what straight sides cut off a round one is not in it. The mesh with every cell cut in eight has eight times the
+    unknowns, some 20 to 50 times the seconds; without `refine` it is solved as given, and `error` is told by what
+    linear elements could not do, far too large where nothing is singular. ValueError, with a sentence, for a mesh that
+    won't do, an empty patch, a height or angle no facet lies in, or held components that leave the body free to move.
     """
     mesh = read_mesh(path)
-    free = support.kind == "free"
-    facets = np.zeros(0, int) if free else patch_facets(mesh, support, patch)
-    linear, quadratic = elements(mesh)
-    element = quadratic if promote or mesh.elem is type(quadratic) else linear
-    other = element if refine else linear if element is quadratic else quadratic
-    whole = [quadratic.doflocs.T]
-    finer = level(mesh, facets, element, parts(quadratic) if refine else whole, material, density)
-    coarse = level(mesh, facets, other, whole, material, density)
-    radius = np.hypot(*finer.solid.points[:, :2].T).max()
-    thickness = np.ptp(finer.solid.points[:, 2])
-    disk = SimpleNamespace(radius=radius, thickness=thickness)
-    shift = shift_for(disk, material, support, density)
-    if not free:
-        check_held(finer.solid.points[finer.held], support.held)
-    values, shapes, residual = pairs(finer, support.held, below, shift)
-    rough = pairs(coarse, support.held, below, shift, exactly=max(1, len(values)) + 6 * free)[0][: len(values)]
-    error = SAFETY * np.abs(np.sqrt(rough / values) - 1)
-    return record(finer.element, finer.solid, material, values, shapes, residual, error, radius)
+    facets = np.zeros(0, int) if support.kind == "free" else patch_facets(mesh, support, patch)
+    most = inf if refine else 0
+    finer, *found = solved(mesh, facets, support.held, material, density, below, most, LEVEL)
+    return record(finer.element, finer.solid, material, *found, np.hypot(*finer.solid.points[:, :2].T).max())

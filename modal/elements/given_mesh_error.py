@@ -11,21 +11,23 @@ import scipy.sparse as sp
 
 from modal.elements.elastic import inverse_at
 
-SMOOTH, BESIDE = 1 / 4, 0.7
-"""Of the energy that a cut has taken, what is still to be taken: it divides it by 5, and beside an edge by 2.4."""
+SMOOTH, CORNER, LEVEL = 1 / 4, 0.7, 1.0
+"""Of the energy that a cut has taken, what is still to be taken: it divides it by 5, beside the edge of a corner by
+2.4, and where what is held ends on a level face, u ~ r^(1/2), by 2."""
 SAFETY = 1.5
 """Errors are estimated as so many times what is left."""
 FLAT = np.deg2rad(225)
 """Angle of the body about an edge from which it is re-entrant, and not a facet of something round."""
 
 
-def relative_errors(mesh, facets, finer, coarse, element, places, values, shapes, shift):
+def relative_errors(mesh, facets, finer, coarse, places, values, shapes, shift, ends):
     """Estimated relative errors (k,) of the frequencies of pairs values (k,), shapes (k, p, 3) on the `Level` finer.
 
-    coarse is the `Level` of the mesh as given, places (q, 3, n) are those of the nodes of the parts of its cells.
+    coarse is the `Level` of the mesh as given, or of linear elements on it; places (q, 3, n) are those of the nodes of
+    finer cells in its cells. Held facets end at a CORNER or on a LEVEL face: `ends` says which.
     """
-    taken = prolongation(finer.solid, coarse.solid, element, places)[:, np.repeat(~coarse.held, 3)]
-    fine = shapes.reshape(len(values), -1).T
+    taken = prolongation(finer.solid, coarse, places)[:, np.repeat(~coarse.held, 3)]
+    fine = shapes.reshape(len(values), 3 * len(finer.solid.points)).T
     stiffness = finer.solid.stiffness - shift * finer.solid.mass
     on_coarse = inverse_at(taken.T @ stiffness @ taken, None, 0.0).matmat(taken.T @ (stiffness @ fine))
     error = fine - taken @ on_coarse
@@ -34,17 +36,18 @@ def relative_errors(mesh, facets, finer, coarse, element, places, values, shapes
     beside = np.unique(cells[:, singular_cells(mesh, facets)])
     edges = np.abs(energy[beside].sum(axis=0))
     smooth = np.abs(energy.sum(axis=0) - energy[beside].sum(axis=0))
-    return SAFETY * (BESIDE * edges + SMOOTH * smooth) / (2 * values)
+    return SAFETY * (ends * edges + SMOOTH * smooth) / (2 * values)
 
 
-def prolongation(finer, coarse, element, places):
-    """P (3p, 3c): the values at the nodes of the `Solid` finer of a displacement given at those of the coarse one."""
-    cells = finer.cells.reshape(len(places), len(coarse.cells), -1)
-    share = np.array([[element.lbasis(x, i)[0] for i in range(cells.shape[2])] for x in places]).transpose(0, 2, 1)
-    shape = (*cells.shape, cells.shape[2])
-    row, column = np.broadcast_to(cells[..., None], shape), np.broadcast_to(coarse.cells[:, None], shape)
+def prolongation(finer, coarse, places):
+    """P (3p, 3c): the values at the nodes of the `Solid` finer of what is given at those of the `Level` coarse."""
+    element, nodes = coarse.element, coarse.solid.cells
+    cells = finer.cells.reshape(len(places), len(nodes), -1)
+    share = np.array([[element.lbasis(x, i)[0] for i in range(nodes.shape[1])] for x in places]).transpose(0, 2, 1)
+    shape = (*cells.shape, nodes.shape[1])
+    row, column = np.broadcast_to(cells[..., None], shape), np.broadcast_to(nodes[:, None], shape)
     value = np.broadcast_to(share[:, None], shape) / np.bincount(finer.cells.ravel())[row]  # cells agree on their nodes
-    size = len(finer.points), len(coarse.points)
+    size = len(finer.points), len(coarse.solid.points)
     summed = sp.csr_matrix((value.ravel(), (row.ravel(), column.ravel())), shape=size)
     return sp.kron(summed, sp.identity(3)).tocsr()
 
@@ -68,8 +71,8 @@ def angles_about_edges(mesh):
         thirds = [next(third_corners(cell, side, a, b)) for side in cell.facets if {a, b} <= set(side)]
         across = [mesh.p[:, mesh.t[c]] - origin for c in thirds]
         across = [v - along * (v * along).sum(axis=0) for v in across]
-        cosine = (across[0] * across[1]).sum(axis=0) / np.prod([np.linalg.norm(v, axis=0) for v in across], axis=0)
-        total += np.bincount(mesh.t2e[number], np.arccos(np.clip(cosine, -1, 1)), len(total))
+        sine, cosine = np.linalg.norm(np.cross(*across, axis=0), axis=0), (across[0] * across[1]).sum(axis=0)
+        total += np.bincount(mesh.t2e[number], np.arctan2(sine, cosine), len(total))
     return total
 
 

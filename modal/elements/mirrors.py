@@ -1,12 +1,8 @@
 """The symmetry classes of a body meshed elsewhere whose mesh is its own image in x or in y, as found."""
 
-from concurrent.futures import ThreadPoolExecutor
-
 import numpy as np
 import scipy.sparse as sp
 from scipy.spatial import cKDTree
-
-from modal.elements.elastic import lowest
 
 SAME = 1e-9
 """Nodes and matrices are images of each other within this share of the size and of the greatest entry."""
@@ -55,21 +51,3 @@ def without_zeros(columns):
     kept = (columns @ sp.diags(1 / np.maximum(length, SAME)))[:, length > SAME].tocsc()
     kept.eliminate_zeros()
     return kept
-
-
-def lowest_of_classes(level, free, below, shift):
-    """Ascending values (k,) below `below` [1/s^2], vectors (3p, k), residuals (k,) of the pairs of all classes.
-
-    Two classes are solved at a time, as for a disk on a patch.
-    """
-
-    def solved(basis):
-        k, m = (basis.T @ matrix @ basis for matrix in (level.solid.stiffness, level.solid.mass))
-        values, vectors, residual = lowest(k, m, below, shift, start=16)
-        return values, basis @ vectors, residual
-
-    with ThreadPoolExecutor(2) as pool:
-        values, vectors, residual = zip(*pool.map(solved, classes(level, free)), strict=True)
-    ascending = np.argsort(np.concatenate(values), kind="stable")
-    joined = np.concatenate(values), np.concatenate(vectors, axis=1), np.concatenate(residual)
-    return tuple(part[..., ascending] for part in joined)

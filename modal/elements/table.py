@@ -1,20 +1,17 @@
 """Modes of a table meshed elsewhere: held on named surfaces or sets of nodes, its top face found and checked."""
 
 from math import ceil, pi
-from types import SimpleNamespace
 
 import numpy as np
 from skfem.quadrature import get_quadrature
 from skfem.refdom import RefTri
 
 from modal.elements.elastic import bending_number
-from modal.elements.given_mesh import elements, level, pairs, parts
-from modal.elements.given_mesh_error import relative_errors
+from modal.elements.given_mesh import solved
+from modal.elements.given_mesh_error import CORNER
 from modal.elements.given_mesh_modes import on_face
-from modal.elements.mirrors import mirrors
-from modal.elements.patch import shift_for
 from modal.mesh.read import read_checked
-from modal.modes import Support
+from modal.mesh.symmetry import COMPONENTS
 from modal.radiation import SOUND_SPEED
 from modal.table import SurfaceModes, spline_values, splined
 
@@ -27,8 +24,7 @@ HIGHEST_ORDER, SPARE_ORDERS = 19, 6
 def table_on_mesh(surface, reach, below, most) -> SurfaceModes:
     """The `SurfaceModes` below `below` [Hz] of the mesh in `surface.file`; the contact circle has the radius `reach`.
 
-    Quadratic elements on every cell cut in eight, and `relative_errors`; where a symmetry class would then have more
-    than `most` unknowns, on the mesh as given, with the distance to linear ones as `error`, which is far too large.
+    It is `solved` with at most `most` unknowns in a symmetry class, its `error` far too large where cells are not cut.
     ValueError, with a sentence, for a mesh without a top face, for a place of the disk that is not on it, and for sets
     that it has not or that hold single nodes alone.
     """
@@ -36,23 +32,9 @@ def table_on_mesh(surface, reach, below, most) -> SurfaceModes:
     top = top_triangles(mesh, surface.file)
     check_place(top, np.array(surface.place), reach, surface.file)
     facets = held_facets(mesh, sets, surface.held, surface.file)
-    linear, quadratic = elements(mesh)
-    whole, support = [quadratic.doflocs.T], Support(kind="free" if not surface.held else "patch")
-    finer = coarse = level(mesh, facets, quadratic, whole, surface, surface.density)
-    size = np.ptp(coarse.solid.points, axis=0)
-    shift = shift_for(SimpleNamespace(radius=size.max() / 2, thickness=size[2]), surface, support, surface.density)
-    cut = 8 * 3 * len(coarse.solid.points) <= most * 2 ** len(mirrors(coarse))
-    if cut:
-        finer = level(mesh, facets, quadratic, parts(quadratic), surface, surface.density)
-    values, shapes, residual = pairs(finer, support.held, below, shift, mirrored=True)
-    if cut:
-        error = relative_errors(mesh, facets, finer, coarse, quadratic, parts(quadratic), values, shapes, shift)
-    else:
-        coarse = level(mesh, facets, linear, whole, surface, surface.density)
-        rough = pairs(coarse, support.held, below, shift, exactly=max(1, len(values)) + 6 * bool(shift))[0]
-        error = np.abs(np.sqrt(rough[: len(values)] / values) - 1)
-    frequency = np.sqrt(values) / (2 * pi)
-    height = mesh.p[2].max()
+    finer, *found = solved(mesh, facets, COMPONENTS, surface, surface.density, below, most, CORNER)
+    values, shapes, residual, error = found
+    frequency, height, cut = np.sqrt(values) / (2 * pi), mesh.p[2].max(), len(finer.solid.cells) > mesh.nelements
 
     def shape(x, y):
         return on_face(finer.solid, shapes[..., 2:], height, np.column_stack([x, y]))[..., 0]
@@ -61,7 +43,7 @@ def table_on_mesh(surface, reach, below, most) -> SurfaceModes:
         frequency=frequency,
         decay_rate=pi * frequency * surface.loss_factor,
         order=np.full(len(values), -1),
-        **sampled(shape, top, 2 * pi / bending_number(size[2], surface, surface.density, below), below),
+        **sampled(shape, top, 2 * pi / bending_number(np.ptp(mesh.p[2]), surface, surface.density, below), below),
         radius=0.0,
         place=np.array(surface.place),
         residual=residual,

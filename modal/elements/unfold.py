@@ -23,10 +23,9 @@ def whole_mesh(points, cells, quarter):
     """
     lattice = {tuple(node): i for i, node in enumerate(NODES)}
     images, numbers, source = [], [], []
-    for index, (flip_y, flip_z) in enumerate(flips(quarter)):
-        mirror = np.array([1.0, -1.0 if flip_y else 1.0, -1.0 if flip_z else 1.0])
-        order = [(2 - i, j, k) if flip_y != flip_z else (i, j, k) for i, j, k in VTK_HEXAHEDRON27]
-        images.append(points * mirror)
+    for index, flip in enumerate(flips(quarter)):
+        order = [(2 - i, j, k) if sum(flip) == 1 else (i, j, k) for i, j, k in VTK_HEXAHEDRON27]
+        images.append(points * mirror_of(flip))
         numbers.append(cells[:, [lattice[node] for node in order]] + index * len(points))
         source.append(np.stack([np.arange(len(points)), np.full(len(points), index)], axis=1))
     points, cells, source = (np.concatenate(part) for part in (images, numbers, source))

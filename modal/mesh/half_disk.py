@@ -59,18 +59,6 @@ def around_rim(flat, edge=0.0, scale=1.0):
     return block
 
 
-def between(inner, angles, depth):
-    """The block between a straight line, two points (2, 2), and an arc at some depth, two angles."""
-    arc = polar([(angles[0], depth), (angles[1], depth)] * 2)
-    start, stop = np.asarray(inner, float)
-
-    def block(u, v):
-        line = start + u[..., None] * (stop - start)
-        return (1 - v[..., None]) * arc(u, 0 * v) + v[..., None] * line
-
-    return block
-
-
 REACH, WIDEST = 0.6, 0.3
 """Width of the squared cells over that of the box about the edge that they are linked to, and at most [rad]: quadratic
 cells of the plane w cannot follow a longer arc of the rim."""
@@ -187,8 +175,9 @@ def core(angles, depth, layers=1):
     outline = reach * np.stack([np.cos(turned), np.sin(turned)], axis=1)
     steps = [np.linspace(a, b, k + 1)[1:] for a, b, k in zip(outline, outline[1:], (m, n, n, m), strict=False)]
     points = np.vstack([outline[:1], *steps])
-    ring = [between(points[i : i + 2], angles[i : i + 2], depth) for i in range(2 * half)]
-    blocks = [part(block, 0, 1, j / layers, (j + 1) / layers) for block in ring for j in range(layers)]
+    arcs = [polar([(a, depth), (b, depth)] * 2) for a, b in pairwise(angles)]
+    ring = [link(line, arc) for line, arc in zip(pairwise(points), arcs, strict=True)]
+    blocks = [part(block, 0, 1, 1 - j / layers, 1 - (j + 1) / layers) for block in ring for j in range(layers)]
     for corner in (1, 3):
         macro = bilinear([(0, 0), outline[2 * corner - 2], outline[corner], outline[2]])
         for i in range(n):

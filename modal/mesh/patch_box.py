@@ -11,7 +11,7 @@ from math import ceil, log, pi
 
 import numpy as np
 
-from modal.mesh.half_disk import about_edge
+from modal.mesh.half_disk import about_edge, bilinear
 
 STRIP = 4
 """Width of the tubes over that of the strip left free beyond the patch, at most: a wider one would hold the face."""
@@ -66,22 +66,9 @@ def nest(angle, height, top, size):
     )
 
 
-def beside(nested, s, e, t):
-    """Places (..., 3) on the side of box s that faces along the rim, at e of its depth, t of its height."""
-    angle, depth, height = between(nested, s)
-    return np.stack([angle, e * depth, t * height], -1)
-
-
-def above(nested, s, e, t):
-    """Places (..., 3) on the side of box s that faces along the axis, at e of its depth, t of its angle."""
-    angle, depth, height = between(nested, s)
-    return np.stack([t * angle, e * depth, height], -1)
-
-
-def below(nested, s, t, w):
-    """Places (..., 3) on the side of box s that faces inwards, at t of its angle, w of its height."""
-    angle, depth, height = between(nested, s)
-    return np.stack([t * angle, depth, w * height], -1)
+def within(nested, s, *shares):
+    """Places (..., 3) in box s at shares of its angle, depth and height: on one of its sides where a share is 1."""
+    return np.stack([part * share for part, share in zip(between(nested, s), shares, strict=True)], -1)
 
 
 def between(nested, s):
@@ -110,24 +97,21 @@ def filled(nested, size):
     around, through = n * nested.around, n * nested.through
     cells = [cut(lambda u, v, w: np.stack([v, u, w], -1) * boxes[0], n, around, through)]
     for i in range(len(boxes) - 1):
-        cells.append(cut(lambda u, v, w, i=i: below(nested, i + u, v, w), n, around, through))
-    for side, along in ((beside, through), (above, around)):
-        for i in (i for i in range(len(boxes) - 1) if i not in (nested.patch - 1, nested.patch)):
-            cells.append(cut(lambda u, v, w, i=i, side=side: side(nested, i + u, v, w), n, n, along))
-        cells += [cut(tube(nested, side, flat), n, n, along) for flat in about_edge(size)]
-    return solid(np.concatenate(cells))
+        cells.append(cut(lambda u, v, w, i=i: within(nested, i + u, v, 1, w), n, around, through))
+    plain = [i for i in range(len(boxes) - 1) if i not in (nested.patch - 1, nested.patch)]
+    sections = [bilinear([(i, 0), (i + 1, 0), (i + 1, 1), (i, 1)]) for i in plain]
+    sections += [lambda u, v, flat=flat: np.add(flat(u, v), (nested.patch, 0)) for flat in about_edge(size)]
+    for beside, along in ((True, through), (False, around)):
+        cells += [cut(tube(nested, section, beside), n, n, along) for section in sections]
+    cells = np.concatenate(cells)
+    return cells[(np.ptp(cells.reshape(len(cells), 27, 3), axis=1) > 1e-12).all(axis=1)]  # none where boxes end alike
 
 
-def tube(nested, side, flat):
-    """The block along an edge of the patch over a block of its cross-section [-1, 1] x [0, 1]."""
+def tube(nested, section, beside):
+    """The block along an edge of the patch, beside or above it, over a block of (box, share of its depth)."""
 
     def block(u, v, w):
-        s, e = np.moveaxis(flat(u, v), -1, 0)
-        return side(nested, nested.patch + s, e, w)
+        s, e = np.moveaxis(section(u, v), -1, 0)
+        return within(nested, s, *((1, e, w) if beside else (w, e, 1)))
 
     return block
-
-
-def solid(places):
-    """The cells that have a volume: where boxes end on the same face there is none between them."""
-    return places[(np.ptp(places.reshape(len(places), 27, 3), axis=1) > 1e-12).all(axis=1)]

@@ -49,13 +49,9 @@ def extrude(cells, heights):
     return nodes.reshape(-1, 27, 3)
 
 
-def hexahedra(nodes):
-    """The MeshHex2 of cells whose nodes (c, 27, 3) are given; nodes that coincide become one."""
-    return joined(nodes, MeshHex, MeshHex2)
-
-
-def joined(nodes, linear, quadratic):
-    """The scikit-fem mesh of class `quadratic` of cells whose nodes (c, n, 3) are given, made from class `linear`."""
+def hexahedra(nodes, linear=MeshHex, quadratic=MeshHex2):
+    """The scikit-fem mesh of class `quadratic`, made from class `linear`, of cells whose nodes (c, n, 3) are given;
+    nodes that coincide become one."""
     count = linear.elem.refdom.nnodes
     corners = nodes[:, :count].reshape(-1, 3)
     near = cKDTree(corners).query_pairs(1e-10 * np.abs(nodes).max(), output_type="ndarray")
@@ -77,11 +73,6 @@ def placed(places, radius, bottom):
     points[left] = np.swapaxes(points[left], 1, 2)
     i, j, k = NODES.T
     return points[:, i, j, k]
-
-
-def over_full_thickness(radius, bottom, top, angle, size):
-    """Cell nodes (c, 27, 3) [m] of a disk that is free or held over its whole thickness on an arc [rad]."""
-    return extrude(half_disk(angle, size) * radius, layers(bottom, top, size, radius))
 
 
 def over_part(radius, bottom, top, angle, height, size):
@@ -130,7 +121,7 @@ def sector(radius, thickness, support, size):
     reach = height / 2 if middle else height
     angle = pi if free else np.deg2rad(support.half_angle_deg)
     if whole:
-        nodes = over_full_thickness(radius, bottom, half, angle, size)
+        nodes = extrude(half_disk(angle, size) * radius, layers(bottom, half, size, radius))
     else:
         nodes = over_part(radius, bottom, half, angle, reach, size)
     patch = None if free else (-reach if middle else bottom, bottom + reach)

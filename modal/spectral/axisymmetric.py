@@ -22,11 +22,6 @@ def turned(amplitude, n, angle, odd):
     return np.stack([a * f for a, f in zip(amplitude, factors, strict=True)], axis=-1)
 
 
-def cartesian(shape, angle):
-    """x, y, z components from cylindrical ones (..., q, 3) at angles (q,)."""
-    return sample.polar_components(shape, -angle)
-
-
 def parities(pairs: Pairs):
     """For each member of a pair whether it is the sine partner, as torsion with its u_theta even in theta always is."""
     return (False, True) if pairs.problem.n else (pairs.problem.family == "torsional",)
@@ -77,7 +72,7 @@ def columns(plate, pairs, odd, body):
         "face_shape": faces[..., None] * around,
         "residual": pairs.residual,
         "error": pairs.error.sum(axis=0),
-        "displacement": cartesian(turned(inside, n, body_angle, odd), body_angle),
+        "displacement": sample.polar_components(turned(inside, n, body_angle, odd), -body_angle),  # back to x, y, z
     }
 
 
