@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from enum import Enum
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
@@ -140,9 +140,31 @@ class Motion(Protocol):
         """Return the name of the regime at the times t (k,) [s], an array of strings."""
 
 
+class Answers:
+    """What follows from the `t`, `at` and `force` of any motion."""
+
+    @cached_property
+    def state(self: Motion) -> np.ndarray:
+        """The state at `t`, (n, 11), with the columns COLUMNS."""
+        return read_only(self.at(self.t))
+
+    def at_and_force(self: Motion, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+        """Return `at(t)` and `force(t)`."""
+        return self.at(t), self.force(t)
+
+    def normal_load(self: Motion, t: ArrayLike) -> np.ndarray:
+        """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""
+        return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
+
+
+def read_only(array: ArrayLike) -> np.ndarray:
+    """Return an array that cannot be changed."""
+    array = np.asarray(array)
+    array.flags.writeable = False
+    return array
+
+
 @lru_cache(maxsize=1)
 def halves(motion: Motion) -> np.ndarray:
     """Return the ends and the middles (2n - 1,) [s] of the pieces of a motion, read-only."""
-    t = np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2]))
-    t.flags.writeable = False
-    return t
+    return read_only(np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2])))

@@ -12,7 +12,7 @@ from .disk import Disk
 from .equations import Law
 from .kinematics import energy, precession_rate
 from .monotone import largest_fall
-from .motion import COLUMNS, Jumps, Outcome, Transition, halves
+from .motion import COLUMNS, Answers, Jumps, Outcome, Transition, halves, read_only
 from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
 
 if TYPE_CHECKING:
@@ -48,7 +48,7 @@ def remembered(method):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class RigidMotion:
+class RigidMotion(Answers):
     """A `Motion` as piecewise polynomials of the state, the regime of each piece, the transitions and the outcome.
 
     Inside, everything is dimensionless as in the paper; what the methods take and return is in SI units.
@@ -74,11 +74,6 @@ class RigidMotion:
     def t(self) -> np.ndarray:
         """Ends of the pieces of the solution, (n,) [s], from 0 to the end of the motion."""
         return read_only(self.path.x * self.disk.time_unit)
-
-    @cached_property
-    def state(self) -> np.ndarray:
-        """The state at `t`, (n, 11), with the columns COLUMNS."""
-        return read_only(self.at(self.t))
 
     def at(self, t: ArrayLike) -> np.ndarray:
         """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses.
@@ -113,10 +108,6 @@ class RigidMotion:
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
         """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11); (2.3)."""
         return HARMONICS / (2 * np.pi) * np.abs(precession_rate(state[:, 7], np.sin(state[:, 1])))
-
-    def normal_load(self, t: ArrayLike) -> np.ndarray:
-        """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""
-        return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
 
     @remembered
     def energy(self, t: ArrayLike) -> np.ndarray:
@@ -226,9 +217,3 @@ def _polynomials(c, x):
         out *= x[:, None]
         out += row
     return out
-
-
-def read_only(array):
-    array = np.asarray(array)
-    array.flags.writeable = False
-    return array

@@ -14,10 +14,10 @@ from .dissipation import OwnLaw
 from .equations import law_of
 from .film.acting import loads_of
 from .hybrid import CASCADE, STALLED, StalledError, drive
-from .motion import Motion, MotionScene, Outcome, Transition
+from .motion import Motion, MotionScene, Outcome, Transition, read_only
 from .numerics import integrator_of
 from .regime import FLOAT, V1, V2, W1, W3, R, Regime
-from .rigid_motion import RigidMotion, read_only
+from .rigid_motion import RigidMotion
 from .rolling import RollingDisk, released
 from .switching import ImpossibleContactError
 

@@ -34,3 +34,16 @@ def prototype(law, beta):
     weight = law.disk.weight
     a, springs = law.semi_axes(beta, weight)[0], law.springs(beta, weight)
     return springs._replace(k1=0.87655 * springs.kn, k2=0.87655 * springs.kn, length1=1.1 * a, length2=1.1 * a)
+
+
+def on_springs(shapes, stiffness, squared=0.0, residual=0.0):
+    """Return frequencies (k, m) [Hz], ascending, of a body with modes of unit mass held by springs at one point.
+
+    `shapes` (k, 3, m) [kg^-1/2] are the modes at that point and `squared` (m,) [1/s^2] their own w^2, 0 if rigid;
+    `stiffness` (k, 3, 3) [N/m]. What left-out modes yield, `residual` (3, 3) [m/N], lies in series with the springs.
+    """
+    held = np.linalg.solve(np.eye(3) + stiffness @ np.broadcast_to(residual, stiffness.shape), stiffness)
+    matrix = shapes.swapaxes(1, 2) @ held @ shapes + np.broadcast_to(squared, shapes.shape[-1:]) * np.eye(
+        shapes.shape[-1]
+    )
+    return np.sqrt(np.maximum(np.linalg.eigvalsh(matrix), 0.0)) / (2 * np.pi)

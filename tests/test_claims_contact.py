@@ -102,7 +102,7 @@ def test_the_power_that_roughness_takes_is_force_times_rise():
     course = Along(t, beta * one, weight * one, one > 0, speed * t, speed * t, np.zeros((len(t), 2)))
     force = np.concatenate(list(respond(TABLE, [course], rate, (profile, SMOOTH))))[:, 1]
     path = speed * np.arange(len(force) + 1) / rate
-    rise = np.diff(heights(*profile, path, np.full(len(path), TABLE.law.semi_axes(beta, weight)[0]))) * rate
+    rise = np.diff(heights(profile, path, np.full(len(path), TABLE.law.semi_axes(beta, weight)[0]))) * rate
     power = np.mean(((force[1:] + force[:-1]) / 2 * rise[1:])[int(rate) :])
     assert predicted_power(TABLE, rough, beta, weight, speed) == pytest.approx([power], rel=0.15)
 

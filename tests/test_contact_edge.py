@@ -9,7 +9,7 @@ import pytest
 from contact_scenes import steady_speed
 
 from dynamics.coupled.from_scene import law_table
-from dynamics.coupled.suspension import suspension
+from dynamics.coupled.resonance import suspension
 from dynamics.coupled.table import InSeries, LawTable
 from modal.on_contact import contact_modes
 from modal.solve import free_plate

@@ -61,7 +61,7 @@ def test_a_wave_at_a_time(beta):
     s = 1j * k * speed
     x = np.linalg.solve(s[:, None, None] * np.eye(6) - system.A, np.broadcast_to(system.B[0], (len(k), 6))[..., None])
     n = len(edge.coefficients) - 5
-    raw = np.fft.rfft(heights(*edge, np.arange(n) / edge.cells_per_metre, np.full(n, 2e-5))) / n
+    raw = np.fft.rfft(heights(edge, np.arange(n) / edge.cells_per_metre, np.full(n, 2e-5))) / n
     order = np.rint(k * edge.period / (2 * np.pi)).astype(int)
     wave = 2 * raw[order] / window(k * 2e-5) * window(k * a[0]) * s * (x[..., 0] @ system.C[0, 2] + system.D[0, 2])
     t = np.arange(len(force) * 2 // 3, len(force), 37)
@@ -87,7 +87,7 @@ def test_along_a_motion_that_changes():
 
     def rise(t, d=1e-6):
         ends = np.array([t - d, t + d])
-        return np.diff(heights(*rough, state(ends)[2], TABLE.springs(*state(ends)[:2])[1]))[0] / (2 * d)
+        return np.diff(heights(rough, state(ends)[2], TABLE.springs(*state(ends)[:2])[1]))[0] / (2 * d)
 
     def exact(t, x):
         system = linear(LAW.disk, state(t)[0], springs(t)[0], 1.5 + 40 * t, springs(t)[2])

@@ -220,7 +220,7 @@ def test_steady_rough_precession(beta):
 def waves(profile, length, step, start):
     """Return wave numbers and amplitudes of the stretch of a profile that is run over."""
     n = int(length / step)
-    z = heights(*profile, start + np.arange(n) * length / n, np.full(n, step))
+    z = heights(profile, start + np.arange(n) * length / n, np.full(n, step))
     k = 2 * np.pi / length * np.arange(1, n // 4)
     return k, 2 * np.abs(np.fft.rfft(z - z.mean()))[1 : n // 4] / n / window(k * step)
 

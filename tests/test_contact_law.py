@@ -10,12 +10,12 @@ import mpmath as mp
 import numpy as np
 import pytest
 from arithmetic import gamma
-from contact_scenes import GRANITE, REFERENCE, STEEL, granite, prototype
+from contact_scenes import GRANITE, REFERENCE, STEEL, granite, on_springs, prototype
 from scipy.integrate import quad
 
 from dynamics.coupled.contact import Elastic
 from dynamics.coupled.creep import C11, C22, RATIOS, UNCERTAINTY, creep_coefficients, slender
-from dynamics.coupled.resonance import linear, mobility, on_springs, resonances, rigid_shapes, stiffness_matrix
+from dynamics.coupled.resonance import linear, mobility, resonances, rigid_shapes, stiffness_matrix
 from dynamics.coupled.table import LawTable
 
 

@@ -17,7 +17,7 @@ ROUGH = Roughness(rms=3e-8, shortest=1e-4, longest=0.1)
 
 def read(profile, s, a):
     s, a = np.atleast_1d(s).astype(float), np.full(np.size(s), a)
-    return heights(*profile, s, a)
+    return heights(profile, s, a)
 
 
 @pytest.mark.parametrize("exponent", [0.0, 2.0])

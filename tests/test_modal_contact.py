@@ -10,13 +10,12 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from contact_scenes import granite, steady_speed
+from contact_scenes import granite, on_springs, steady_speed
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from skfem import ElementHex2
 
 from dynamics.coupled.contact import Elastic
-from dynamics.coupled.resonance import damping, linear, on_springs, resonances, rigid_shapes
-from dynamics.coupled.suspension import suspension
+from dynamics.coupled.resonance import damping, linear, resonances, rigid_shapes, suspension
 from modal import FreeDisk, Material, Plate, Support, UnsolvableError, eigenmodes
 from modal.accuracy import MIDDLE
 from modal.elements.elastic import assemble

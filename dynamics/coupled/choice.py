@@ -14,7 +14,7 @@ from ..steady import steady_precession
 from ..switching import ImpossibleContactError
 from ..time_left import steady_power
 from .filter import predicted_power, predicted_rms
-from .from_scene import ContactScene, last_inclination, law_table
+from .from_scene import ContactScene, acts_back, last_inclination, law_table
 
 SHAKEN = 0.3
 """From this rms of N' over the weight on contact is lost: the force of a Gaussian vibration is then at times 0."""
@@ -40,7 +40,7 @@ def choice(scene: ContactScene) -> Choice:
     """Return which model solves the contact of a scene: `numerics.contact`, and what 'auto' takes."""
     if acts_back(scene):
         return Choice("full", "surface.action = 'motion': the table moves with the disk", 0.0, 0.0)
-    if imperfect(scene):
+    if getattr(scene, "imperfection", None):
         return Choice("full", "imperfection: the rim follows the waves of the table", 0.0, 0.0)
     if scene.contact.law == "rigid":
         return Choice("rigid", "contact.law = 'rigid'", 0.0, 0.0)
@@ -65,16 +65,6 @@ def choice(scene: ContactScene) -> Choice:
         return Choice("full", reason, predicted, below)
     less = f", less than {SHAKEN:g}" * bool(predicted)
     return Choice("filter", f"{expected}{less}, and no slide is expected", predicted, below)
-
-
-def acts_back(scene: ContactScene) -> bool:
-    """Return whether the table of a scene, which may say nothing on it, moves with the disk."""
-    return getattr(getattr(scene, "surface", None), "action", "sound") == "motion"
-
-
-def imperfect(scene: ContactScene) -> bool:
-    """Return whether the table of a scene is wavy."""
-    return getattr(scene, "imperfection", None) is not None
 
 
 def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:

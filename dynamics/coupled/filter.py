@@ -76,7 +76,7 @@ def respond(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH)):
     for block in blocks:
         knots, A, B, drive = _coefficients(table, block, rate)
         if np.isnan(z):
-            z = sum(height(*p, s, knots[0, 0]) for p, s in zip(profiles, (block.path[0], block.edge[0]), strict=True))
+            z = sum(height(p, s, knots[0, 0]) for p, s in zip(profiles, (block.path[0], block.edge[0]), strict=True))
         out, x, z = _march(x, z, knots, A, B, drive, 1 / rate, *profiles)
         yield out
 
@@ -182,11 +182,7 @@ def _steps(x, z, knots, A, B, drive, h, table, rim):
             f = (i + 1) / EVERY
             for m in range(13):
                 now[m] = knots[j, m] + f * (knots[j + 1, m] - knots[j, m])
-            rise = (
-                height(table.coefficients, table.cells_per_metre, now[1], now[0])
-                + height(rim.coefficients, rim.cells_per_metre, now[2], now[0])
-                - z
-            )
+            rise = height(table, now[1], now[0]) + height(rim, now[2], now[0]) - z
             z += rise
             for m in range(4):
                 following[m] = E[m, 0] * x[0] + E[m, 1] * x[1] + E[m, 2] * x[2] + E[m, 3] * x[3] + E[m, 4] * rise

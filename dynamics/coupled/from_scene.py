@@ -50,6 +50,11 @@ def last_inclination(scene: ContactScene) -> float:
     return max(scene.numerics.stopping_inclination(scene.disk), LEAST_INCLINATION)
 
 
+def acts_back(scene: ContactScene) -> bool:
+    """Return whether the table of a scene, which may say nothing on it, moves with the disk."""
+    return getattr(getattr(scene, "surface", None), "action", "sound") == "motion"
+
+
 def step_rate(scene: ContactScene) -> float:
     """Return the steps [1/s] of the full model: those of the accuracy, or more where the contact is stiffer."""
     return scene.numerics.contact_rate or max(scene.numerics.level.contact_rate, stiffest(scene))
@@ -58,7 +63,7 @@ def step_rate(scene: ContactScene) -> float:
 def stiffest(scene: ContactScene) -> float:
     """Return the least steps [1/s] that the full model can take down to its last inclination, on a table that moves or
     is wavy to any: there the disk passes through all before it rests."""
-    moves = getattr(getattr(scene, "surface", None), "action", "") == "motion" or getattr(scene, "imperfection", None)
+    moves = acts_back(scene) or getattr(scene, "imperfection", None)
     least = LEAST_INCLINATION if moves else last_inclination(scene)
     return float(rate_needed(contact_law(scene), np.array([least]))[0])
 

@@ -9,8 +9,7 @@ from typing import Any
 import numpy as np
 
 from ..disk import Disk
-from ..motion import Jumps, Motion, Outcome, Transition
-from ..rigid_motion import read_only
+from ..motion import Answers, Jumps, Motion, Outcome, Transition, read_only
 from .motion import CompliantMotion, Losses, solve
 
 
@@ -43,7 +42,7 @@ def hand_over(scene, inclination: float, alone: Callable, watch, modes) -> Motio
 
 
 @dataclass(frozen=True, eq=False)
-class HandedOver:
+class HandedOver(Answers):
     """A `Motion` in two parts: `first` on a table that does not act back, `then` on one that does.
 
     What the energies of both differ by where they meet, since table and contact yield there, counts as dissipated.
@@ -81,11 +80,6 @@ class HandedOver:
     def t(self) -> np.ndarray:
         """Ends of the pieces of the solution, (n,) [s]."""
         return read_only(np.concatenate([self.first.t, self.handed_over + self.then.t[1:]]))
-
-    @cached_property
-    def state(self) -> np.ndarray:
-        """The state at `t`, (n, 11), with the columns COLUMNS."""
-        return read_only(self.at(self.t))
 
     @property
     def t_end(self) -> float:
@@ -139,14 +133,6 @@ class HandedOver:
     def force(self, t) -> np.ndarray:
         """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force."""
         return self._both("force", t)
-
-    def at_and_force(self, t) -> tuple[np.ndarray, np.ndarray]:
-        """Return `at(t)` and `force(t)`."""
-        return self.at(t), self.force(t)
-
-    def normal_load(self, t) -> np.ndarray:
-        """Return Phi of (4.6) at the times t (k,) [s]."""
-        return self._both("normal_load", t)
 
     def steady_load(self, t) -> np.ndarray:
         """Return the normal force (k,) [N] at t (k,) without the vibration of the contact."""

@@ -10,14 +10,14 @@ from ..disk import Disk
 from ..dissipation import power_laws
 from ..film.acting import film_of
 from ..film.law import Film
-from ..motion import COLUMNS, Jumps, Outcome, Transition
+from ..motion import COLUMNS, Answers, Jumps, Outcome, Transition, read_only
 from ..rates import precession_rate
-from ..rigid_motion import HARMONICS, read_only
+from ..rigid_motion import HARMONICS
 from ..switching import ImpossibleContactError
 from .bending import MOVES, RIGID, bending_of
-from .choice import acts_back, first_force
+from .choice import first_force
 from .contact import LEAST_INCLINATION
-from .from_scene import edge_of, last_inclination, law_table, step_rate
+from .from_scene import acts_back, edge_of, last_inclination, law_table, step_rate
 from .full import ENDS, Compliant, ContactLoss
 from .handover import columns, energy, inclination, release
 from .march import CARRIED, FLAT, GOES, LIES, UNSOLVED, UPRIGHT
@@ -65,7 +65,7 @@ class Losses(Sequence):
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class CompliantMotion:
+class CompliantMotion(Answers):
     """A `Motion` as rows at even times: every `dt` [s] the impulse (n, 3) [N s] of the contact force since the start,
     and every STATES of them the COLUMNS, the energy and what was lost to each of CAUSES.
 
@@ -114,11 +114,6 @@ class CompliantMotion:
         changes = [event.t for event in self.transitions]
         return read_only(np.unique(np.concatenate([nodes * (STATES * self.dt), changes])))
 
-    @cached_property
-    def state(self) -> np.ndarray:
-        """The state at `t`, (n, 11), with the columns COLUMNS."""
-        return read_only(self.at(self.t))
-
     def at(self, t) -> np.ndarray:
         """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses.
 
@@ -138,10 +133,6 @@ class CompliantMotion:
         force[:, 2] = np.maximum(force[:, 2], 0.0)
         return force
 
-    def at_and_force(self, t) -> tuple[np.ndarray, np.ndarray]:
-        """Return `at(t)` and `force(t)`."""
-        return self.at(t), self.force(t)
-
     def steady_load(self, t) -> np.ndarray:
         """Return the normal force (k,) [N] at t (k,) without the vibration of the contact: its mean over half a turn of
         the contact, weighed by Hann's window, which leaves nine tenths of a nutation."""
@@ -151,10 +142,6 @@ class CompliantMotion:
         lasts = np.diff(np.clip(edges, 0, self._end), axis=0)
         hann = np.sin(np.pi * (np.arange(PARTS) + 0.5) / PARTS)[:, None] ** 2
         return (hann * np.diff(impulse.reshape(edges.shape), axis=0)).sum(axis=0) / (hann * lasts).sum(axis=0)
-
-    def normal_load(self, t) -> np.ndarray:
-        """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""
-        return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
 
     def carrier(self, inclination) -> np.ndarray:
         """Return the frequency (k,) [Hz] of the contact's normal resonance under the weight at inclinations (k,)."""

@@ -48,9 +48,7 @@ def turned(n0, n1, n2, b0, b1, b2):
 @kernel
 def read(profile, path, moved, half, before):
     """Return the height at the end of a step along a path, that of before where the path stands."""
-    if abs(moved) <= STANDS:
-        return before
-    return height(profile.coefficients, profile.cells_per_metre, path + moved, half)
+    return height(profile, path + moved, half) if abs(moved) > STANDS else before
 
 
 @kernel

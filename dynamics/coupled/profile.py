@@ -44,20 +44,14 @@ def spline_profile(waves, period, n=None):
 
 
 @kernel
-def integrals(coefficients, cells_per_metre, s):
+def integrals(profile, s):
     """Return the third and the second integral of the heights at path length s [m]."""
-    x = s * cells_per_metre
+    c, x = profile.coefficients, s * profile.cells_per_metre
     whole = np.floor(x)
     u = x - whole
-    i = int(whole) % (coefficients.size - 5)
-    c0, c1, c2, c3, c4, c5 = (
-        coefficients[i],
-        coefficients[i + 1],
-        coefficients[i + 2],
-        coefficients[i + 3],
-        coefficients[i + 4],
-        coefficients[i + 5],
-    )
+    i = int(whole) % (c.size - 5)
+    c0, c1, c2 = c[i], c[i + 1], c[i + 2]
+    c3, c4, c5 = c[i + 3], c[i + 4], c[i + 5]
     p0 = c0 + 26 * c1 + 66 * c2 + 26 * c3 + c4
     p1 = 5 * (-c0 - 10 * c1 + 10 * c3 + c4)
     p2 = 10 * (c0 + 2 * c1 - 6 * c2 + 2 * c3 + c4)
@@ -66,19 +60,19 @@ def integrals(coefficients, cells_per_metre, s):
     p5 = -c0 + 5 * c1 - 10 * c2 + 10 * c3 - 5 * c4 + c5
     third = p0 + u * (p1 + u * (p2 + u * (p3 + u * (p4 + u * p5))))
     second = p1 + u * (2 * p2 + u * (3 * p3 + u * (4 * p4 + u * 5 * p5)))
-    return third / 120, second * cells_per_metre / 120
+    return third / 120, second * profile.cells_per_metre / 120
 
 
 @kernel
-def height(coefficients, cells_per_metre, s, a):
+def height(profile, s, a):
     """Return the height [m] at path length s [m] under an ellipse of half-length a [m].
 
     The mean of z weighed by 3 (1 - x^2/a^2)/4a over (s - a, s + a), by parts. SMOOTH, of one cell, has none.
     """
-    if coefficients.size == 6:
+    if profile.coefficients.size == 6:
         return 0.0
-    third1, second1 = integrals(coefficients, cells_per_metre, s + a)
-    third0, second0 = integrals(coefficients, cells_per_metre, s - a)
+    third1, second1 = integrals(profile, s + a)
+    third0, second0 = integrals(profile, s - a)
     return 1.5 * (second1 + second0 - (third1 - third0) / a) / (a * a)
 
 
@@ -91,21 +85,21 @@ def rim_heights(table, rim, path, edge, half, reach, radius, turn, out):
     fine = FINE * half / radius
     low, here, high = 0.0, 0.0, 0.0
     for profile, place, arm in ((table, path, reach), (rim, edge, radius)):
-        cells, start = profile.cells_per_metre, place + arm * turn
-        low += height(profile.coefficients, cells, start - arm * fine, half)
-        here += height(profile.coefficients, cells, start, half)
-        high += height(profile.coefficients, cells, start + arm * fine, half)
+        start = place + arm * turn
+        low += height(profile, start - arm * fine, half)
+        here += height(profile, start, half)
+        high += height(profile, start + arm * fine, half)
     out[0] += here
     out[1] += (high - low) / (2 * fine)
     out[2] += (high - 2 * here + low) / fine**2
 
 
 @outermost
-def heights(coefficients, cells_per_metre, s, a):
+def heights(profile, s, a):
     """Return `height` at path lengths s (k,) under half-lengths a (k,) [m], as (k,) [m]."""
     out = np.empty(s.size)
     for i in range(s.size):
-        out[i] = height(coefficients, cells_per_metre, s[i], a[i])
+        out[i] = height(profile, s[i], a[i])
     return out
 
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..disk import Disk
+from ..steady import steady_precession
 from .contact import ContactLaw, Springs
 
 TINY = 1e-300
@@ -69,19 +70,6 @@ def stiffness_matrix(springs: Springs) -> np.ndarray:
     return np.stack(np.broadcast_arrays(springs.k1, springs.k2, springs.kn), axis=-1)[..., None] * np.eye(3)
 
 
-def on_springs(shapes, stiffness, squared=0.0, residual=0.0):
-    """Return frequencies (k, m) [Hz], ascending, of a body with modes of unit mass held by springs at one point.
-
-    `shapes` (k, 3, m) [kg^-1/2] are the modes at that point and `squared` (m,) [1/s^2] their own w^2, 0 if rigid;
-    `stiffness` (k, 3, 3) [N/m]. What left-out modes yield, `residual` (3, 3) [m/N], lies in series with the springs.
-    """
-    held = np.linalg.solve(np.eye(3) + stiffness @ np.broadcast_to(residual, stiffness.shape), stiffness)
-    matrix = shapes.swapaxes(1, 2) @ held @ shapes + np.broadcast_to(squared, shapes.shape[-1:]) * np.eye(
-        shapes.shape[-1]
-    )
-    return np.sqrt(np.maximum(np.linalg.eigvalsh(matrix), 0.0)) / (2 * np.pi)
-
-
 def damping(law: ContactLaw, inclination, load):
     """Return c [N s/m] along the normal that gives the normal resonance sqrt(kn W33) the loss factor of the law."""
     kn = law.springs(inclination, load).kn
@@ -123,3 +111,29 @@ def resonances(system: Linear) -> Resonances:
     roots = np.linalg.eigvals(system.A)
     roots = np.take_along_axis(roots, np.argsort(roots.imag, axis=1), axis=1)[:, 3:]
     return Resonances(roots.imag / (2 * np.pi), -2 * roots.real / np.maximum(np.abs(roots), TINY))
+
+
+class Suspension(NamedTuple):
+    """Stiffness (3,) [N/m] along a_1, a_2, a_3, rates (3,) [1/s] at which the springs forget, damping (3,) [N s/m]:
+    q' = u - forgets q, p = stiffness q + damping q'."""
+
+    stiffness: np.ndarray
+    forgets: np.ndarray
+    damping: np.ndarray
+
+
+def suspension(law: ContactLaw, inclination: float) -> Suspension:
+    """Return the contact of a disk that rolls steadily, its centre fixed, at an inclination [rad].
+
+    Raises ValueError where there is no such motion.
+    """
+    disk, beta = law.disk, np.array([inclination])
+    springs, lost = law.springs(beta, disk.weight), damping(law, beta, disk.weight)[0]
+    try:
+        rate = steady_precession(inclination, disk.aspect, disk.gyration) / disk.time_unit
+    except ValueError:
+        raise ValueError(f"there is no steady motion at {np.degrees(inclination):g} degrees") from None
+    speed = abs(disk.radius * rate * (np.cos(inclination) - disk.aspect * np.sin(inclination)))
+    k1, k2, kn, length1, length2 = (float(value[0]) for value in springs)
+    forgets = np.array([speed / length1, speed / length2, 0.0])
+    return Suspension(np.array([k1, k2, kn]), forgets, np.array([0.0, 0.0, lost]))

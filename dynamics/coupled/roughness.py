@@ -125,7 +125,7 @@ def _measured(profile, k):
     """The mean square per wave number [m^3] of the waves of a profile, each bin of k (w,) holding what lies in it."""
     n = len(profile.coefficients) - 5
     cell = 1 / profile.cells_per_metre
-    waves = np.fft.rfft(heights(*profile, cell * np.arange(n), np.full(n, cell)))[1:] / n
+    waves = np.fft.rfft(heights(profile, cell * np.arange(n), np.full(n, cell)))[1:] / n
     own = 2 * pi / profile.period * np.arange(1, len(waves) + 1)
     below = np.append(0.0, np.cumsum(2 * np.abs(waves / window(own * cell)) ** 2))
     edges = np.concatenate([[0.0], np.sqrt(k[1:] * k[:-1]), [own[-1]]])

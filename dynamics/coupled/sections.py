@@ -53,7 +53,7 @@ class Contact:
 
         Raises ValueError where its fillet does not fit, and where the disk rolls in no steady motion.
         """
-        from .suspension import suspension
+        from .resonance import suspension
 
         return suspension(self.law_of(scene.disk, scene.material), inclination)
 

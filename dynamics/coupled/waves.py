@@ -110,19 +110,11 @@ def basis(knots, x, out):
     out[0, 0], out[0, 3] = (knots[i + 1] - x) * c0 * q0, (x - knots[i]) * c2 * q2
     out[0, 1] = (x - knots[i - 2]) * c0 * q0 + (knots[i + 2] - x) * c1 * q1
     out[0, 2] = 1 - out[0, 0] - out[0, 1] - out[0, 3]
-    out[1, 0], out[1, 1], out[1, 2], out[1, 3] = (
-        -3 * c0 * q0,
-        3 * (c0 * q0 - c1 * q1),
-        3 * (c1 * q1 - c2 * q2),
-        3 * c2 * q2,
-    )
+    out[1, 0], out[1, 3] = -3 * c0 * q0, 3 * c2 * q2
+    out[1, 1], out[1, 2] = 3 * (c0 * q0 - c1 * q1), 3 * (c1 * q1 - c2 * q2)
     d0, d1, d2 = -2 * b0 * l0, 2 * (b0 * l0 - b1 * l1), 2 * b1 * l1
-    out[2, 0], out[2, 1], out[2, 2], out[2, 3] = (
-        -3 * c0 * d0,
-        3 * (c0 * d0 - c1 * d1),
-        3 * (c1 * d1 - c2 * d2),
-        3 * c2 * d2,
-    )
+    out[2, 0], out[2, 3] = -3 * c0 * d0, 3 * c2 * d2
+    out[2, 1], out[2, 2] = 3 * (c0 * d0 - c1 * d1), 3 * (c1 * d1 - c2 * d2)
     return i - 3
 
 
@@ -166,21 +158,27 @@ def turned_by(before, after):
 
 
 @kernel
+def read_gap(waves, law, x, y, n0, n1, n2, angle, scratch):
+    """Read at an angle of the rim of a disk with the axis (n0, n1, n2) at (x, y) the table and its slopes, scratch[6],
+    and the ripple of the rim, scratch[7]; return cosine, sine, the reach and n.e."""
+    c, s = np.cos(angle), np.sin(angle)
+    down = n0 * c + n1 * s
+    reach = law[RADIUS] * n2 - down * law[HALF]
+    deflection(waves, x + reach * c, y + reach * s, scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6])
+    ripple(waves.rim, waves.state, angle - waves.contact[TWIST], down, n2, scratch[7])
+    return c, s, reach, down
+
+
+@kernel
 def look_round(waves, law, x, y, n0, n1, n2, scratch):
     """Note the directions, at most MOST, in which the rim has a minimum of its gap, of SCANNED; beside the contact it
     is the contact, which is followed on."""
-    bx, by, field, R = scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6], law[RADIUS]
-    bent = scratch[7]
-    most, least, count = -np.inf, np.inf, 0
+    R, most, least, count = law[RADIUS], -np.inf, np.inf, 0
     before = now = 0.0
     for n in range(SCANNED + 2):
-        c, s = np.cos(2 * np.pi * n / SCANNED), np.sin(2 * np.pi * n / SCANNED)
-        reach = R * n2 - (n0 * c + n1 * s) * law[HALF]
-        deflection(waves, x + reach * c, y + reach * s, bx, by, field)
-        angle, down = 2 * np.pi * n / SCANNED, n0 * c + n1 * s
-        ripple(waves.rim, waves.state, angle - waves.contact[TWIST], down, n2, bent)
-        most, least = max(most, field[0] + bent[0]), min(least, field[0] + bent[0])
-        value = field[0] + bent[0] + R * down
+        _, _, _, down = read_gap(waves, law, x, y, n0, n1, n2, 2 * np.pi * n / SCANNED, scratch)
+        risen = scratch[6, 0] + scratch[7, 0]
+        most, least, value = max(most, risen), min(least, risen), risen + R * down
         if n > 1 and now >= before and now > value and count < MOST:
             turn = turned_by(waves.contact[ANGLE], 2 * np.pi * (n - 1) / SCANNED)
             waves.contact[PLACES + count] = waves.contact[ANGLE] + (turn if abs(turn) > BESIDE else 0.0)
@@ -199,20 +197,17 @@ def follow(waves, law, x, y, n0, n1, n2, rough, scratch):
     Each minimum of the gap is followed by a step of Newton's method from where it was; the lowest is the contact.
     `rough` are the profiles of table and edge, the places [m] on them in the last direction, and the ellipse's half.
     """
-    bx, by, field, R = scratch[0:3, 0:4], scratch[3:6, 0:4], scratch[6], law[RADIUS]
+    field, bent, R = scratch[6], scratch[7], law[RADIUS]
     x, y = waves.stays * x, waves.stays * y
     waves.contact[LEFT] -= 1
     if waves.contact[LEFT] < 0:
         look_round(waves, law, x, y, n0, n1, n2, scratch)
-    bent, twist, last = scratch[7], waves.contact[TWIST], waves.contact[ANGLE]
+    last = waves.contact[ANGLE]
     best, found = -np.inf, last
     for n in range(int(waves.contact[COUNT])):
         angle = waves.contact[PLACES + n]
-        c, s = np.cos(angle), np.sin(angle)
-        reach = R * n2 - (n0 * c + n1 * s) * law[HALF]
-        deflection(waves, x + reach * c, y + reach * s, bx, by, field)
-        down, side = R * (n0 * c + n1 * s), R * (n1 * c - n0 * s)  # of the rim, and its slope
-        ripple(waves.rim, waves.state, angle - twist, down / R, n2, bent)
+        c, s, reach, down = read_gap(waves, law, x, y, n0, n1, n2, angle, scratch)
+        down, side = R * down, R * (n1 * c - n0 * s)  # of the rim, and its slope
         rim_heights(*rough, reach, R, turned_by(last, angle), bent)
         slope = side + reach * (field[2] * c - field[1] * s) + bent[1]
         bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
@@ -225,8 +220,8 @@ def follow(waves, law, x, y, n0, n1, n2, rough, scratch):
             best, found = value, angle + step
     c, s = np.cos(found), np.sin(found)
     reach = R * n2 - (n0 * c + n1 * s) * law[HALF]
-    read_shapes(waves, x + reach * c, y + reach * s, bx, by, NEXT)
-    read_rim(waves.rim, waves.state, found - twist, n0 * c + n1 * s, n2, NEXT)
+    read_shapes(waves, x + reach * c, y + reach * s, scratch[0:3, 0:4], scratch[3:6, 0:4], NEXT)
+    read_rim(waves.rim, waves.state, found - waves.contact[TWIST], n0 * c + n1 * s, n2, NEXT)
     bent[:] = 0.0
     rim_heights(*rough, reach, R, turned_by(last, found), bent)
     return found, bent[0], reach * turned_by(last, found)
