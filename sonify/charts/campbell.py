@@ -17,7 +17,7 @@ from dynamics.surface import ModesSurface, SurfaceMode
 from modal.surface import table_by_modes
 from sonify.charts.chart import DPI, save
 from sonify.charts.page import number
-from sonify.charts.records import Answer, Failure, Record, Work, along, ends, measured, nearest
+from sonify.charts.records import Answer, Failure, Record, along, ends, measured, nearest
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -72,12 +72,6 @@ def expected(mode: SurfaceMode, x: float) -> float:
     return float(campbell(law().law.disk, mode, x).eigenvalue.real.max())
 
 
-def works(quick: bool) -> list[Work]:
-    """Return every run; `quick` keeps both ends."""
-    rates = ends((1e4, 5e4, 1e5, 2e5, 4e5, 8e5), quick)
-    return along("two ways", "discrete gradient", "{:g} 1/s", rates, _answer, "growth of the flutter", _off, 0.1)
-
-
 def _answer(rate):
     try:
         growth = grown(MODE, FLUTTER, rate).real
@@ -92,7 +86,9 @@ def _off(values):
 
 def run(quick: bool, watch=lambda share, note: None) -> list[Record]:
     """Return the records of the chart; `watch(share, note)` is called before every run."""
-    return measured(works(quick), watch, warm=lambda work: True)
+    rates = ends((1e4, 5e4, 1e5, 2e5, 4e5, 8e5), quick)
+    works = along("two ways", "discrete gradient", "{:g} 1/s", rates, _answer, "growth of the flutter", _off, 0.1)
+    return measured(works, watch, warm=lambda work: True)
 
 
 def diverges(diagram: Campbell) -> np.ndarray:

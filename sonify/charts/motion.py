@@ -95,15 +95,13 @@ def proofs() -> list[Work]:
         work("tanh", "LSODA", tanh_regularised, "LSODA", 1e-5, 1e-9),
         work("tanh", "Radau", tanh_regularised, "Radau", 1e-5, 1e-8),
         work("Moreau", "time-stepping", moreau, 1e-3),
-        *(w for case in (conservative(EASY), case) for w in _proofs_of_engines(case)),
+        *(
+            Work("engine", method, "proof", case.name, peer.runs(case)[-1][1], case.error)
+            for case in (conservative(EASY), case)
+            for method, peer in peers.able(case).items()
+            if method != AREAS
+        ),
     ]
-
-
-def _proofs_of_engines(case):
-    """Return the finest run of every engine on an easy case."""
-    for method, peer in peers.able(case).items():
-        if method != AREAS:
-            yield Work("engine", method, "proof", case.name, peer.runs(case)[-1][1], case.error)
 
 
 def prove() -> list[Record]:

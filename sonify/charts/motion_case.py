@@ -10,14 +10,13 @@ from typing import NamedTuple
 
 from dynamics.equations import Law
 from dynamics.kinematics import energy
+from dynamics.steady import flat_square
 from sonify.charts.records import Answer, relative
 
 PUBLISHED = Law(h=0.0128 / 0.0751, K=1.0, mu_static=0.5, mu_dynamic=0.3, k1=1e-4, k2=8e-4, k3=8e-3)
 """(7.1), (7.3), with the misprint of (7.2) corrected."""
 RELEASED = (pi / 2 - 1, 0.0, 0.0, -1.0, 0.0, 0.0)
 """(7.4)."""
-FLAT = (1 + 4 / PUBLISHED.K) / (1 + 4 * PUBLISHED.h**2 / (3 * PUBLISHED.K))
-"""Square of the precession rate times inclination, in steady motion at small inclinations."""
 NUTATION_ARMS = (1e-4, 1e-3, 2e-3, 5e-3, 0.01, 0.02, 0.05, 0.1, 0.2)
 PIVOTING_ARMS = (0.008, 0.02, 0.05, 0.1, 0.2, 0.5)
 INCLINATIONS = (0.1, 0.01, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10)
@@ -79,7 +78,7 @@ def pivoting_arm(k3: float) -> Case:
 def flat(inclination: float) -> Case:
     """Return a disk that rolls all but flat, a tenth faster than steadily, over 1.4 of its nutations."""
     law = PUBLISHED._replace(mu_static=10.0, mu_dynamic=10.0, k1=0.0)
-    in_plane = 1.1 * sqrt(FLAT / inclination) * sin(inclination)
+    in_plane = 1.1 * sqrt(flat_square(law.h, law.K) / inclination) * sin(inclination)
     start = (inclination, 0.0, law.h * in_plane, in_plane, 0.0, 0.0)
     return Case(f"inclination {inclination:g}", law, 5.0 * sqrt(inclination), start)
 

@@ -41,8 +41,7 @@ RELAXES = 1e-4
 
 def disk(case: Case, solver: str, step: float) -> Answer:
     """Solve a case by the discrete `solver`, 'Tamsi' or 'Sap', in steps of `step`."""
-    plant, body, diagram = _disk(case, step, solver)
-    simulator, context = _started(case, plant, diagram)
+    plant, body, simulator, context = _disk(case, step, solver)
     count = round(case.span / step)
     if case.law.k1 or case.law.k2 or case.law.k3:
         for i in range(1, count + 1):
@@ -55,8 +54,7 @@ def disk(case: Case, solver: str, step: float) -> Answer:
 
 def continuous(case: Case, slip: float) -> Answer:
     """Solve a case without moments by RK3 with error control, friction smeared over the speed `slip`."""
-    plant, body, diagram = _disk(case, 0.0, slip=slip)
-    simulator, context = _started(case, plant, diagram)
+    plant, body, simulator, context = _disk(case, 0.0, slip=slip)
     integrator = simulator.get_mutable_integrator()
     integrator.set_target_accuracy(1e-3)
     simulator.AdvanceTo(case.span)
@@ -65,8 +63,7 @@ def continuous(case: Case, slip: float) -> Answer:
 
 def hydroelastic(case: Case, modulus: float) -> Answer:
     """Solve a case without moments by contact over areas of a `modulus`, over m g/R^2, in steps of TAMSI."""
-    plant, body, diagram = _disk(case, HYDROELASTIC_STEP, "Tamsi", modulus=modulus)
-    simulator, context = _started(case, plant, diagram)
+    plant, body, simulator, context = _disk(case, HYDROELASTIC_STEP, "Tamsi", modulus=modulus)
     simulator.AdvanceTo(case.span)
     return answer(_pose(plant, body, context), case.law, round(case.span / HYDROELASTIC_STEP))
 
@@ -115,7 +112,8 @@ def _matter(mu, dissipation, stiffness, size, modulus=None):
 
 
 def _disk(case, step, solver=None, slip=SLIP, modulus=None):
-    law = case.law
+    """Return plant, body, simulator and context at the start of the case."""
+    law, start = case.law, at_start(case)
     builder, plant = _world(step, gravity(law), solver, modulus)
     body = plant.AddRigidBody("disk", tree.SpatialInertia(1.0, [0, 0, 0], tree.UnitInertia(*inertia(law))))
     about = (law.mu_static, 0.0, None, FINENESS) if modulus else (law.mu_static, 0.0, STIFFNESS, None)
@@ -126,16 +124,12 @@ def _disk(case, step, solver=None, slip=SLIP, modulus=None):
         plant.RegisterCollisionGeometry(on, RigidTransform(), shape, on.name(), _matter(*about, soft))
     plant.Finalize()
     plant.set_stiction_tolerance(slip)
-    return plant, body, builder.Build()
-
-
-def _started(case, plant, diagram):
-    simulator, start = Simulator(diagram), at_start(case)
+    simulator = Simulator(builder.Build())
     context = plant.GetMyMutableContextFromRoot(simulator.get_mutable_context())
     plant.SetPositions(context, [*quaternion(case), *start.centre])
     plant.SetVelocities(context, [*start.angular, *start.velocity])
     simulator.Initialize()
-    return simulator, context
+    return plant, body, simulator, context
 
 
 def _resist(plant, body, context, law):

@@ -20,8 +20,12 @@ MOST_EVALUATIONS = 250_000
 def slip_tolerance(case: Case, start: float, stop: float, longest: float, tolerance: float) -> Answer:
     """Solve a case with slides started at the speed `start` and ended below `stop`, in steps of at most `longest`."""
     tau, state, sliding, steps, slid, spent = 0.0, np.array(case.start), ROLLING, 0, 0.0, 0
+
+    def flow(_, y):
+        y = y.tolist()
+        return rates(y, _forces(y, sliding, case.law))
+
     while tau < case.span:
-        flow = _flow(case.law, sliding)
         solver = DOP853(flow, tau, state, case.span, max_step=longest, rtol=tolerance, atol=tolerance)
         began, switched = tau, False
         while solver.status == "running" and not switched:
@@ -45,14 +49,6 @@ def _forces(state, sliding, law):
     speed = math.hypot(state[4], state[5]) if sliding else 0.0
     direction = (state[4] / speed, state[5] / speed) if speed else (0.0, 0.0)
     return contact(state, sliding, direction, senses, law)
-
-
-def _flow(law, sliding):
-    def flow(_, state):
-        state = state.tolist()
-        return rates(state, _forces(state, sliding, law))
-
-    return flow
 
 
 def _is_over(state, sliding, law, stop) -> bool:

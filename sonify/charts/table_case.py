@@ -6,7 +6,6 @@ force is the weight, however heavy the load. An answer is z e^{-i O t}/A at the 
 """
 
 from functools import cache
-from types import SimpleNamespace
 
 import numpy as np
 from numba import njit
@@ -19,7 +18,7 @@ from dynamics.coupled.waves import Q
 from dynamics.disk import Friction
 from dynamics.rates import precession_rate
 from dynamics.surface import ModesSurface, SurfaceMode
-from modal import surface_modes
+from modal.surface import table_by_modes
 from sonify.charts.contact_case import without_creep
 from sonify.charts.records import Answer, Failure
 from sonify.claims.halt import steady
@@ -109,7 +108,7 @@ def with_the_disk(rate: float, inclination: float = 5e-4, heavier: float = 1e5) 
     mode = SurfaceMode(order=1, frequency=w / (2 * np.pi), damping_ratio=ZETA, modal_mass=heavier * disk.mass)
     table = LawTable(law=contact_law(scene))
     without_creep(table)
-    known = surface_modes(SimpleNamespace(disk=disk, surface=ModesSurface(modes=(mode,)), numerics=scene.numerics))
+    known = table_by_modes(ModesSurface(modes=(mode,)), disk, 2 * mode.frequency)
     steps = rate * w / W
     model = Compliant(table=table, friction=Friction(mu_static=10.0, mu_dynamic=10.0), modes=known, rate=steps)
     y = release(model, start)

@@ -83,7 +83,8 @@ def air_negligible(motion: Motion, film: Film) -> tuple[float, float]:
     """The share of the motion that is over when the film first takes 1 % of the power, or would."""
     film_power = np.sum(film_powers(motion, film), axis=0)
     work = motion.state[:, 10] + (0.0 if film_in(getattr(motion, "loads", None)) else _integral(film_power, motion))
-    middle, windows = _windows(motion)
+    windows = np.linspace(0, motion.t[-1], 201)
+    middle = (windows[1:] + windows[:-1]) / 2
     share = np.diff(np.interp(windows, motion.t, _integral(film_power, motion))) / np.maximum(
         np.diff(np.interp(windows, motion.t, work)), 1e-300
     )
@@ -202,12 +203,6 @@ def lifts(motion: Motion, film: Film):
     disk, state = motion.disk, motion.state
     push = film.at(state[:, 1], state[:, 5:8].T * disk.time_unit)[2]
     return push * disk.mass * disk.radius / disk.time_unit**2
-
-
-def _windows(motion):
-    """Even windows of time, and their middles [s]."""
-    edges = np.linspace(0, motion.t[-1], 201)
-    return (edges[1:] + edges[:-1]) / 2, edges
 
 
 def _integral(power, motion):

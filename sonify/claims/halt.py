@@ -1,6 +1,5 @@
 """MAP: does one mode of a table break the contact, and by how much does it bring the halt forward?"""
 
-from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +14,7 @@ from dynamics.numerics import inclination_at
 from dynamics.steady import steady_precession
 from dynamics.surface import ModesSurface, SurfaceMode
 from dynamics.time_left import time_left
-from modal import surface_modes
+from modal.surface import table_by_modes
 from sonify.scene import Scene, load_scene
 
 BEFORE = 0.7
@@ -57,7 +56,7 @@ def halt(
         damping_ratio=damping,
         modal_mass=modal_mass_ratio * disk.mass,
     )
-    known = surface_modes(SimpleNamespace(disk=disk, surface=ModesSurface(modes=(mode,)), numerics=scene.numerics), 1e6)
+    known = table_by_modes(ModesSurface(modes=(mode,)), disk, 1e6)
     model = Compliant(table=LawTable(law=contact_law(scene)), friction=scene.friction, modes=known, rate=rate)
     y = release(model, steady(disk, beta))
     rigid = time_left(beta, disk, scene.friction, None) - time_left(LIES, disk, scene.friction, None)
