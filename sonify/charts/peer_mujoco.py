@@ -14,34 +14,34 @@ from sonify.charts.records import Answer, Failure
 from sonify.charts.rigid_body import Pose, answer, at_start, gravity, inertia, quaternion, resistance
 
 DISK = """<mujoco>
-  <option timestep="{step}" integrator="{integrator}" cone="elliptic" gravity="0 0 {gravity}"/>
-  <default><geom condim="3" friction="{mu} 0 0" solref="{time} 1" solimp="0.9 0.99 1e-4"/></default>
+  <option timestep="{step}" integrator="{integrator}" cone="elliptic" gravity="0 0 -{fall}"/>
+  <default><geom condim="3" friction="{law.mu_static} 0 0" solref="{time} 1" solimp="0.9 0.99 1e-4"/></default>
   <worldbody>
     <geom type="plane" size="100 100 1"/>
     <body pos="{centre}" quat="{quaternion}">
       <freejoint/>
       <inertial pos="0 0 0" mass="1" diaginertia="{inertia}"/>
-      <geom type="cylinder" size="1 {h}"/>
+      <geom type="cylinder" size="1 {law.h}"/>
     </body>
   </worldbody>
 </mujoco>"""
 PLATE = """<mujoco>
-  <option timestep="{step}" integrator="{integrator}" gravity="0 0 -{GRAVITY}"/>
+  <option timestep="{step}" integrator="{integrator}" gravity="0 0 -{plate.GRAVITY}"/>
   <default><geom condim="1" solref="{time} 1" solimp="0.9 0.99 1e-4"/></default>
   <worldbody>
     <body>
-      <joint type="hinge" axis="1 0 0" stiffness="{SPRING}" damping="{DAMPER}"/>
-      <joint type="hinge" axis="0 1 0" stiffness="{SPRING}" damping="{DAMPER}"/>
-      <inertial pos="0 0 0" mass="1" diaginertia="{INERTIA} {INERTIA} {INERTIA}"/>
-      <geom type="box" size="{HALF} {HALF} {DEEP}" pos="0 0 -{DEEP}"/>
+      <joint type="hinge" axis="1 0 0" stiffness="{plate.SPRING}" damping="{plate.DAMPER}"/>
+      <joint type="hinge" axis="0 1 0" stiffness="{plate.SPRING}" damping="{plate.DAMPER}"/>
+      <inertial pos="0 0 0" mass="1" diaginertia="{plate.INERTIA} {plate.INERTIA} {plate.INERTIA}"/>
+      <geom type="box" size="{plate.HALF} {plate.HALF} {plate.DEEP}" pos="0 0 -{plate.DEEP}"/>
     </body>
     <body>
       <joint type="hinge" axis="0 0 1"/>
-      <inertial pos="0 0 0" mass="1" diaginertia="{GREAT} {GREAT} {GREAT}"/>
-      <body pos="{RADIUS} 0 {height}">
+      <inertial pos="0 0 0" mass="1" diaginertia="{plate.GREAT} {plate.GREAT} {plate.GREAT}"/>
+      <body pos="{plate.RADIUS} 0 {height}">
         <joint type="slide" axis="0 0 1"/>
-        <inertial pos="0 0 0" mass="{LOAD}" diaginertia="{SMALL} {SMALL} {SMALL}"/>
-        <geom type="sphere" size="{BALL}"/>
+        <inertial pos="0 0 0" mass="{plate.LOAD}" diaginertia="{plate.SMALL} {plate.SMALL} {plate.SMALL}"/>
+        <geom type="sphere" size="{plate.BALL}"/>
       </body>
     </body>
   </worldbody>
@@ -72,12 +72,11 @@ def disk(case: Case, integrator: str, step: float) -> Answer:
         step=step,
         time=2 * step,
         integrator=integrator,
-        gravity=-gravity(case.law),
-        mu=case.law.mu_static,
+        law=case.law,
+        fall=gravity(case.law),
         centre=_numbers(start.centre),
         quaternion=_numbers(quaternion(case)),
         inertia=_numbers(inertia(case.law)),
-        h=case.law.h,
     )
     data.qvel[:3], data.qvel[3:] = start.velocity, start.rotation.T @ start.angular
     if case.law.k1 or case.law.k2 or case.law.k3:
@@ -101,7 +100,7 @@ def _numbers(values):
 def table(integrator: str, rate: float) -> Answer:
     """Solve the plate by the `integrator`, with `rate` steps a second."""
     (angles, rates, height), step, count = plate.at_start(), 1 / rate, round(plate.SPAN * rate)
-    model, data = made(PLATE, step=step, time=2 * step, integrator=integrator, height=height, **vars(plate))
+    model, data = made(PLATE, step=step, time=2 * step, integrator=integrator, height=height, plate=plate)
     data.qpos[:2], data.qvel[:3] = angles, [*rates, plate.OMEGA]
     mujoco.mj_step(model, data, nstep=count)
     return plate.tilted(data.qpos[:2], count)

@@ -84,15 +84,10 @@ def quadrilaterals(triangles: MeshTri) -> np.ndarray:
     clockwise = first[:, 0] * second[:, 1] < first[:, 1] * second[:, 0]
     corners[clockwise] = corners[clockwise, ::-1]
     centre, middles = corners.mean(axis=1), (corners + np.roll(corners, -1, axis=1)) / 2
-    u, v = (x[:, :, None, None] for x in np.meshgrid(PLACES, PLACES, indexing="ij"))
-    cells = [
-        (1 - u) * (1 - v) * corners[:, i]
-        + u * (1 - v) * middles[:, i]
-        + u * v * centre
-        + (1 - u) * v * middles[:, i - 1]
-        for i in range(3)
-    ]
-    return np.concatenate(cells, axis=2).transpose(2, 0, 1, 3)
+    u, v = np.meshgrid(PLACES, PLACES, indexing="ij")
+    weights = np.array([(1 - u) * (1 - v), u * (1 - v), u * v, (1 - u) * v])
+    nodes = np.stack([corners, middles, np.broadcast_to(centre[:, None], corners.shape), np.roll(middles, 1, axis=1)])
+    return np.einsum("cuv,ctix->ituvx", weights, nodes).reshape(-1, 3, 3, 2)
 
 
 def matrices(basis, case: ModesCase):
