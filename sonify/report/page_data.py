@@ -20,7 +20,7 @@ from sonify.report.captions import caption, table_caption
 from sonify.report.in_words import spectrogram
 from sonify.report.painter import painter
 from sonify.report.solid_view import skin
-from sonify.sound.listening import Copy
+from sonify.sound.listening import Copy, Weighted
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -81,7 +81,8 @@ def sounds(sound: Sound) -> dict[str, Any]:
 
 def tracks(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
     """Return the stems over `full_scale` [Pa] by name; a stem alone may be louder than their sum, and is clipped."""
-    copies = [Copy(track=track, full_scale=full_scale, weighted=weighted) for track in sound.stems.values()]
+    stems = [Weighted(track=track) if weighted else track for track in sound.stems.values()]
+    copies = [Copy(track=stem, full_scale=full_scale) for stem in stems]
     with ThreadPoolExecutor() as pool:  # libsndfile lets go of Python's lock
         return dict(zip(sound.stems, pool.map(compressed, copies), strict=True))
 

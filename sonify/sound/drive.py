@@ -37,16 +37,16 @@ def inertia(disk: Disk) -> np.ndarray:
     return np.array([disk.mass] * 3 + [about_diameter, about_diameter, about_axis])
 
 
-def rigid_sources(force, attitude, disk: Disk, listener: float = 0.0) -> np.ndarray:
-    """Return (k, 2) [m/s^2]: the heave of the disk, and the acceleration by tilting of its rim towards the azimuth of
-    a `listener` [rad].
+def rigid_sources(force, attitude, disk: Disk, *ears: float) -> np.ndarray:
+    """Return (k, 1 + e) [m/s^2]: the heave of the disk, and the acceleration by tilting of its rim towards the azimuth
+    [rad] of each of the `ears` (e,).
 
     At rest the force is the weight and the heave is 0. `force` (k, 3) [N], `attitude` (k, 3) [rad].
     """
     turn = in_patch_frame(force, attitude[:, 1]) @ rigid_acceleration(np.eye(3), disk)[:, 3:]
-    azimuth = listener + listener_azimuth(attitude, turning_with_body=False)
-    tilt = turn[:, 0] * np.sin(azimuth) - turn[:, 1] * np.cos(azimuth)
-    return np.stack([(force[:, 2] - disk.weight) / disk.mass, disk.radius * tilt], axis=1)
+    azimuth = listener_azimuth(attitude, turning_with_body=False)
+    tilts = [turn[:, 0] * np.sin(azimuth + ear) - turn[:, 1] * np.cos(azimuth + ear) for ear in ears]
+    return np.stack([(force[:, 2] - disk.weight) / disk.mass, *(disk.radius * tilt for tilt in tilts)], axis=1)
 
 
 def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:

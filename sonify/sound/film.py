@@ -77,10 +77,8 @@ class FilmedRigid(RigidDisk):
     """The heave and the tilt of the rigid disk, through the film: it also presses on the disk, where it does so in the
     motion."""
 
-    beside: float | None = None
-
     def __init__(self, scene, motion, open_disk: RigidDisk, listener: Listener):
-        self.__dict__ |= {name: value for name, value in vars(open_disk).items() if name != "ends"}
+        self.__dict__ |= vars(open_disk)
         self._listener = listener
         self._air, self._film = scene.air, film_in(getattr(motion, "loads", None))
         self._a0, self._b0, self._a1, self._b1 = heights(scene.disk.thickness, scene.disk.radius)

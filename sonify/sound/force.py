@@ -167,7 +167,7 @@ class ForceSampler:
         return np.clip(t, 0.0, self.end)
 
     def _steps(self, t):
-        return self._levels[np.searchsorted(self.jump_time, t, side="right")]
+        return self._levels.take(np.searchsorted(self.jump_time, t, side="right"), axis=0)
 
     def _read(self, t):
         """The states (k, 11) and the channels (k, c) at t (k,), or at the end of the motion that is nearer."""

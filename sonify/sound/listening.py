@@ -18,17 +18,17 @@ LOUDNESS_LUFS, TRUE_PEAK_DB = -23.0, -1.0
 """What audible.wav is brought to by its gain, EBU R 128, unless its true peak [dBTP] would be higher than that."""
 FINER, EDGE = 4, 32
 """A true peak is sought on so many times the samples, BS.1770-4, annex 2; samples that its filter reaches."""
+MOST_KEPT = 1 << 23
+"""A weighted track of no more samples stays in memory: a minute and a half for two ears at 48 kHz."""
 OVERSHOOT = 2.5
 """No value between samples is so many times the greatest of them: the absolute weights of that filter add to less."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Copy:
-    """A track over the `full_scale` [Pa] that 1.0 stands for, A-weighted before or not; a source like the track."""
+class Beside:
+    """A source that goes along with a `track`."""
 
     track: object
-    full_scale: float = 1.0
-    weighted: bool = False
 
     @property
     def sample_rate(self) -> int:
@@ -45,6 +45,36 @@ class Copy:
         """Number of listeners."""
         return self.track.channels
 
+
+@dataclass(frozen=True, kw_only=True)
+class Weighted(Beside):
+    """A track [Pa], A-weighted: once, where that is no longer than MOST_KEPT."""
+
+    @cached_property
+    def _kept(self):
+        return list(self._filtered()) if self.frames * self.channels <= MOST_KEPT else None
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield (k, channels): the samples from number `start` on; every call begins anew."""
+        done = 0
+        for block in self._kept or self._filtered():
+            yield block[max(start - done, 0) :]
+            done += len(block)
+
+    def _filtered(self):
+        weighting = a_weighting(self.sample_rate)
+        state = np.zeros((len(weighting), 2, self.channels))
+        for block in self.track.blocks():
+            out, state = sosfilt(weighting, block.astype(float), axis=0, zi=state)
+            yield out
+
+
+@dataclass(frozen=True, kw_only=True)
+class Copy(Beside):
+    """A track over the `full_scale` [Pa] that 1.0 stands for; a source like the track."""
+
+    full_scale: float = 1.0
+
     @cached_property
     def loudness(self) -> float:
         """Its loudness by BS.1770 [LUFS]; ValueError where it is shorter than that is defined for."""
@@ -52,23 +82,14 @@ class Copy:
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
         """Yield (k, channels): the samples from number `start` on; every call begins anew."""
-        if not self.weighted:
-            yield from (block.astype(float) / self.full_scale for block in self.track.blocks(start))
-            return
-        weighting, done = a_weighting(self.sample_rate), 0
-        state = np.zeros((len(weighting), 2, self.channels))
-        for block in self.track.blocks():
-            out, state = sosfilt(weighting, block.astype(float), axis=0, zi=state)
-            yield out[max(start - done, 0) :] / self.full_scale
-            done += len(out)
+        yield from (block.astype(float) / self.full_scale for block in self.track.blocks(start))
 
 
 def audible(track) -> Copy:
     """Return the A-weighted copy of a track [Pa], brought to LOUDNESS_LUFS or TRUE_PEAK_DB by its gain alone."""
-    copy = Copy(track=track, weighted=True)
-    peak = true_peak(copy)
-    over_peak = peak / 10 ** (TRUE_PEAK_DB / 20) or 1.0
-    near = Copy(track=track, full_scale=over_peak, weighted=True)  # loudness has a gate at -70 LUFS
+    weighted = Weighted(track=track)
+    over_peak = true_peak(weighted) / 10 ** (TRUE_PEAK_DB / 20) or 1.0
+    near = Copy(track=weighted, full_scale=over_peak)  # loudness has a gate at -70 LUFS
     try:
         louder = 10 ** ((near.loudness - LOUDNESS_LUFS) / 20)
     except ValueError:  # shorter than loudness is defined for

@@ -202,7 +202,7 @@ def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
     """Return `count` rows that come in blocks (k, width), float32: as an array, or on disk where they are too many."""
     first = next(rows)
     if first.itemsize * first.shape[1] * count <= MOST_IN_MEMORY:
-        return np.concatenate([first, *rows])
+        return np.concatenate([block.T for block in (first, *rows)], axis=1).T  # a column is read at once
     scratch = Scratch(first.shape[1])
     for block in chain([first], rows):
         scratch.append(block)

@@ -4,12 +4,8 @@ from functools import cached_property
 
 import numpy as np
 from numba import njit
-from numpy.lib.stride_tricks import as_strided
 
 from sonify.sound.radiation import AZIMUTHS, Listener, heave_kernel, piston_strength, taps, tilt_kernel
-
-TOGETHER = 2048
-"""Samples radiated together: few enough for the cache."""
 
 
 class RigidFace:
@@ -23,9 +19,9 @@ class RigidFace:
         self._strength = piston_strength(disk.radius, listener.distance, listener.air.density)
 
     def from_rest(self, first):
-        """Return advance(accelerations (k + 1, 2), knots, jump (j, 2)) -> pressure (k, 2) [Pa] of the blocks of a
-        ContactForce that follow on accelerations `first` (2,)."""
-        past, late = np.tile(first, (2 * self.reach, 1)), np.zeros((0, 2))
+        """Return advance(accelerations (k + 1, c), knots, jump (j, c)) -> pressure (k, c) [Pa] of the blocks of a
+        ContactForce that follow on accelerations `first` (c,): one of heave, the others of tilt."""
+        past, late = np.tile(first, (2 * self.reach, 1)), np.zeros((0, len(first)))
 
         def advance(samples, knots, jump):
             nonlocal past, late
@@ -39,14 +35,16 @@ class RigidFace:
         return advance
 
     def _radiated(self, source, knots, jump):
-        """Samples through the kernels, plus what a jump between samples adds to that, (k + 2 reach + 1, 2)."""
+        """Samples through the kernels, plus what a jump between samples adds to that, (k + 2 reach + 1, c)."""
         count, after = len(source) - 2 * self.reach, np.arange(2 * self.reach + 1)
-        out = np.zeros((count + len(after), 2))
+        out = np.zeros((count + len(after), source.shape[1]))
         interval, _, until = knots
-        for i in (0, 1):
-            out[:count, i] = np.convolve(source[:, i], self._taps[i], "valid")
-            sharp = self._steps[i](until[:, None] + (after - self.reach) * self.h) - np.cumsum(self._taps[i])
-            np.add.at(out[:, i], interval[:, None] + 1 + after, jump[:, [i]] * sharp)
+        for kind, columns in enumerate((slice(1), slice(1, None))):
+            since = until[:, None] + (after - self.reach) * self.h
+            sharp = self._steps[kind](since) - np.cumsum(self._taps[kind])
+            for samples, sizes, heard in zip(source.T[columns], jump.T[columns], out.T[columns], strict=True):
+                heard[:count] = np.convolve(samples, self._taps[kind], "valid")
+                np.add.at(heard, interval[:, None] + 1 + after, sizes[:, None] * sharp)
         return out
 
 
@@ -81,29 +79,23 @@ class ElasticFace:
             stems = _three_taps(acceleration, turns, sharpness, self._table)
             if beside is None:
                 return stems
-            both = acceleration.sum(axis=0, keepdims=True)
-            return np.hstack([stems, _three_taps(both, turns + beside / (2 * np.pi), sharpness, self._table)])
+            there = _three_taps(acceleration, turns + beside / (2 * np.pi), sharpness, self._table)
+            return np.hstack([stems, there.sum(axis=1, keepdims=True)])
 
         return advance
 
 
 def _three_taps(ringing, turns, sharpness, table):
-    """Sum over modes of three taps on samples n + 2, n + 1, n of ringing (s, k + reach + 1, m), at azimuths (k,)
-    [turns], between those of the table on the line.
+    """Sum over modes of three taps on samples n + 2, n + 1, n of ringing (s, k + 2, m), at azimuths (k,) [turns],
+    between those of the table on the line.
 
     `sharpness` (k,) is 1 where the azimuth is well defined and falls to 0 where it turns too fast for the samples.
     """
-    where, out = turns % 1.0 * AZIMUTHS, np.empty((len(turns), len(ringing)))
     rows = table[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTHS, -1)  # (a, 3 m): as n, n + 1, n + 2 lie in memory
-    mean, slopes, tap = rows.mean(axis=0), np.roll(rows, -1, axis=0) - rows, np.empty((TOGETHER, rows.shape[1]))
-    away, size = rows - mean, ringing.itemsize
-    for first in range(0, len(where), TOGETHER):
-        some = slice(first, first + TOGETHER)
-        now = tap[: len(where[some])]
-        _between(mean, away, slopes, where[some], sharpness[some], now)
-        for one, samples in zip(out.T, ringing, strict=True):
-            three = as_strided(samples[first:], now.shape, (samples.shape[1] * size, size))
-            np.einsum("nc,nc->n", now, three, out=one[some])
+    mean, out = rows.mean(axis=0), np.empty((len(turns), len(ringing)))
+    slopes, where = np.roll(rows, -1, axis=0) - rows, (turns - np.floor(turns)) * AZIMUTHS
+    samples, modes = ringing.reshape(len(ringing), -1), ringing.shape[2]
+    _filtered(samples, modes, where, sharpness, mean, rows - mean, slopes, out)
     return out
 
 
@@ -112,10 +104,18 @@ def compile_radiators() -> None:
     _three_taps(np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTHS, 1, 3)))
 
 
-@njit(cache=True, nogil=True)
-def _between(mean, away, slopes, where, sharpness, tap):
-    """The rows of a table, mean + away, with these slopes at places (k,) between them, into tap (k, c)."""
+@njit(cache=True, nogil=True, fastmath={"reassoc"})
+def _filtered(samples, modes, where, sharpness, mean, away, slopes, out):
+    """What the rows of a table, mean + away, with these slopes at places (k,) between them, make of samples (s, ...),
+    so many modes after each other, into out (k, s)."""
+    tap = np.empty(len(mean))
     for n in range(len(where)):
-        row, share = int(where[n]) % len(away), where[n] % 1.0
-        for c in range(len(mean)):
-            tap[n, c] = (slopes[row, c] * share + away[row, c]) * sharpness[n] + mean[c]
+        row, weight = int(where[n]), sharpness[n]
+        share, slope, middle = where[n] - row, slopes[row % len(away)], away[row % len(away)]
+        for c in range(len(tap)):
+            tap[c] = (slope[c] * share + middle[c]) * weight + mean[c]
+        for s in range(len(samples)):
+            three, total = samples[s, n * modes : n * modes + len(tap)], 0.0
+            for c in range(len(tap)):
+                total += tap[c] * three[c]
+            out[n, s] = total

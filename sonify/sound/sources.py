@@ -49,20 +49,32 @@ class RigidDisk:
 
     names = ("heave", "tilt")
     lasting = 2 * FADE_OUT
+    beside: float | None = None
 
     def __init__(self, scene, face: RigidFace, azimuth: float = 0.0):
         self._disk, self._face, self.late = scene.disk, face, face.reach
         self._azimuth = azimuth
-        self.ends = np.array([[0.0, FADE_OUT]] * 2)
+
+    @property
+    def ends(self):
+        """All that sounds fades."""
+        return np.array([[0.0, FADE_OUT]] * (2 if self.beside is None else 3))
 
     def channels(self, force, state):
-        """Return the heave and the tilt towards the listener, (k, 2) [m/s^2]."""
-        return rigid_sources(force, state, self._disk, self._azimuth)
+        """Return the heave and the tilt towards the listener, and also towards the other ear, (k, 2 or 3) [m/s^2]."""
+        ears = [self._azimuth] if self.beside is None else [self._azimuth, self._azimuth + self.beside]
+        return rigid_sources(force, state, self._disk, *ears)
 
     def from_rest(self, first, note):
-        """Return what radiates the blocks that follow on accelerations `first` (2,)."""
+        """Return what radiates the blocks that follow on accelerations `first` (2 or 3,)."""
         radiate = self._face.from_rest(first)
-        return lambda force: radiate(force.samples, force.knots, force.jump)
+
+        def advance(force):
+            heard = radiate(force.samples, force.knots, force.jump)
+            heard[:, 2:] += heard[:, :1]  # the other ear hears the same heave
+            return heard
+
+        return advance
 
 
 class ElasticDisk:
