@@ -36,6 +36,8 @@ class OneLine(click.Group):
             return super().invoke(context)
         except (InputError, OutputError) as error:
             _stop(error, 2)
+        except click.UsageError as error:
+            _stop(error.format_message(), error.exit_code)
         except BrokenOffError as error:
             _stop(error, 1)
         except KeyboardInterrupt as signal:

@@ -91,6 +91,10 @@ class Scene:
             from dynamics.coupled.from_scene import check  # SciPy, which a rigid contact does not need
 
             check(self)
+        elif self.roughness is not None:
+            from dynamics.coupled.roughness import check as check_roughness
+
+            check_roughness(self.roughness, self.disk.radius)
         plate = self.surface
         if isinstance(plate, PlateSurface) and plate.radius < self.disk.radius:
             raise ValueError(f"surface.radius = {plate.radius:g}: must be at least disk.radius")

@@ -95,7 +95,7 @@ def found(root: Path) -> list[dict]:
 
 
 def _told(root, path):
-    """What a run.json tells, or nothing if it is that of another program."""
+    """What a run.json tells, or nothing if it cannot be read or is that of another program."""
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
         claims = [finding["holds"] for finding in record["findings"]]
@@ -106,7 +106,7 @@ def _told(root, path):
             "claims": f"{sum(claims)} of {len(claims)}",
             "page": (path.parent / "report.html").is_file(),
         }
-    except (ValueError, LookupError, TypeError):
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return None
 
 

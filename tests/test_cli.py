@@ -92,9 +92,18 @@ def test_an_absent_scene_ends_with_2(tmp_path):
     assert "no such scene" in one_line(ask("run", "publishd", "--out", str(tmp_path / "out")), 2)
 
 
-@pytest.mark.parametrize("arguments", [["run", "--accuracy", "best"], ["sing"], ["run", "--nonsense"], ["scenes", "x"]])
+USAGE = ["run --accuracy best", "sing", "run --nonsense", "scenes x", "listen", "export modes", "serve --port x"]
+
+
+@pytest.mark.parametrize("arguments", USAGE)
 def test_wrong_usage_ends_with_2(arguments):
-    assert ask(*arguments).exit_code == 2
+    assert one_line(ask(*arguments.split()), 2).startswith("sonify: ")
+
+
+def test_a_chart_without_records_is_not_drawn_again_and_leaves_no_folder(tmp_path):
+    refused = one_line(ask("chart", "sound", "--redraw", "--out", str(tmp_path / "a")), 2)
+    assert "no records of the chart sound" in refused
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_folder_that_cannot_be_written_ends_with_2_before_any_work(tmp_path, monkeypatch):

@@ -222,6 +222,12 @@ def test_a_fault_of_an_elastic_contact_is_one_line(published, assignment, messag
     assert len(str(caught.value).splitlines()) == 1
 
 
+def test_heights_that_cannot_be_read_are_refused_whatever_solves_the_contact(published):
+    for law in ("rigid", "elastic"):
+        with pytest.raises(SceneError, match=r"roughness\.profile = 'absent\.csv': cannot be read: No such file"):
+            published.replace(f"contact.law={law}", 'roughness={profile="absent.csv"}')
+
+
 @pytest.mark.parametrize("text", [5000 * "[", 5000 * "1"], ids=["too deep", "too long"])
 def test_what_the_reader_of_toml_cannot_bear_is_a_fault_too(published, tmp_path, text):
     with pytest.raises(SceneError, match=r"disk\.radius ="):

@@ -268,6 +268,10 @@ def test_recordings_of_one_name_have_a_folder_each(tmp_path, monkeypatch):
         own_folder(f"{day}/sound.wav").mkdir(parents=True, exist_ok=True)
         told = {"recording": str((tmp_path / day / "sound.wav").resolve())}
         (tmp_path / "outputs/listen" / name / "heard.json").write_text(json.dumps(told))
+    for name, foreign in enumerate(["{", "[]", "{}", "null", '"sound"', 9999 * "[", "\udcff"], 3):
+        (tmp_path / "outputs/listen" / f"sound-{name}").mkdir()
+        (tmp_path / "outputs/listen" / f"sound-{name}" / "heard.json").write_text(foreign, "utf-8", "surrogateescape")
+    assert own_folder("wednesday/sound.wav").name == "sound-10"
 
 
 def test_of_a_long_recording_the_part_around_its_loudest_second_is_heard(tmp_path):

@@ -19,7 +19,7 @@ def make(name: str, quick: bool, out: str | Path, stages: Stages, redraw: bool =
     from sonify.charts.chart import draw
     from sonify.charts.page import environment, known_environment, write_page
 
-    out, chart = claim(out), CHARTS[name]
+    out, chart = Path(out) if redraw else claim(out), CHARTS[name]
     table, picture, page = (out / f"{name}.{suffix}" for suffix in ("csv", "png", "md"))
     module = import_module(f"sonify.charts.{name}")
     if redraw:

@@ -24,7 +24,7 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
     reason = f"{chosen.reason}; {ERROR}" if chosen.kind == "filter" else chosen.reason
     elastic, film = chosen.kind != "rigid", film_of(scene).film is not None
     bends = [bending(scene)] if elastic else []
-    takes = roughness_takes(scene) if scene.roughness else 0.0
+    takes = roughness_takes(scene) if elastic and scene.roughness else 0.0
     counted = scene.contact.body == "elastic" and scene.edge is not None
     missing = (
         *LEFT_OUT[chosen.kind],

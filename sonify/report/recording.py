@@ -36,9 +36,12 @@ def own_folder(recording: str | Path) -> Path:
 
 
 def _recording_in(folder):
-    """The recording that a folder tells of, None where it tells of none."""
+    """The recording that a folder tells of; None where it tells of none, "" where a foreign program told something."""
     told = folder / "heard.json"
-    return json.loads(told.read_text(encoding="utf-8")).get("recording", "") if told.exists() else None
+    try:
+        return json.loads(told.read_text(encoding="utf-8"))["recording"] if told.exists() else None
+    except (OSError, ValueError, LookupError, TypeError, RecursionError):
+        return ""
 
 
 def _name(recording):
