@@ -7,10 +7,8 @@ q'' + 2 d q' + w^2 q = B^T p, p = -k x - c x', and the springs x follow the cont
 from dataclasses import replace
 from functools import lru_cache
 from math import pi
-from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike
 from scipy.optimize import linear_sum_assignment
 
 from modal.elements.sample import places, polar_components, strongest_order
@@ -31,23 +29,13 @@ LOSSLESS, ROUND_OFF = 1e-6, 100 * np.finfo(float).eps
 [1/s^2] of those that it is solved with, for softer springs."""
 
 
-class Suspension(Protocol):
-    """The springs of a contact: stiffness (3,) [N/m], the rates (3,) [1/s] at which they forget what they are stretched
-    by, and damping (3,) [N s/m]."""
-
-    @property
-    def stiffness(self) -> ArrayLike: ...
-    @property
-    def forgets(self) -> ArrayLike: ...
-    @property
-    def damping(self) -> ArrayLike: ...
-
-
-def contact_modes(plate: Plate, suspension: Suspension, inclination: float, below: float, accuracy: str) -> Modes:
+def contact_modes(plate: Plate, suspension, inclination: float, below: float, accuracy: str) -> Modes:
     """The `Modes` below `below` [Hz] of a solid free disk whose edge stands on springs, at an inclination [rad].
 
-    The first three or fewer are the disk as a whole on its contact; a motion that creep stops before it swings is no
-    mode. UnsolvableError where the springs are so stiff that they are no longer those of the contact alone.
+    Of the springs are given the stiffness (3,) [N/m], the rates (3,) [1/s] at which they forget what they are stretched
+    by (`forgets`) and damping (3,) [N s/m]. The first three modes or fewer are the disk as a whole on its contact; a
+    motion that creep stops before it swings is none. UnsolvableError where the springs are so stiff that they are no
+    longer those of the contact alone.
     """
     free = with_rigid(plate, below, accuracy)
     turn = along_the_table(inclination)

@@ -104,7 +104,7 @@ def free_plate(scene: ElasticScene) -> Plate:
     return Plate(**size, material=scene.material, density=density(disk))
 
 
-def standing(scene: Any, support: Support) -> tuple[float, on_contact.Suspension]:
+def standing(scene: Any, support: Support) -> tuple[float, Any]:
     """The inclination [rad] at which a disk stands on its contact, and the springs there. UnsolvableError if none."""
     inclination = radians(support.inclination_deg or scene.release.inclination_deg)
     try:

@@ -1,8 +1,7 @@
 """TABLE -> MODES: `surface_modes(scene)`, by the method that suits the kind of table."""
 
 from math import ceil, pi
-from types import SimpleNamespace
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
@@ -21,30 +20,24 @@ SPARE = 16
 """Points of a rule for the radiation beyond those that shapes and paths need."""
 
 
-class TableScene(Protocol):
-    """What `surface_modes` reads of a scene, besides its numerics.accuracy; of the disk the radius [m] alone."""
-
-    @property
-    def disk(self) -> Any: ...
-    @property
-    def surface(self) -> Any: ...
-
-
 @one_blas_thread
-def surface_modes(scene: TableScene, below: float = BELOW) -> SurfaceModes:
+def surface_modes(scene: Any, below: float = BELOW) -> SurfaceModes:
     """The elastic `SurfaceModes` below the frequency `below` [Hz] of the table of a scene.
 
-    None for a table that is rigid or infinite. Raises ValueError with a sentence for a mesh that will not do, and
-    UnsolvableError where there are more than about MOST modes. tests/test_table_modes.py.
+    It reads scene.surface, scene.numerics.accuracy and, but of a plate, scene.disk.radius [m]. None for a table that is
+    rigid or infinite. Raises ValueError with a sentence for a mesh that will not do, and UnsolvableError where there
+    are more than about MOST modes. tests/test_table_modes.py.
     """
-    kinds = {"plate": plate_table, "modes": table_by_modes, "mesh": mesh_table}
-    if scene.surface.kind not in kinds:
-        return table_by_modes(SimpleNamespace(modes=()), scene.disk, below)
-    accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
-    return kinds[scene.surface.kind](scene.surface, scene.disk, below, accuracy)
+    surface, disk = scene.surface, scene.disk
+    level = LEVELS[getattr(getattr(scene, "numerics", None), "accuracy", "standard")]
+    if surface.kind == "mesh":
+        from modal.elements.table import table_on_mesh  # scikit-fem's input loads slowly
+
+        return table_on_mesh(surface, disk.radius, below, level.table)
+    return plate_table(surface, below, level) if surface.kind == "plate" else table_by_modes(surface, disk, below)
 
 
-def plate_table(surface, disk, below, accuracy):
+def plate_table(surface, below, level):
     """The `SurfaceModes` of a round plate, by the spectral method: shapes are w(r) cos n theta, w(r) sin n theta."""
     plate = Plate(
         radius=surface.radius,
@@ -55,8 +48,13 @@ def plate_table(surface, disk, below, accuracy):
         ring_radius=surface.ring_radius or 0.0,
         ring_stiffness=surface.ring_stiffness or 0.0,
     )
-    refuse_too_many(mode_count(plate, surface, surface.density, below), below)
-    found = all_pairs(plate, below, LEVELS[accuracy].free)
+    count = mode_count(plate, surface, surface.density, below)
+    if count > MOST:
+        raise UnsolvableError(
+            f"surface: so soft or so large a table has some {count:.0f} modes or more below {below:g} Hz; no more than "
+            f"{MOST} can be sought: give it a loss, and take kind = 'infinite'"
+        )
+    found = all_pairs(plate, below, level.free)
     members = [(pairs, odd) for pairs in found for odd in parities(pairs)]
     frequency = np.concatenate([np.sqrt(p.values) / (2 * pi) for p, _ in members] or [np.zeros(0)])
     ascending = np.argsort(frequency, kind="stable")
@@ -90,10 +88,12 @@ def plate_table(surface, disk, below, accuracy):
     )
 
 
-def table_by_modes(surface, disk, below, accuracy="standard"):
-    """The `SurfaceModes` of a table given by numbers: w = cos n theta and sin n theta over sqrt(modal mass) on the
-    contact circle, which moves with the disk, and r^n inside it. Nothing else is known: the circle alone radiates."""
-    heard = sorted((mode for mode in surface.modes if mode.frequency < below), key=lambda mode: mode.frequency)
+def table_by_modes(surface, disk, below):
+    """The `SurfaceModes` of a table given by numbers, if by any: w = cos n theta and sin n theta over sqrt(modal mass)
+    on the contact circle, which moves with the disk, and r^n inside it. Nothing else is known: the circle alone
+    radiates."""
+    known, radius = getattr(surface, "modes", ()), disk.radius
+    heard = sorted((mode for mode in known if mode.frequency < below), key=lambda mode: mode.frequency)
     given = [mode for mode in heard for _ in range(2 if mode.order else 1)]
     order = np.array([mode.order for mode in given], int)
     odd = np.array([sine for mode in heard for sine in (False, True)[: 2 if mode.order else 1]], bool)
@@ -102,13 +102,13 @@ def table_by_modes(surface, disk, below, accuracy="standard"):
 
     def shape(r, theta):
         around = np.multiply.outer(order, theta) - pi / 2 * odd[:, None]
-        return amplitude[:, None] * (r / disk.radius) ** order[:, None] * np.cos(around)
+        return amplitude[:, None] * (r / radius) ** order[:, None] * np.cos(around)
 
     return SurfaceModes(
         frequency=frequency,
         decay_rate=np.array([2 * pi * mode.frequency * mode.damping_ratio for mode in given]),
         order=order,
-        **sampled(shape, disk.radius, 2 * pi * disk.radius / max(order.max(initial=1), 1), below),
+        **sampled(shape, radius, 2 * pi * radius / max(order.max(initial=1), 1), below),
         radius=0.0,
         place=np.zeros(2),
         residual=np.zeros(len(given)),
@@ -117,22 +117,6 @@ def table_by_modes(surface, disk, below, accuracy="standard"):
         method="given by numbers",
         unknowns=0,
     )
-
-
-def mesh_table(surface, disk, below, accuracy):
-    """The `SurfaceModes` of a mesh."""
-    from modal.elements.table import table_on_mesh  # scikit-fem's input loads slowly
-
-    return table_on_mesh(surface, disk.radius, below, LEVELS[accuracy].table)
-
-
-def refuse_too_many(count, below):
-    """UnsolvableError where a table has more than MOST modes."""
-    if count > MOST:
-        raise UnsolvableError(
-            f"surface: so soft or so large a table has some {count:.0f} modes or more below {below:g} Hz; no more than "
-            f"{MOST} can be sought: give it a loss, and take kind = 'infinite'"
-        )
 
 
 def sampled(shape, radius, length, below):

@@ -53,7 +53,7 @@ def run(model, y, every, stop, **more):
     """Return times, states, forces, losses and slips of a run, and why it stopped."""
     pieces = list(model.run(y.copy(), every, stop, **more))
     t, state, force = (np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state", "force"))
-    losses, slips = ([event for p in pieces for event in getattr(p, name)] for name in ("losses", "slips"))
+    losses, slips = [loss for p in pieces for loss in p.losses], [slip for p in pieces for slip in p.slips.tolist()]
     return t, state, force, losses, slips, pieces[-1].why
 
 

@@ -15,10 +15,10 @@ from skfem import ElementHex2
 
 from modal import FreeDisk, Material, Plate, Support
 from modal.elements.elastic import assemble, lowest
-from modal.elements.patch import held_modes, held_nodes, meshes, resolving, solve, solve_class
+from modal.elements.patch import held_modes, meshes, resolving, solve, solve_class
 from modal.mesh.half_disk import Blocks, half_disk
 from modal.mesh.sector import extrude, hexahedra, sector
-from modal.mesh.symmetry import Mirror, classes, free_unknowns
+from modal.mesh.symmetry import Mirror, classes, free_unknowns, on_patch
 from modal.spectral.converge import all_pairs, amplitudes
 from sonify.charts.stability_modes import bending, free_disk, polynomials
 
@@ -49,7 +49,7 @@ def swings(rings):
     for split in SPLITS:
         part = sector(DISK.radius, DISK.thickness, HELD, Blocks(width=np.pi / 4, depth=0.5, rings=rings, split=split))
         solid = assemble(part.mesh, ElementHex2(), STEEL, DENSITY, 4)
-        held = held_nodes(solid, part, DISK, HELD)
+        held = on_patch(solid.points, DISK.radius, np.deg2rad(HELD.half_angle_deg), part.patch)
         values = solve_class(solid, part, SWING, DISK, HELD, held, 0.0, below=np.inf, exactly=1).values
         found.append(np.sqrt(values[0]) / (2 * np.pi))
     return np.array(found) / exact - 1
@@ -101,7 +101,7 @@ def static_far_rim(component, mirror):
     """Displacement [m] of the far rim under a base acceleration of 1 m/s^2, by a static solve on the same mesh."""
     size = resolving(meshes("standard", DISK, Support())[0], DISK, STEEL, DENSITY, 60e3)
     part, solid, _ = solve(DISK, STEEL, Support(), DENSITY, size, {"below": 0.0, "exactly": 1})
-    held = held_nodes(solid, part, DISK, Support())
+    held = on_patch(solid.points, DISK.radius, np.deg2rad(Support().half_angle_deg), part.patch)
     free = free_unknowns(solid.points, held, Support().held, mirror, DISK.radius)
     load = np.zeros((len(solid.points), 3))
     load[:, component] = 1.0

@@ -32,39 +32,35 @@ class Choice(NamedTuple):
 
     kind: str
     reason: str
-    predicted: float
-    lost_below: float
+    predicted: float = 0.0
+    lost_below: float = 0.0
 
 
 def choice(scene: ContactScene) -> Choice:
     """Return which model solves the contact of a scene: `numerics.contact`, and what 'auto' takes."""
     if acts_back(scene):
-        return Choice("full", "surface.action = 'motion': the table moves with the disk", 0.0, 0.0)
+        return Choice("full", "surface.action = 'motion': the table moves with the disk")
     if getattr(scene, "imperfection", None):
-        return Choice("full", "imperfection: the rim follows the waves of the table", 0.0, 0.0)
+        return Choice("full", "imperfection: the rim follows the waves of the table")
     if scene.contact.law == "rigid":
-        return Choice("rigid", "contact.law = 'rigid'", 0.0, 0.0)
+        return Choice("rigid", "contact.law = 'rigid'")
     beta, share = shaken(scene)
     above, predicted = share > SHAKEN, float(share.max(initial=0.0))
     below = float(beta[above].max(initial=0.0))
     expected = f"rms(N') of {predicted:.2g} of the weight is predicted" if predicted else "table and edge are smooth"
+    kind = "full"
     if scene.numerics.contact != "auto":
-        asked = f"numerics.contact = '{scene.numerics.contact}'; {expected}"
-        return Choice(scene.numerics.contact, asked, predicted, below)
-    if below:
+        kind, reason = scene.numerics.contact, f"numerics.contact = '{scene.numerics.contact}'; {expected}"
+    elif below:
         reason = f"{expected}, more than {SHAKEN:g} from {below:.2g} rad on, so that contact is lost"
-        return Choice("full", reason, predicted, below)
-    takes = roughness_takes(scene)
-    if takes > MATTERS:
-        return Choice(
-            "full", f"{expected}; roughness takes {takes:.0%} of the energy, besides friction", predicted, below
-        )
-    used = friction_used(scene)
-    if used > NEAR_SLIP:
+    elif (takes := roughness_takes(scene)) > MATTERS:
+        reason = f"{expected}; roughness takes {takes:.0%} of the energy, besides friction"
+    elif (used := friction_used(scene)) > NEAR_SLIP:
         reason = f"{expected}, but {used:.0%} of the static friction is used at the release: slides ring the contact"
-        return Choice("full", reason, predicted, below)
-    less = f", less than {SHAKEN:g}" * bool(predicted)
-    return Choice("filter", f"{expected}{less}, and no slide is expected", predicted, below)
+    else:
+        less = f", less than {SHAKEN:g}" * bool(predicted)
+        kind, reason = "filter", f"{expected}{less}, and no slide is expected"
+    return Choice(kind, reason, predicted, below)
 
 
 def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:

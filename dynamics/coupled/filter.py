@@ -108,10 +108,8 @@ def predicted_rms(table: LawTable, roughness: Roughness, inclination, load, spee
 
     Table and edge are read at `speed` (k,) [m/s], as long as they have many waves.
     """
-    k, _ = density(roughness, table.law.disk.radius)
-    steady = np.broadcast_arrays(inclination, load, np.abs(speed))
-    square = []
-    for one in zip(*map(np.atleast_1d, steady), strict=True):
+    k, square = density(roughness, table.law.disk.radius)[0], []
+    for one in np.broadcast(inclination, load, np.abs(speed)):
         f = k * one[2] / (2 * np.pi)
         power = predicted_spectrum(table, roughness, *one, f)
         square.append(trapezoid(power * (f > above), f))

@@ -5,7 +5,7 @@ the ellipse makes one contact (roughness.shift_of_contact below 1). The normal f
 tangential springs and the length of the ellipse are those under the weight, at the inclination of the step.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, NamedTuple
@@ -47,18 +47,34 @@ class ContactLoss(NamedTuple):
     height: float
 
 
+class Losses(Sequence):
+    """Losses of contact, kept as an array (n, 3): begin, duration [s], height [m]."""
+
+    def __init__(self, array):
+        self.array = array
+
+    def __len__(self):
+        return len(self.array)
+
+    def __getitem__(self, i):
+        return Losses(self.array[i]) if isinstance(i, slice) else ContactLoss(*self.array[i].tolist())
+
+    def __repr__(self):
+        return f"Losses({len(self)}, {self.array[:, 1].sum():.4g} s in all)"
+
+
 class Piece(NamedTuple):
     """A stretch of motion, and what ended in it.
 
     Times (n,) [s], states (n, SIZE), mean forces (n p, 3) [N] along a_1, a_2 and the normal, p of them since the row
-    before; losses of contact; slips, each (begin, end) [s]; why the motion stopped, GOES where it did not.
+    before; losses of contact; slips (s, 2), begin and end [s]; why the motion stopped, GOES where it did not.
     """
 
     t: np.ndarray
     state: np.ndarray
     force: np.ndarray
-    losses: list[ContactLoss]
-    slips: list[tuple[float, float]]
+    losses: Losses
+    slips: np.ndarray
     why: int
 
 
@@ -142,14 +158,13 @@ class Compliant:
             report = rows, forces, (flights, slips)
             why, n, flown, slid = march(y, count, *law, *table, waves, 1 / self.rate, every, sine, *report)
             t = (count + every * np.arange(1, n + 1)) / self.rate
-            losses = [ContactLoss(begin, end - begin, top) for begin, end, top in flights[:flown].tolist()]
-            slid_through = [tuple(slip) for slip in slips[:slid].tolist()]
             flying, slipping, count, left = flights[flown], slips[slid], count + every * n, left - n
             if left == 0 or why != GOES:  # what goes on to the end of the motion ends with it
-                end = count / self.rate
-                losses += [ContactLoss(flying[0], end - flying[0], flying[2])] if flying[0] < end else []
-                slid_through += [(slipping[0], end)] if slipping[0] < end else []
-            yield Piece(t, rows[:n], forces[: n * parts] * [-1.0, 1.0, 1.0], losses, slid_through, why)
+                flying[1] = slipping[1] = end = count / self.rate
+                flown, slid = flown + (flying[0] < end), slid + (slipping[0] < end)
+            begin, end, top = flights[:flown].T
+            losses = Losses(np.column_stack([begin, end - begin, top]))
+            yield Piece(t, rows[:n], forces[: n * parts] * [-1.0, 1.0, 1.0], losses, slips[:slid], why)
 
     def waves(self, y):
         """Return the modes of the table as they carry a disk in the state y, which is raised onto them."""

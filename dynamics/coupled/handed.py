@@ -10,7 +10,8 @@ import numpy as np
 
 from ..disk import Disk
 from ..motion import Answers, Jumps, Motion, Outcome, Transition, read_only
-from .motion import CompliantMotion, Losses, solve
+from .full import Losses
+from .motion import CompliantMotion, solve
 
 
 class Changed:

@@ -1,6 +1,6 @@
 """SCENE -> MOTION on an elastic contact: the record of a compliant motion, which answers as every `Motion` does."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -18,7 +18,7 @@ from .bending import MOVES, RIGID, bending_of
 from .choice import first_force
 from .contact import LEAST_INCLINATION
 from .from_scene import acts_back, edge_of, last_inclination, law_table, step_rate
-from .full import ENDS, Compliant, ContactLoss
+from .full import ENDS, Compliant, Losses
 from .handover import columns, energy, inclination, release
 from .march import CARRIED, FLAT, GOES, LIES, UNSOLVED, UPRIGHT
 from .record import Record, between
@@ -46,22 +46,6 @@ ENERGY, TABLE, DISK = len(COLUMNS), len(COLUMNS) + 1 + len(CAUSES), len(COLUMNS)
 LOST = slice(ENERGY + 1, TABLE)
 """Kept of a state besides COLUMNS: its energy, what was lost to each of CAUSES, the energies of the modes of table and
 disk [J]."""
-
-
-class Losses(Sequence):
-    """Losses of contact, kept as an array (n, 3): begin, duration [s], height [m]."""
-
-    def __init__(self, array):
-        self.array = array
-
-    def __len__(self):
-        return len(self.array)
-
-    def __getitem__(self, i):
-        return Losses(self.array[i]) if isinstance(i, slice) else ContactLoss(*self.array[i].tolist())
-
-    def __repr__(self):
-        return f"Losses({len(self)}, {self.array[:, 1].sum():.4g} s in all)"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -298,8 +282,8 @@ def followed(
         kept = _unwound(np.vstack([kept[-1:], _kept(model, piece.state)]), STATES * dt)
         rows.append(kept[1:])
         impulses.append(given[1:])
-        slides.append(np.reshape(piece.slips, (-1, 2)))
-        losses.append(np.reshape(piece.losses, (-1, 3)))
+        slides.append(piece.slips)
+        losses.append(piece.losses.array)
         if len(piece.t):
             watch(float(piece.t[-1]), float(inclination(y[None])[0]), "")
     written, flights = rows.rows(), losses.rows()

@@ -56,13 +56,6 @@ def meshes(accuracy, disk, support):
     return LEVELS[accuracy].part if part else LEVELS[accuracy].meshes
 
 
-def held_nodes(solid, part, disk, support):
-    """Which nodes (p,) lie on the patch."""
-    if not part.patch:
-        return np.zeros(len(solid.points), bool)
-    return on_patch(solid.points, disk.radius, np.deg2rad(support.half_angle_deg), part.patch)
-
-
 def solve_class(solid, part, mirror, disk, support, held, shift, **which):
     """The pairs of one class; `which` is passed to `lowest`."""
     free = free_unknowns(solid.points, held, support.held, mirror, disk.radius)
@@ -80,7 +73,8 @@ def solve(disk, material, support, density, size, which):
     part = sector(disk.radius, disk.thickness, support, size)
     solid = assemble(part.mesh, ElementHex2(), material, density, intorder=4)
     shift = shift_for(disk, material, support, density)
-    mirrors, held = classes(part.quarter), held_nodes(solid, part, disk, support)
+    mirrors = classes(part.quarter)
+    held = on_patch(solid.points, disk.radius, np.deg2rad(support.half_angle_deg), part.patch)
     if isinstance(which, dict):
         which = [which] * len(mirrors)
 

@@ -69,16 +69,11 @@ FACES = [[[i for i in np.lexsort(NODES.T) if NODES[i, a] == end] for end in (0, 
 """For each of the three directions the nine nodes of a hexahedron on either side, a grid of 3 x 3."""
 
 
-def faces_at(solid, height):
-    """Node numbers (q, 3, 3) of the sides of cells that lie at a height [m]."""
-    level = np.abs(solid.points[:, 2] - height) < 1e-9 * np.abs(solid.points).max()
-    sides = np.concatenate([solid.cells[:, side] for pair in FACES for side in pair])
-    return sides[level[sides].all(axis=1)].reshape(-1, 3, 3)
-
-
 def face_matrix(solid, points, height):
     """Sparse (n, p): values at points (n, 2) with y >= 0 of the sector's face at a height [m]."""
-    numbers = faces_at(solid, height)
+    level = np.abs(solid.points[:, 2] - height) < 1e-9 * np.abs(solid.points).max()
+    sides = np.concatenate([solid.cells[:, side] for pair in FACES for side in pair])
+    numbers = sides[level[sides].all(axis=1)].reshape(-1, 3, 3)
     return sample.interpolation(points, solid.points[numbers][..., :2], numbers, len(solid.points))
 
 

@@ -111,13 +111,6 @@ def link(line, curve):
     return block
 
 
-def nested_about_edge(edge, width, size):
-    """Blocks in the box of half-width `width` about the angle `edge`."""
-    depth = depth_about_edge(width, size)
-    blocks = about_edge(size, depth / width, min(REACH, WIDEST / width))
-    return [around_rim(flat, edge, np.array([width, depth])) for flat in blocks]
-
-
 DEEP = 1.1
 """Depth over half-width of the box about the edge of a short arc, which gives nearly incompressible disks room."""
 
@@ -143,8 +136,10 @@ def nested_about_middle(half_angle, size):
 
 def rim_ring(edge, size):
     """Blocks of the rim ring for an arc of half-angle `edge` <= pi/2, and the angles (k + 1,) of its columns."""
-    width = size.width
-    blocks = nested_about_edge(edge, min(edge, width), size)
+    width, half = size.width, min(edge, size.width)
+    depth = depth_about_edge(half, size)
+    about = about_edge(size, depth / half, min(REACH, WIDEST / half))
+    blocks = [around_rim(flat, edge, np.array([half, depth])) for flat in about]
     if edge < (1 - 1e-9) * width:
         blocks += nested_about_middle(edge, size)
     middle = max(edge, width)

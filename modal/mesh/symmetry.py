@@ -38,7 +38,12 @@ def classes(quarter):
 
 
 def on_patch(points, radius, half_angle, patch):
-    """Which points (p,) lie on the patch: the rim within half_angle [rad] between the heights patch = (low, high)."""
+    """Which points (p,) lie on the patch: the rim within half_angle [rad] between the heights patch = (low, high).
+
+    Without a patch, None, none does.
+    """
+    if patch is None:
+        return np.zeros(len(points), bool)
     x, y, z = points.T
     slack = 1e-9 * radius
     on_rim = np.abs(np.hypot(x, y) - radius) < slack

@@ -27,13 +27,6 @@ def parities(pairs: Pairs):
     return (False, True) if pairs.problem.n else (pairs.problem.family == "torsional",)
 
 
-def family_of(p):
-    """The name of the family of a problem."""
-    if p.family == "torsional":
-        return "torsional"
-    return "extensional" if p.even > 0 else "flexural"
-
-
 def participation_of(plate, pairs):
     """Participation (k, 6) of the cosine member, see `Modes`."""
     n = pairs.problem.n
@@ -50,7 +43,8 @@ def participation_of(plate, pairs):
 
 def columns(plate, pairs, odd, body):
     """The columns of `Modes` that one problem contributes, arrays (k, ...)."""
-    n, k = pairs.problem.n, len(pairs.values)
+    p, n, k = pairs.problem, pairs.problem.n, len(pairs.values)
+    family = p.family if p.family == "torsional" else "extensional" if p.even > 0 else "flexural"
     participation = participation_of(plate, pairs)
     if odd:
         participation = participation[:, [1, 0, 2, 4, 3, 5]] * [1, 1, 1, -1, 1, -1]
@@ -64,7 +58,7 @@ def columns(plate, pairs, odd, body):
     return {
         "frequency": np.sqrt(pairs.values) / (2 * pi),
         "order": np.full(k, n),
-        "family": np.full(k, family_of(pairs.problem)),
+        "family": np.full(k, family),
         "parity": np.full(k, "odd" if odd else "even"),
         "pair": np.arange(k),
         "participation": participation,

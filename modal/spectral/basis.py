@@ -93,16 +93,14 @@ def legendre(order, x):
 def radial(term, count, rho):
     """Values and slopes (count, k) at rho (k,) from the radius of the hole to 1."""
     j = np.arange(count)[:, None]
-    value, slope = across_wall(j, term.hole, rho) if term.hole else about_axis(j, term.power, rho)
+    if term.hole:
+        value, slope = legendre(j, np.clip((2 * rho - 1 - term.hole) / (1 - term.hole), -1, 1))
+        slope = slope * 2 / (1 - term.hole)
+    else:
+        value, slope = about_axis(j, term.power, rho)
     if not term.held:
         return value, slope
     return (1 - rho**2) * value, (1 - rho**2) * slope - 2 * rho * value
-
-
-def across_wall(j, hole, rho):
-    """Legendre's polynomials of orders j (count, 1) from rho = hole to 1, and their slopes."""
-    value, slope = legendre(j, np.clip((2 * rho - 1 - hole) / (1 - hole), -1, 1))
-    return value, slope * 2 / (1 - hole)
 
 
 def about_axis(j, power, rho):

@@ -6,6 +6,8 @@ from math import ceil, pi
 import numpy as np
 from scipy.linalg import block_diag, cho_factor, cho_solve, eigh
 
+from modal.spectral.axisymmetric import turned
+
 STEP, GROWTH = 0.3, 0.05
 """Longest steps of sums over n that are taken as integrals: of n a, as J(n a) turns by a radian in one, and of n/n."""
 SHARES = np.array([1.18, 0.7, 1.08])
@@ -37,7 +39,8 @@ def held_class(disk, patch, y, even, below, angle) -> HeldClass:
     square, modes, tractions = coupled(*free, limit)
     rim, parts = 0.0, np.split(modes, np.cumsum([b.shape[1] for b in work])[:-1])
     for (n, o), b, q in zip(orders.items(), nodal, parts, strict=True):
-        rim = rim + on_rim(n, y, o.shapes @ q - o.rest[0][:, seen] @ b.T @ tractions, angle)
+        top = (o.shapes @ q - o.rest[0][:, seen] @ b.T @ tractions).reshape(3, disk.nz, -1).sum(axis=1)
+        rim = rim + turned(top[..., None], n, angle, odd=y < 0)
     error = estimates(patch, free, square, tractions, limit)
     return HeldClass(frequency=np.sqrt(square) / (2 * pi), error=error, rim=rim)
 
@@ -45,13 +48,6 @@ def held_class(disk, patch, y, even, below, angle) -> HeldClass:
 def at_patch(around, through):
     """Work (P, 3 nz) of one order with the tractions, from that around (c, J) and through the thickness (c, L, nz)."""
     return block_diag(*[np.kron(a[:, None], t) for a, t in zip(around, through, strict=True)])
-
-
-def on_rim(n, y, coefficients, angle):
-    """Displacement (k, a, 3) of the top edge at angles (a,) from Legendre's coefficients (3 nz, k) of order n."""
-    edge = coefficients.reshape(3, len(coefficients) // 3, -1).sum(axis=1)
-    c, s = np.cos(n * angle), np.sin(n * angle)
-    return np.einsum("ck,ca->kac", edge, [c, s, c] if y > 0 else [s, -c, s])
 
 
 def coupled(values, work, rest, limit):
