@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.sparse import csc_array
 from scipy.sparse.linalg import splu
-from skfem import Basis, BilinearForm, ElementQuad2, LinearForm, MeshQuad
+from skfem import Basis, ElementQuad2, MeshQuad
 
 TOLERANCE, MOST_STEPS, MOST_HALVED = 1e-9, 30, 6
 """Of Newton's method for the compressible film, and of the halvings of a step of it."""
@@ -131,14 +131,14 @@ class FilmMesh:
 
     def _newton(self, P, Lam, falling, near):
         """The pressure (n,) by damped steps, None where they do not converge."""
-        inner, rest = self._inner, self._assembled(_turning, P, Lam, falling, near)[self._inner]
+        inner, rest = self._inner, self._left(P, Lam, falling, near)[self._inner]
         for _ in range(MOST_STEPS):
-            factors = splu(self._assembled(_turning_slope, P, Lam, falling, near)[inner][:, inner].tocsc())
+            factors = splu(self._slope(P, Lam, falling, near))
             step = factors.solve(-rest)
             for part in 0.5 ** np.arange(MOST_HALVED):
                 ahead = P.copy()
                 ahead[inner] += part * step
-                rest = self._assembled(_turning, ahead, Lam, falling, near)[inner]
+                rest = self._left(ahead, Lam, falling, near)[inner]
                 if np.abs(factors.solve(rest)).max() <= (1 - part / 4) * np.abs(step).max():
                     break
             P = ahead
@@ -151,7 +151,7 @@ class FilmMesh:
 
         It is what the equation that P solves, whichever of NEAR that is, leaves at the rim.
         """
-        left = (self._assembled(_turning, P, Lam, falling, near) for near in NEAR)
+        left = (self._left(P, Lam, falling, near) for near in NEAR)
         return -min(left, key=lambda rest: np.abs(rest[self._inner]).max()) @ self._waves(orders)
 
     def integral(self, p, shape=1.0) -> float:
@@ -173,33 +173,61 @@ class FilmMesh:
         nodes: by a form of scikit-fem, pair after pair, it takes longer than the solution."""
         first, second = self._metric.values()
         fields = np.hstack([mobility * first, mobility * second, storage * self._measure]) * np.tile(self._dx, 3)
-        pairs, (row, start) = (self._shapes * fields[:, None]) @ self._shapes.swapaxes(1, 2), self._sparse
-        summed = [np.bincount(self._slot.ravel(), part.ravel())[: len(row)] for part in (pairs.real, pairs.imag)]
-        return pairs, csc_array((summed[0] + 1j * summed[1], row, start))
+        pairs = (self._shapes * fields[:, None]) @ self._shapes.swapaxes(1, 2)
+        return pairs, self._among_inner(pairs)
+
+    def _among_inner(self, pairs):
+        """The matrix of the inner nodes, of pairs (e, i, j)."""
+        row, start = self._sparse
+        summed = np.zeros(self._slot.max() + 1, pairs.dtype)
+        np.add.at(summed, self._slot.ravel(), pairs.ravel())
+        return csc_array((summed[: len(row)], row, start))
 
     def _times(self, pairs, p):
         """The matrix of all nodes, of pairs (e, i, j), times p (n, k)."""
-        out = np.zeros(p.shape, complex)
-        np.add.at(out, self.basis.element_dofs.T, pairs @ p[self.basis.element_dofs.T])
+        return self._gathered(pairs @ p[self.basis.element_dofs.T])
+
+    def _gathered(self, parts):
+        """The sums (n, k) at the nodes of what the nodes of the elements have, (e, i, k)."""
+        out = np.zeros((self.basis.N, parts.shape[2]), parts.dtype)
+        np.add.at(out, self.basis.element_dofs.T, parts)
         return out
 
     def _loads(self, shapes):
         """int q W dA of shapes W (s, e, q), (s, n)."""
-        loads = np.zeros((self.basis.N, len(shapes)))
         values = self._shapes[:, :, -self.area.shape[1] :].real
         parts = values @ (self.area * np.reshape(shapes, (-1, *self.area.shape))).transpose(1, 2, 0)
-        np.add.at(loads, self.basis.element_dofs.T, parts)
-        return loads.T
+        return self._gathered(parts).T
 
-    def _assembled(self, form, P, Lam, falling, near):
-        cube, flow = self.height**3, Lam * self.height
-        fields = {f"along_{key}": cube * value for key, value in self._metric.items()}
-        fields |= {f"around_{key}": flow * value for key, value in self._around.items()}
-        fields["source"] = falling * self.height * self._measure
-        fields |= {f"turn_{key}": value / self._measure for key, value in self._around.items()}
-        fields["spread"] = Lam * self._crossed / (1 + (self.height / near) ** 2) * self._measure
-        fields["h"] = self.basis.interpolate(self._node_height)
-        return form.assemble(self.basis, P=self.basis.interpolate(P), **fields)
+    def _flow(self, P, Lam, falling, near):
+        """What in the equation of `turning` works on slopes and value of a test function, (3, e, q), and how it changes
+        with slopes and value of P, (3, 3, e, q); with what spreads air next to the contact."""
+        p, h = (self.basis.interpolate(field) for field in (P, self._node_height))
+        along, around = (np.array([*parts.values()]) for parts in (self._metric, self._around))
+        along, turn, around = self.height**3 * along, around / self._measure, Lam * self.height * around
+        source = falling * self.height * self._measure
+        spread = Lam * self._crossed / (1 + (self.height / near) ** 2) * self._measure * turn
+        root = np.sqrt(p * p + 4 * LEAST_PRESSURE**2)  # air is driven by a pressure that is kept above nothing
+        driven, slope = (p + root) / 2, (1 + p / root) / 2
+        turned_p, turned_h = ((turn * field.grad).sum(axis=0) for field in (p, h))
+        flow = driven * along * p.grad + p * around + spread * (h * turned_p + p * turned_h)
+        by = np.zeros((3, 3, *self.height.shape))
+        by[[0, 1], [0, 1]] = driven * along
+        by[:2, :2] += spread[:, None] * h * turn
+        by[:2, 2] = slope * along * p.grad + around + spread * turned_h
+        by[2, 2] = -source
+        return np.array([*flow, -source * p]), by
+
+    def _left(self, P, Lam, falling, near):
+        """What a pressure (n,) leaves of the equation of `turning` at the nodes, (n,)."""
+        flow = self._flow(P, Lam, falling, near)[0] * self._dx
+        return self._gathered(self._shapes.real @ np.hstack(flow)[:, :, None])[:, 0]
+
+    def _slope(self, P, Lam, falling, near):
+        """The matrix (k, k) of what it leaves at the inner nodes by the pressure there."""
+        shapes, by = self._shapes.real, self._flow(P, Lam, falling, near)[1] * self._dx
+        moved = np.einsum("abeq,eibq->eiaq", by, shapes.reshape(*shapes.shape[:2], 3, -1))
+        return self._among_inner(shapes @ moved.reshape(shapes.shape).swapaxes(1, 2))
 
 
 def mobility_of(height, inertia: complex):
@@ -223,40 +251,3 @@ def compressible(numbers: Sequence[float], mesh: FilmMesh, orders: int = 3):
         power = mesh.integral(P - 1, y) / (Lam * slow)
         rows.append((mesh.integral(P - 1) / np.pi, power, mesh.flow_out(P, Lam, orders) / (-0.25j * np.pi * Lam)))
     return tuple(np.array(column) for column in zip(*rows, strict=True))
-
-
-def _along(p, q, w):
-    return w.along_first * p.grad[0] * q.grad[0] + w.along_second * p.grad[1] * q.grad[1]
-
-
-def _around(q, w):
-    return w.around_first * q.grad[0] + w.around_second * q.grad[1]
-
-
-def _turned(p, w):
-    return w.turn_first * p.grad[0] + w.turn_second * p.grad[1]
-
-
-def _spread(p, q, w):
-    return w.spread * (w.h * _turned(p, w) + p * _turned(w.h, w)) * _turned(q, w)
-
-
-@LinearForm
-def _turning(q, w):
-    """int P h^3 grad P . grad q + Lam P h dq/dtheta - falling P h q dA, and what spreads air next to the contact."""
-    return _driven(w.P) * _along(w.P, q, w) + w.P * (_around(q, w) - w.source * q) + _spread(w.P, q, w)
-
-
-@BilinearForm
-def _turning_slope(p, q, w):
-    carried = p * (_around(q, w) - w.source * q) + _spread(p, q, w)
-    return p * _driven_slope(w.P) * _along(w.P, q, w) + _driven(w.P) * _along(p, q, w) + carried
-
-
-def _driven(P):
-    """A pressure P, kept above nothing."""
-    return (P + np.sqrt(P * P + 4 * LEAST_PRESSURE**2)) / 2
-
-
-def _driven_slope(P):
-    return (1 + P / np.sqrt(P * P + 4 * LEAST_PRESSURE**2)) / 2
