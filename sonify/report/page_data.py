@@ -4,7 +4,6 @@ Arrays are base64 of little-endian floats or integers, sounds are data URLs of F
 """
 
 from base64 import b64encode
-from concurrent.futures import ThreadPoolExecutor
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -83,8 +82,7 @@ def tracks(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
     """Return the stems over `full_scale` [Pa] by name; a stem alone may be louder than their sum, and is clipped."""
     stems = [Weighted(track=track) if weighted else track for track in sound.stems.values()]
     copies = [Copy(track=stem, full_scale=full_scale) for stem in stems]
-    with ThreadPoolExecutor() as pool:  # libsndfile lets go of Python's lock
-        return dict(zip(sound.stems, pool.map(compressed, copies), strict=True))
+    return dict(zip(sound.stems, map(compressed, copies), strict=True))  # one by one: a run listens meanwhile
 
 
 def compressed(source) -> str:
