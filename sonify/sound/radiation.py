@@ -5,7 +5,9 @@ the face lies nearly in the plane of the table and the film of air below it is c
 a motion, air flows round the rim and the true pressure is lower.
 """
 
+import pickle
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -17,6 +19,8 @@ from modal.radiation import SOUND_SPEED as SOUND_SPEED
 
 AZIMUTHS = 512
 """Directions at which the radiation of a mode is tabulated; between them it is taken linear."""
+MOST_KEPT = 8
+"""So many tables of directions are remembered, of a megabyte at most for a hundred modes."""
 SPARE_WAVES = 16
 """Waves round the axis beyond those of shape and path, for the nearness of the listener."""
 LEAST_SINE = 0.06
@@ -84,16 +88,25 @@ def directions(modes: Modes, listener: Listener, still: bool = False, count: int
     At the frequency of each mode; at frequency 0 if `still`. Azimuths are in the frame of the modes. It is computed at
     no more of them than its waves round the axis need, those of the shape and of the path, and joined by Fourier's sum.
     """
-    radius, angle = np.meshgrid(modes.face_radius, modes.face_angle, indexing="ij")
-    points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
-    weights = np.repeat(modes.face_weight, len(modes.face_angle)) * 2 * np.pi / len(modes.face_angle)
-    face = modes.face_shape[:, 1].reshape(len(modes.frequency), radius.size)
     k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / listener.air.sound_speed
-    waves = len(modes.face_angle) // 4 + int(k.max(initial=0.0) * modes.face_radius.max()) + SPARE_WAVES
+    face = modes.face_radius, modes.face_angle, modes.face_weight, modes.face_shape[:, 1]
+    return _directions(pickle.dumps((*face, k, listener)), count)
+
+
+@lru_cache(MOST_KEPT)
+def _directions(content, count):
+    """The same: of a disk that is heard again, however it moves, it is not computed again."""
+    face_radius, face_angle, face_weight, shape, k, listener = pickle.loads(content)
+    radius, angle = np.meshgrid(face_radius, face_angle, indexing="ij")
+    points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
+    weights = np.repeat(face_weight, len(face_angle)) * 2 * np.pi / len(face_angle)
+    face, density = shape.reshape(len(k), radius.size), listener.air.density
+    waves = len(face_angle) // 4 + int(k.max(initial=0.0) * face_radius.max()) + SPARE_WAVES
     azimuth = 2 * np.pi * np.arange(min(2 * waves, count)) / min(2 * waves, count)
-    density = listener.air.density
     found = np.array([rayleigh(face, points, weights, k, position(listener, a), density) for a in azimuth])
-    return resample(found, count, axis=0) if len(found) < count else found
+    found = resample(found, count, axis=0) if len(found) < count else found
+    found.setflags(write=False)
+    return found
 
 
 def taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarray:
