@@ -99,7 +99,8 @@ class Motion(Protocol):
 
     @property
     def t_end(self) -> float:
-        """The time [s] at which the inclination of a settled motion would be zero."""
+        """The time [s] at which the inclination of a settled motion would be zero; of another one that of its last
+        instant."""
 
     @property
     def state(self) -> np.ndarray:

@@ -144,7 +144,9 @@ class RigidMotion(Answers):
 
     @cached_property
     def t_end(self) -> float:
-        """The time [s] at which sqrt(inclination), falling linearly on the mean, is zero; for a settled motion."""
+        """The time [s] at which sqrt(inclination), falling linearly on the mean, is zero; the last if not settled."""
+        if self.outcome is not Outcome.SETTLED:
+            return float(self.t[-1])
         r = self.path.c[-1, :, R]
         i = np.searchsorted(-r, -10 * r[-1])
         slope = (r[-1] - r[i]) / (self.path.x[-2] - self.path.x[i])

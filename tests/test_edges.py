@@ -68,6 +68,7 @@ def test_lift_off_is_an_outcome_with_its_time():
     before, after = motion.normal_load(motion.t[-1] - [1e-4, 0])
     slope = (before - after) / 1e-4
     assert after == pytest.approx(0, abs=gamma(50) * (1 + motion.t[-1] * slope))
+    assert motion.t_end == motion.t[-1], "an inclination that rises has no time at which it is zero"
     assert motion.normal_load(np.linspace(0, motion.t[-1] * 0.999, 500)).min() > 0
 
 

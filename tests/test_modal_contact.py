@@ -29,6 +29,8 @@ from modal.synthesis.patches import Richness
 from modal.synthesis.regular import flexibility, regular_flexibility
 from sonify import load_scene
 from sonify.plan.supports import compared, over_the_run
+from sonify.report.pictures import moving
+from sonify.report.write import moved
 from sonify.sound.drive import drive_per_newton
 
 LAW = granite()
@@ -245,6 +247,19 @@ def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_pre
     said = compared(scene, steps[0].modes, 20e3).choice
     assert all(kind in said for kind in ("contact: 7", "patch: 80", "free: 1060"))
     assert over_the_run(load_scene("published"), motion, 20e3) == []
+
+
+def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs():
+    """Half the stiffness of steel, flatter than 1e-6 rad: the springs yield less than the body does there."""
+    scene = load_scene("published").replace("support.kind=contact", "numerics.accuracy=draft", "material.young=100e9")
+    motion = SimpleNamespace(t=[0.0, 2.0], at=lambda t: np.array([[0.0, 0.5 * 1e-3 ** t[0], 0.0]]))
+    steps = over_the_run(scene, motion, 20e3)
+    with pytest.raises(UnsolvableError, match="so stiff a contact"):
+        eigenmodes(scene, 20e3, replace(scene.support, inclination_deg=np.degrees(5e-7)))
+    assert [step.modes is None for step in steps] == [False, False, True]
+    assert moving(steps).splitlines()[-1].endswith("→ none")
+    told = moved(SimpleNamespace(scene=scene, motion=motion, plan=SimpleNamespace(highest_mode=20e3)))["over_the_run"]
+    assert [type(step["frequency"]) for step in told] == [list, list, type(None)]
 
 
 @pytest.mark.parametrize(

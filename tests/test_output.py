@@ -24,9 +24,11 @@ import soundfile
 from dynamics import simulate
 from dynamics.rates import slips
 from sonify import load_scene, run, solve, summary, write
+from sonify.claims.air import motion_findings as air_claims
 from sonify.claims.answers import in_short
 from sonify.claims.checks import Check, no_sample_clipped
 from sonify.claims.hangs import hangs_on
+from sonify.claims.literature import motion_findings as literature_claims
 from sonify.claims.motion import Finding, contact_kept
 from sonify.claims.motion import finding as claim
 from sonify.claims.paper import of_the_paper, paper_rows
@@ -311,6 +313,15 @@ def test_a_contact_that_is_lost_is_not_found_kept():
     lost = simulate(load_scene("published").replace("disk.thickness=0.2"))
     assert lost.outcome.name == "LIFTED_OFF"
     assert not contact_kept(lost).holds
+    assert "what_ends" not in {finding.key for finding in air_claims(load_scene("published"), lost)}
+
+
+def test_of_a_motion_in_which_nothing_happens_nothing_is_claimed():
+    """No peak of the force within a hundredth of a second; no loss without friction, and no part of it."""
+    short = load_scene("published").replace("numerics.time_limit=0.01")
+    assert "rates_are_alike" not in {row.key for row in paper_rows(simulate(short), [])}
+    free = "friction={mu_static=inf,mu_dynamic=inf}"
+    assert literature_claims(simulate(short.replace(free))) == []
 
 
 @pytest.mark.parametrize(("share", "error", "answer"), SHARES)

@@ -37,7 +37,14 @@ LOST_TO = (
 """What a full motion knows the losses of, in the order of its causes."""
 FALLS_AS = 100 / 3
 """A fall three times as fast as the air leaves is as far from the law of the film, 27 %, as it is held at Lam = 100."""
-UNENDED = {Outcome.TIME_LIMIT, Outcome.UPRIGHT, Outcome.LEFT_TABLE, Outcome.STALLED, Outcome.CASCADE}
+UNENDED = {
+    Outcome.TIME_LIMIT,
+    Outcome.LIFTED_OFF,
+    Outcome.UPRIGHT,
+    Outcome.LEFT_TABLE,
+    Outcome.STALLED,
+    Outcome.CASCADE,
+}
 """Where a motion was broken off, or is another one from then on, no loss of energy has ended it."""
 INCLINATIONS = (1e-3, 1e-2)
 """Between these the exponent of a friction is read [rad]."""

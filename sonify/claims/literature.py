@@ -32,7 +32,8 @@ def literature_findings(scene: Scene, motion: Motion, modes: Modes, sound: Sound
 def motion_findings(motion: Motion) -> list[Finding]:
     """Those of them that the motion alone can judge."""
     lossy = motion.contact_losses and hasattr(motion, "lost")
-    return [slip_is_the_loss(motion), *([impacts_are_not_the_loss(motion)] if lossy else [])]
+    slips = [slip_is_the_loss(motion)] if motion.state[-1, 10] > 0 else []
+    return slips + ([impacts_are_not_the_loss(motion)] if lossy else [])
 
 
 @finding("Slip is the main loss", "of the energy lost, while the disk slides", "Caps et al. (2004)", at_least=0.5)

@@ -30,8 +30,6 @@ def of_the_paper(scene: Scene) -> bool:
 def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
     """Return the numbers of section 7 and of the figures as findings, those of SHOWN among the given ones."""
     disk, rate = motion.disk, np.abs(precession_rate(motion.at(motion.t[-1] * np.array([0.0, 0.5, 0.99]))))
-    ratio = nutation_frequency(motion)[1] / precession_frequency(motion)[1]
-    low, ratio, high = np.percentile(ratio, [5, 50, 95])
     alpha = np.pi / 2 - motion.at(motion.t[[0, -1]])[:, 1]
     shown = {finding.key: finding for finding in findings}
     own = [
@@ -41,14 +39,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
         _number("named_rate", "f = 2.5 is 36 Hz", FIGURE_4[0] / disk.time_unit, "Hz", 36.0, 0.5, "figure 4, caption"),
         _number("begins_at", "α begins at 1.0", alpha[0], "rad", 1.0, 1e-9, "figure 3 (a), (7.4)"),
         _number("ends_at", "α tends to π/2", alpha[1], "rad", np.pi / 2, 1e-6, "figure 3 (a)"),
-        Finding(
-            key="rates_are_alike",
-            claim="The figure of dθ/dτ is for the most part that of the frequency of the normal force",
-            value=float((high - low) / ratio / 2),
-            unit=f"half the range of nine tenths of their ratio, over its median: {ratio:.2f} nutations in a turn",
-            at_most=0.1,
-            source="section 7, on figures 4 (b) and 6",
-        ),
+        *_rates_are_alike(motion),
         Finding(
             key="precession_grows",
             claim="dθ/dτ grows considerably",
@@ -60,6 +51,24 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
         ),
     ]
     return own + [shown[key] for key in SHOWN if key in shown]
+
+
+def _rates_are_alike(motion):
+    """That row alone; none of a motion too short for a peak of its normal force."""
+    ratio = nutation_frequency(motion)[1] / precession_frequency(motion)[1]
+    if not len(ratio):
+        return []
+    low, middle, high = np.percentile(ratio, [5, 50, 95])
+    return [
+        Finding(
+            key="rates_are_alike",
+            claim="The figure of dθ/dτ is for the most part that of the frequency of the normal force",
+            value=float((high - low) / middle / 2),
+            unit=f"half the range of nine tenths of their ratio, over its median: {middle:.2f} nutations in a turn",
+            at_most=0.1,
+            source="section 7, on figures 4 (b) and 6",
+        )
+    ]
 
 
 def _number(key: str, claim: str, value: float, unit: str, paper: float, digits: float, source: str) -> Finding:

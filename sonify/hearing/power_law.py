@@ -37,7 +37,7 @@ def best_curve(peaks: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.n
     rivals = [_fit(peaks, guess, NARROW) for guess in _around(peaks, first)]
     counts = np.array([octaves(peaks, curve) for curve in rivals])
     best = rivals[np.argmax(counts)]
-    apart = np.array(rivals)[counts > RIVAL * counts.max()] - best
+    apart = np.array(rivals)[counts >= RIVAL * counts.max()] - best
     square = _jackknife(peaks, best) + np.square(apart).mean(axis=0) + np.square(RESOLUTION)
     return _lowest(peaks, best), np.sqrt(square)
 

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynamics import Motion
-from modal import Modes, Support, eigenmodes
+from modal import Modes, Support, UnsolvableError, eigenmodes
 from sonify.plan.plan import Decision
 from sonify.scene import Scene
 
@@ -17,12 +17,13 @@ NAMED = 6
 
 @dataclass(frozen=True, kw_only=True)
 class Standing:
-    """The modes of a disk on its contact at one instant [s]: inclination [rad], frequencies (m,) [Hz], decay rates."""
+    """The modes of a disk on its contact at one instant [s] and inclination [rad]; None where that is too stiff for
+    springs."""
 
     name: str
     t: float
     inclination: float
-    modes: Modes
+    modes: Modes | None
 
 
 def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
@@ -32,7 +33,10 @@ def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
     found = []
     for name, t in zip(("release", "middle", "end"), np.linspace(0, motion.t[-1], 3), strict=True):
         degrees = max(float(np.degrees(motion.at([t])[0, 1])), LOWEST_DEG)
-        modes = eigenmodes(scene, below, replace(scene.support, inclination_deg=degrees))
+        try:
+            modes = eigenmodes(scene, below, replace(scene.support, inclination_deg=degrees))
+        except UnsolvableError:
+            modes = None
         found.append(Standing(name=name, t=float(t), inclination=float(np.radians(degrees)), modes=modes))
     return found
 

@@ -194,7 +194,8 @@ def _modes(found):
 
 def moving(steps) -> str:
     """Return a line for each mode of a disk on its contact: where its frequency goes as the disk falls."""
-    rows = zip_longest(*[[f"{f:.0f}" for f in step.modes.frequency] for step in steps], fillvalue="none")
+    frequencies = [step.modes.frequency if step.modes else () for step in steps]
+    rows = zip_longest(*[[f"{f:.0f}" for f in here] for here in frequencies], fillvalue="none")
     at = ",\n".join(f"{step.name} {np.degrees(step.inclination):.2g}°" for step in steps)
     return "\n".join([f"[Hz] at {at}", *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1))]) if steps else ""
 

@@ -62,7 +62,7 @@ def moved(result: "Result") -> dict:
     """Return what modes.json says of the modes of a disk on its contact as the inclination [rad] falls."""
     steps = over_the_run(result.scene, result.motion, result.plan.highest_mode)
     columns = ("frequency", "decay_rate")
-    rows = [vars(s) | {name: getattr(s.modes, name).tolist() for name in columns} for s in steps]
+    rows = [vars(s) | {name: getattr(s.modes, name, np.array(None)).tolist() for name in columns} for s in steps]
     return {"over_the_run": [{k: v for k, v in row.items() if k != "modes"} for row in rows]} if rows else {}
 
 
