@@ -89,28 +89,30 @@ def balance(sin, cos):
         rate = precession_rate(w3, cos_a)
         v1, v2 = centre_velocity((u1, u2), (w1, w2, w3), e, h)
 
-        # About e_1: J1 w1' = gyro + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less the load G3.
-        gyro = J2 * w2 * w3 - J1 * rate * sin_a * w3 + loads.M1
-        Phi0 = weight - e * w1 * w1 - loads.G3
+        # About e_1: J1 w1' = b1 + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less the load G3. The
+        # frame turns by (w1, rate sin a, w3): of the angular momentum about e_2 this is what does not turn with it.
+        gyro = J2 * w2 - J1 * (rate * sin_a)
+        b1, b2, b3 = loads.M1 + gyro * w3, loads.M2, loads.M3 - gyro * w1
+        Phi0 = weight - e * (w1 * w1) - loads.G3
         if sliding:  # F2 = -mu s Phi
             drag, F20, F21 = law.mu_dynamic * s, 0.0, 0.0
         else:  # F2 = F20 + F21 w1' keeps u2 at rest
-            drag, F20, F21 = 0.0, rate * v1 - f * w1 * w1 - loads.G2, -e
+            drag, F20, F21 = 0.0, rate * v1 - f * (w1 * w1) - loads.G2, -e
         if stuck1:
             domega1, inertia = 0.0 * Phi0, J1
         else:
             lever = f + e * drag + s1 * law.k1
-            inertia = J1 - e * F21 + lever * f
-            domega1 = (gyro + e * F20 - lever * Phi0) / inertia
+            inertia = J1 + lever * f if sliding else J1 + 1 + h * h + s1 * law.k1 * f  # e^2 + f^2 = 1 + h^2
+            domega1 = (b1 + e * F20 - lever * Phi0) / inertia
         Phi = Phi0 + f * domega1
         F2 = F20 + F21 * domega1 - drag * Phi
-        m1 = gyro + e * F2 - f * Phi if stuck1 else s1 * law.k1 * Phi
+        m1 = b1 + e * F2 - f * Phi if stuck1 else s1 * law.k1 * Phi
 
         # About e_2, e_3: A (w2', w3') = b - m2 n2 - m3 n3, with n2 = (cos a, -sin a), n3 = (sin a, cos a).
-        b2, b3 = loads.M2, loads.M3 + w1 * (J1 * rate * sin_a - J2 * w2)
         if sliding:
+            F1 = -law.mu_dynamic * c * Phi
             A22, A23, A33 = J2, 0.0, J1
-            b2, b3 = b2 + law.mu_dynamic * c * Phi, b3 - h * law.mu_dynamic * c * Phi
+            b2, b3 = b2 - F1, b3 + h * F1
         else:  # F1 = w2' - h w3' - rate v2 keeps u1 at rest
             A22, A23, A33 = J2 + 1, -h, J1 + h * h
             b2, b3 = b2 + rate * v2 + loads.G1, b3 - h * (rate * v2 + loads.G1)
@@ -134,9 +136,8 @@ def balance(sin, cos):
 
         spin = domega2 - h * domega3
         if sliding:
-            F1 = -law.mu_dynamic * c * Phi
             du1 = F1 + loads.G1 - spin + rate * v2  # (2.8)
-            du2 = F2 + loads.G2 + e * domega1 + f * w1 * w1 - rate * v1
+            du2 = F2 + loads.G2 + e * domega1 + f * (w1 * w1) - rate * v1
         else:
             F1, du1, du2 = spin - rate * v2 - loads.G1, 0.0 * Phi, 0.0 * Phi
         return Contact(domega1, domega2, domega3, du1, du2, F1, F2, Phi, m1, m2, m3, inertia)

@@ -119,8 +119,8 @@ class Flow:
         v1, v2 = centre_velocity(slip, omega, e, law.h)
         rate = precession_rate(omega[2], cos_a)
         ct, st = self.cos(y[PRECESSION]), self.sin(y[PRECESSION])
-        turns = projections(beta, *omega, self.sin, self.cos)
-        power = contact.m1 * turns[0] + contact.m2 * turns[1] + contact.m3 * turns[2]
+        turns = projections(beta, w1, y[W2], y[W3], self.sin, self.cos)
+        power = r * (contact.m1 * turns[0] + contact.m2 * turns[1] + contact.m3 * turns[2])
         if branch.sliding:
             power = power - contact.F1 * slip[0] - contact.F2 * slip[1]
         if branch.loads:

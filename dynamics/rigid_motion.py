@@ -3,7 +3,6 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, wraps
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,10 +12,8 @@ from .equations import Law
 from .kinematics import energy, precession_rate
 from .monotone import largest_fall
 from .motion import COLUMNS, Answers, Jumps, Outcome, Transition, halves, read_only
-from .regime import ARRAY, DISSIPATED, PRECESSION, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
-
-if TYPE_CHECKING:
-    from scipy.interpolate import PPoly
+from .pieces import Pieces
+from .regime import ARRAY, DISSIPATED, PRECESSION, SPIN, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
 
 HARMONICS = 8
 """Multiples of the precession rate that the contact force is taken to contain."""
@@ -25,8 +22,6 @@ GENTLE = 1e-8
 then it has none, but the rounding of its coefficients."""
 BLOCK = 8192
 """Times at which the force is computed together: few enough for the cache."""
-MANY = 2048
-"""From so many times on what numba compiles is faster than PPoly, and lets go of Python's lock."""
 
 
 def remembered(method):
@@ -57,7 +52,7 @@ class RigidMotion(Answers):
     disk: Disk
     law: Law
     loads: Callable | None
-    path: "PPoly"
+    path: Pieces
     regimes: tuple[Regime, ...]
     regime_of_piece: np.ndarray
     transitions: tuple[Transition, ...]
@@ -80,7 +75,7 @@ class RigidMotion(Answers):
 
         Raises ValueError for times outside the motion.
         """
-        return self._columns(self._solved(*self._placed(t)))
+        return self._columns(self.path(*self._placed(t)))
 
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
@@ -97,7 +92,7 @@ class RigidMotion(Answers):
         state, force = np.empty((len(tau), len(COLUMNS))), np.empty((len(tau), 3))
         for i in range(0, len(tau), BLOCK):
             some = slice(i, i + BLOCK)
-            y = self._solved(tau[some], piece[some])
+            y = self.path(tau[some], piece[some])
             state[some], force[some] = self._columns(y), self._force(y, piece[some])
         return state, force
 
@@ -112,7 +107,7 @@ class RigidMotion(Answers):
     @remembered
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
-        y = self._solved(*self._placed(t)).T
+        y = self.path(*self._placed(t))
         r = y[R]
         return energy(r * r, r * y[W1 : W3 + 1], r * y[V1 : V2 + 1], self.law) * self._unit_of_energy
 
@@ -138,8 +133,7 @@ class RigidMotion(Answers):
         """Every discontinuity of the contact force, with the one-sided limits of the force."""
         ends = np.flatnonzero(np.diff(self.regime_of_piece)) + 1
         tau = self.path.x[ends]
-        at_end = _polynomials(self.path.c[:, ends - 1], tau - self.path.x[ends - 1])
-        before, after = self._force(at_end, ends - 1), self._force(self.path.c[-1, ends].copy(), ends)
+        before, after = (self._force(self.path(tau, piece), piece) for piece in (ends - 1, ends))
         return Jumps(*(read_only(a) for a in (tau * self.disk.time_unit, before, after)))
 
     @cached_property
@@ -163,40 +157,23 @@ class RigidMotion(Answers):
         piece = np.searchsorted(self.t[:-1], t, side="right") - 1
         return np.clip(tau, self.path.x[piece], self.path.x[piece + 1]), piece  # the quotient may round to beside it
 
-    def _solved(self, tau, piece):
-        """The state (k, 11) at times tau (k,) in the pieces (k,), dimensionless; the same in either way."""
-        if len(tau) < MANY:
-            return self.path(tau)
-        from .pieces import evaluated  # numba loads slowly
-
-        return evaluated(self.path.c, self.path.x, tau, piece)
-
     @property
     def _unit_of_energy(self) -> float:
         return self.disk.mass * (self.disk.radius / self.disk.time_unit) ** 2
 
     def _columns(self, y):
-        radius, chi = self.disk.radius, self.disk.time_unit
-        r = y[:, [R]]
-        return np.hstack(
-            [
-                y[:, [PRECESSION]],
-                r * r,
-                y[:, [PRECESSION + 1]],
-                y[:, X : X + 2] * radius,
-                r * y[:, W1 : W3 + 1] / chi,
-                r * y[:, V1 : V2 + 1] * radius / chi,
-                y[:, [DISSIPATED]] * self._unit_of_energy,
-            ]
-        )
+        r, radius, chi = y[R], self.disk.radius, self.disk.time_unit
+        omega, slip = r * y[W1 : W3 + 1] / chi, r * y[V1 : V2 + 1] * radius / chi
+        place, work = y[X : X + 2] * radius, y[DISSIPATED] * self._unit_of_energy
+        return np.stack([y[PRECESSION], r * r, y[SPIN], *place, *omega, *slip, work], axis=1)
 
     def _force(self, y, piece):
-        """Solve the contact at states y (k, 11) within the pieces (k,), and return its force (k, 3) [N]."""
-        out = np.empty((len(y), 3))
+        """Solve the contact at states y (11, k) within the pieces (k,), and return its force (k, 3) [N]."""
+        out = np.empty((len(piece), 3))
         kinds = self.regime_of_piece[piece]
         for kind in np.unique(kinds):
             here = np.flatnonzero(kinds == kind)
-            contact = self._contact(y[here].T, piece[here], self.regimes[kind])
+            contact = self._contact(y[:, here], piece[here], self.regimes[kind])
             out[here] = np.stack(np.broadcast_arrays(contact.F1, contact.F2, contact.Phi), axis=1)
         return out * (self.disk.mass * self.disk.radius / self.disk.time_unit**2)
 
@@ -210,12 +187,3 @@ class RigidMotion(Answers):
             y[V1 : V2 + 1, resting] = 1e-3 * STOP_SPEED * onward / np.abs(onward).max(axis=0)
         branch = Branch.of(regime, self.law, self.loads)
         return ARRAY.contact(y, branch, regime.senses, self.law)
-
-
-def _polynomials(c, x):
-    """Evaluate polynomials c (order + 1, k, m), highest power first, at x (k,)."""
-    out = c[0].copy()
-    for row in c[1:]:
-        out *= x[:, None]
-        out += row
-    return out

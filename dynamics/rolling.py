@@ -9,9 +9,9 @@ from .dissipation import OwnLaw, Resistance
 from .equations import Law
 from .guards import AXES, LIFT_OFF, STOP_SPEED, Kind, guard_of
 from .hybrid import Arc, StalledError, Step, Switch
-from .regime import FLOAT, PRECESSION, SPIN, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from .regime import FLOAT, PRECESSION, SPIN, V1, V2, W3, Branch, R, Regime, describe, turnings
 from .slow_slide import is_stiff
-from .switching import GRAZING, ImpossibleContactError, follow, slide_to_rest
+from .switching import GRAZING, ImpossibleContactError, at_rest, follow, slide_to_rest
 
 CRAWL, MANY = 1e-5, 1000
 """A motion is too stiff to be followed where as MANY steps as this are on the mean shorter than CRAWL r."""
@@ -171,18 +171,6 @@ def shifted(arc, origin):
     """Return an arc with an `origin` of its precession and quadratures."""
     end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], origin[PRECESSION:])]
     return Arc(arc.times, arc.coefficients, end, arc.guard, arc.passed, origin)
-
-
-def at_rest(y, i):
-    """Return y with omega.a_(i+1) exactly zero."""
-    y, excess = list(y), turnings(y)[i]
-    if i == 0:
-        y[W1] = 0.0
-        return y
-    sin_a, cos_a = math.cos(y[R] ** 2), math.sin(y[R] ** 2)
-    along2, along3 = (cos_a, -sin_a) if i == 1 else (sin_a, cos_a)
-    y[W2], y[W3] = y[W2] - excess * along2, y[W3] - excess * along3
-    return y
 
 
 def released(disk, release) -> list:

@@ -16,6 +16,7 @@ from .film.acting import loads_of
 from .hybrid import CASCADE, STALLED, StalledError, drive
 from .motion import Motion, MotionScene, Outcome, Transition, read_only
 from .numerics import integrator_of
+from .pieces import Pieces
 from .regime import FLOAT, V1, V2, W1, W3, R, Regime
 from .rigid_motion import RigidMotion
 from .rolling import RollingDisk, released
@@ -157,16 +158,13 @@ def chosen_integrator(name: str):
 
 def _motion(disk, system, path, outcome, name) -> RigidMotion:
     """Join the pieces of a path to one record; pieces of no duration are left out."""
-    from scipy.interpolate import PPoly  # loads slowly: by now the flows are compiled
-
-    x = np.concatenate(path.times)
-    lasting = np.diff(x) > 0
-    most, start = max(block.shape[1] for block in path.coefficients), 0
-    c = np.zeros((most, np.count_nonzero(lasting), len(path.coefficients[0][0, 0])))
-    ends = np.cumsum([len(block) for block in path.coefficients])
-    for block, keep in zip(path.coefficients, np.split(lasting, ends[:-1]), strict=True):
+    x, blocks = np.concatenate(path.times), path.coefficients
+    lasting, start = np.diff(x) > 0, 0
+    terms = np.zeros((np.count_nonzero(lasting), blocks[0].shape[2], max(block.shape[1] for block in blocks)))
+    ends = np.cumsum([len(block) for block in blocks])
+    for block, keep in zip(blocks, np.split(lasting, ends[:-1]), strict=True):
         block = block if keep.all() else block[keep]
-        c[most - block.shape[1] :, start : start + len(block)] = block[:, ::-1].swapaxes(0, 1)
+        terms[start : start + len(block), :, : block.shape[1]] = block.swapaxes(1, 2)
         start += len(block)
     regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
     kinds = np.repeat([regimes.index(regime) for regime, _ in path.regimes], [n for _, n in path.regimes])
@@ -177,7 +175,7 @@ def _motion(disk, system, path, outcome, name) -> RigidMotion:
         disk=disk,
         law=system.law,
         loads=system.loads,
-        path=PPoly(read_only(c), read_only(np.append(x[0], x[1:][lasting]))),
+        path=Pieces(read_only(terms.transpose(2, 0, 1)[::-1]), read_only(np.append(x[0], x[1:][lasting]))),
         regimes=regimes,
         regime_of_piece=read_only(kinds[lasting]),
         transitions=tuple(crossings),

@@ -11,6 +11,7 @@ from itertools import product
 import numpy as np
 
 from .equations import UNLOADED, Law, separation
+from .guards import Kind
 from .hybrid import Arc, StalledError, Step
 from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 from .slip_direction import slip_push
@@ -53,6 +54,30 @@ def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, S
     raise ImpossibleContactError(
         f"{describe(y)}: no rolling, sliding or sticking contact with a pressing force satisfies the balance laws"
     )
+
+
+def reversal(y, regime, branch, guard, law: Law) -> tuple[list, Regime] | None:
+    """Return state and regime behind a turning of a rolling disk that reverses and changes nothing else, which is what
+    `follow` tries first; None for all other changes."""
+    if guard.kind is not Kind.REVERSES or regime.sliding or any(regime.stuck):
+        return None
+    y, axis = at_rest(y, guard.axis), guard.axis
+    senses = tuple([-sense if i == axis else sense for i, sense in enumerate(regime.senses)])
+    after = Regime(False, regime.stuck, senses)
+    contact = FLOAT.contact(y, branch, senses, law)
+    return (y, after) if _consistent(y, contact, after, law, (axis + 1,)) else None
+
+
+def at_rest(y, i):
+    """Return y with omega.a_(i+1) exactly zero."""
+    y = list(y)
+    if i == 0:
+        y[W1] = 0.0
+        return y
+    sin_a, cos_a, excess = math.cos(y[R] ** 2), math.sin(y[R] ** 2), turnings(y)[i]
+    along2, along3 = (cos_a, -sin_a) if i == 1 else (sin_a, cos_a)
+    y[W2], y[W3] = y[W2] - excess * along2, y[W3] - excess * along3
+    return y
 
 
 def _separates(y, law, loads) -> bool:

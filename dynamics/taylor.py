@@ -1,5 +1,6 @@
 """The flow by heyoka's adaptive Taylor integrator: steps of high order, and every root of every guard within a step."""
 
+import math
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from functools import lru_cache
@@ -10,16 +11,16 @@ import numpy as np
 from .dissipation import Resistance
 from .equations import Law
 from .film.law import Film, film_in
+from .guards import Guard
 from .hybrid import Arc
-from .regime import Branch, Flow, Regime
+from .regime import PRECESSION, Branch, Flow, Regime
+from .switching import reversal
 from .symbolic import formulas, prepared, shape
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
 STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
 heyoka.set_logger_level_error()  # it writes warnings to standard output, which is for results; the checks judge a run
-SUCCESS = heyoka.taylor_outcome.success
-NOT_FINITE, FIRST_OF_OTHERS = int(heyoka.taylor_outcome.err_nf_state), int(SUCCESS)
-"""How heyoka ends a run: by guard i as -i - 1, otherwise by a number not above that of a success."""
+SUCCESS, NOT_FINITE = heyoka.taylor_outcome.success, heyoka.taylor_outcome.err_nf_state
 MOST_STEPS = 1000
 MOST_COMPILED = 64
 """Branches that are kept compiled; a scene has a tenth of that."""
@@ -62,6 +63,10 @@ class Compiled:
             own = deepcopy(self._integrator)
             return own, own.pars, own.state, own.tc
 
+    def guard(self, outcome) -> Guard | None:
+        """Return the guard that ended a run: heyoka tells number i as -i - 1, all else by numbers up to a success."""
+        return self.guards[-int(outcome) - 1] if int(outcome) > int(SUCCESS) else None
+
     def give_back(self, borrowed) -> None:
         """Take back what `borrow` gave."""
         self._idle.append(borrowed)
@@ -90,8 +95,9 @@ def prepare(regime: Regime, law: Law, loads, tolerance: float) -> None:
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
     """Integrate from y within `regime` until a guard falls through zero, for `span`, or for MOST_STEPS steps.
 
-    Where a law is not analytic, as a power of a precession that rests, the steps are those of DOP853. Safe to call from
-    several threads at once. Raises StalledError where those are too short.
+    While the disk rolls it goes on through turnings that only reverse. Where a law is not analytic, as a power of a
+    precession that rests, the steps are those of DOP853. Safe to call from several threads at once. Raises StalledError
+    where those are too short.
     """
     future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
     flow = future.result()
@@ -99,20 +105,34 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     pars[:], state[:] = parameters, y
     integrator.time = 0.0
     integrator.reset_cooldowns()
-    times, kept, step, t = [], [], integrator.step, 0.0
+    branch, now, guard, step, t = Branch.of(regime, law, loads), regime, None, integrator.step, 0.0
+    times, kept, passed, turned = [], [], [], []
     for _ in range(MOST_STEPS):
         outcome, _ = step(span - t, True)
-        t = integrator.time
+        since, t = t, integrator.time
         times.append(t)
         kept.append(series.tobytes())  # faster than into an array
-        if outcome != SUCCESS:
+        if outcome == SUCCESS:
+            continue
+        guard = flow.guard(outcome)
+        after = guard and t > since and reversal(state.tolist(), now, branch, guard, law)
+        if not after:
             break
-    ended, end = int(outcome), state.tolist()
+        state[:], now = after
+        turned.append(state[PRECESSION] - math.remainder(state[PRECESSION], 2 * math.pi))
+        state[PRECESSION] -= turned[-1]  # a large angle would make the steps longer
+        pars[:] = prepared(compiled, now, law, loads, r_end, tolerance)[1]
+        integrator.reset_cooldowns()
+        passed.append((len(times), guard, now))
+        guard = None
     coefficients = np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
+    for (pieces, *_), angle in zip(passed, turned, strict=True):
+        coefficients[pieces:, 0, PRECESSION] += angle
+        state[PRECESSION] += angle
+    end = state.tolist()
     flow.give_back(borrowed)
-    if ended == NOT_FINITE:
+    if outcome == NOT_FINITE:
         from . import dop853  # numba loads slowly
 
         return dop853.advance(y, regime, law, loads, r_end, span, tolerance)
-    guard = flow.guards[-ended - 1] if ended > FIRST_OF_OTHERS else None
-    return Arc(np.array(times), coefficients, end, guard)
+    return Arc(np.array(times), coefficients, end, guard, tuple(passed))

@@ -6,7 +6,7 @@ Source: `RigidMotion.at`. Oracle: scipy's PPoly, which adds the same terms in th
 import numpy as np
 from scipy.interpolate import PPoly
 
-from dynamics.pieces import evaluated
+from dynamics.pieces import MANY, Pieces
 
 
 def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
@@ -14,8 +14,12 @@ def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
     random = np.random.default_rng(3)
     x = np.cumsum(random.uniform(0.1, 2.0, 31))
     c = random.standard_normal((21, 30, 11))
-    at = np.concatenate([x[:-1], random.uniform(x[0], x[-1], 5000)])
+    at = np.concatenate([x[:-1], random.uniform(x[0], x[-1], 2 * MANY)])
     piece = np.searchsorted(x[:-1], at, side="right") - 1
     terms = PPoly(np.abs(c), x)(at)
-    assert (np.abs(evaluated(c, x, at, piece) - PPoly(c, x)(at)) <= 2 * 2 * 21 * np.finfo(float).eps * terms).all()
-    assert np.array_equal(evaluated(c, x, x[:-1], np.arange(30)), c[-1])
+    path = Pieces(c, x)
+    many = path(at, piece)
+    assert (np.abs(many.T - PPoly(c, x)(at)) <= 2 * 2 * 21 * np.finfo(float).eps * terms).all()
+    assert np.array_equal(path(x[:-1], np.arange(30)).T, c[-1])
+    few = [path(at[i : i + 1000], piece[i : i + 1000]) for i in range(0, len(at), 1000)]
+    assert np.array_equal(np.hstack(few), many), "few times are added in the same order"

@@ -52,7 +52,7 @@ def test_what_sticks_stays_at_zero_with_a_multiplier_in_range(case):
         regime = motion.regimes[kind]
         if not any(regime.stuck):
             continue
-        y = motion.path((motion.path.x[piece] + motion.path.x[piece + 1]) / 2)
+        y = motion.path(motion.path.x[piece : piece + 2].mean(keepdims=True), [piece])[:, 0]
         contact = ARRAY.contact(y, Branch.of(regime, motion.law, None), regime.senses, motion.law)
         turns = projections(y[0] ** 2, *y[1:4], np.sin, np.cos)
         for i in np.flatnonzero(regime.stuck):

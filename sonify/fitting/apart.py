@@ -1,37 +1,40 @@
-"""TASKS -> ANSWERS, several at once, from processes of their own."""
+"""RECORDINGS -> FITS, several at once: processes that read what to fit from their standard input."""
 
+import pickle
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from queue import SimpleQueue
-from typing import Any
+from typing import IO, Any, cast
 
 from sonify.hearing.recording import RecordingError
-from sonify.process import asked, ended, started
+from sonify.process import ended, started
 
 
-def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
-    """Yield `function(*task)` for every task, in order, from `count` processes. Raises what it raises."""
+def each(tasks: list[tuple], count: int) -> Iterator[Any]:
+    """Yield `fit_one(*task)` for every task, in order, from `count` processes. Raises RecordingError as it does."""
     idle: SimpleQueue = SimpleQueue()
-    processes = [started(sys.executable, "sonify.process") for _ in range(count)]
+    processes = [started(sys.executable, "sonify.fitting.worker") for _ in range(count)]
     for process in processes:
         idle.put(process)
 
-    def done(task):
+    def fitted(task):
         process = idle.get()
         try:
-            answer, fault = asked(process, function, *task)
+            pickle.dump(task, cast(IO[bytes], process.stdin))
+            cast(IO[bytes], process.stdin).flush()
+            return pickle.load(cast(IO[bytes], process.stdout))
         except (EOFError, OSError) as error:
             raise RecordingError(f"{task[0]}: the process that fitted it ended: {error or 'no answer'}") from None
         finally:
             idle.put(process)
-        if fault:
-            raise fault
-        return answer
 
     pool = ThreadPoolExecutor(count)
     try:
-        yield from pool.map(done, tasks)
+        for answer in pool.map(fitted, tasks):
+            if isinstance(answer, str):
+                raise RecordingError(answer)
+            yield answer
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
         for process in processes:

@@ -5,13 +5,11 @@ the face lies nearly in the plane of the table and the film of air below it is c
 a motion, air flows round the rim and the true pressure is lower.
 """
 
-import pickle
 from dataclasses import dataclass
-from functools import lru_cache
+from math import lcm
 from typing import Any
 
 import numpy as np
-from scipy.signal import resample
 
 from modal import Modes
 from modal.radiation import AIR_DENSITY, STANDARD_AIR, Air
@@ -19,10 +17,6 @@ from modal.radiation import SOUND_SPEED as SOUND_SPEED
 
 AZIMUTHS = 512
 """Directions at which the radiation of a mode is tabulated; between them it is taken linear."""
-MOST_KEPT = 8
-"""So many tables of directions are remembered, of a megabyte at most for a hundred modes."""
-SPARE_WAVES = 16
-"""Waves round the axis beyond those of shape and path, for the nearness of the listener."""
 LEAST_SINE = 0.06
 """Sine of the turn in a sample, near half a turn, below which the taps turn the phase no further: what they differ by
 goes as its inverse, and at half the sample rate it would be infinite. 0.06 is reached 2 % below that."""
@@ -85,28 +79,18 @@ def rayleigh(face, points, weights, wavenumber, listener_at, density=AIR_DENSITY
 def directions(modes: Modes, listener: Listener, still: bool = False, count: int = AZIMUTHS) -> np.ndarray:
     """Return `rayleigh` of the top face of every mode at `count` even azimuths of the listener, (count, m), complex.
 
-    At the frequency of each mode; at frequency 0 if `still`. Azimuths are in the frame of the modes. It is computed at
-    no more of them than its waves round the axis need, those of the shape and of the path, and joined by Fourier's sum.
+    At the frequency of each mode; at frequency 0 if `still`. Azimuths are in the frame of the modes. The way from a
+    point depends on its angle to the listener alone: of each ring the sums for all azimuths are a convolution.
     """
     k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / listener.air.sound_speed
-    face = modes.face_radius, modes.face_angle, modes.face_weight, modes.face_shape[:, 1]
-    return _directions(pickle.dumps((*face, k, listener)), count)
-
-
-@lru_cache(MOST_KEPT)
-def _directions(content, count):
-    """The same: of a disk that is heard again, however it moves, it is not computed again."""
-    face_radius, face_angle, face_weight, shape, k, listener = pickle.loads(content)
-    radius, angle = np.meshgrid(face_radius, face_angle, indexing="ij")
-    points = np.column_stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel()])
-    weights = np.repeat(face_weight, len(face_angle)) * 2 * np.pi / len(face_angle)
-    face, density = shape.reshape(len(k), radius.size), listener.air.density
-    waves = len(face_angle) // 4 + int(k.max(initial=0.0) * face_radius.max()) + SPARE_WAVES
-    azimuth = 2 * np.pi * np.arange(min(2 * waves, count)) / min(2 * waves, count)
-    found = np.array([rayleigh(face, points, weights, k, position(listener, a), density) for a in azimuth])
-    found = resample(found, count, axis=0) if len(found) < count else found
-    found.setflags(write=False)
-    return found
+    around, there = len(modes.face_angle), position(listener, 0.0)
+    fine = lcm(around, count)
+    radius, angle = modes.face_radius[:, None], 2 * np.pi * np.arange(fine) / fine
+    way = np.hypot(np.hypot(there[0] - radius * np.cos(angle), radius * np.sin(angle)), there[2])
+    wave = np.exp(-1j * np.multiply.outer(k, way - np.linalg.norm(there))) / way
+    face = modes.face_shape[:, 1] * modes.face_weight[:, None] / around
+    spectrum = np.tile(np.fft.fft(face), fine // around) * np.fft.fft(wave)  # zeros between the angles of the face
+    return listener.air.density * np.fft.ifft(spectrum.sum(axis=1))[:, :: fine // count].T
 
 
 def taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarray:
