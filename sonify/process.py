@@ -2,6 +2,7 @@
 
 import errno
 import os
+import pickle
 import signal
 import subprocess
 import sys
@@ -110,7 +111,37 @@ def started(python: str, module: str, **how) -> subprocess.Popen:
     )
 
 
+def asked(process, function, *arguments, **options):
+    """Return what `function`, of a module, returns and None, or None and what it raises, called in a process that does
+    `what_is_asked`. Raises OSError or EOFError where that is dead."""
+    pickle.dump((function, arguments, options), process.stdin)
+    process.stdin.flush()
+    return pickle.load(process.stdout)
+
+
+def what_is_asked(rest=lambda: None):
+    """Do what is `asked` of this process until nobody asks any more, with a `rest` after each answer."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # on Windows, Ctrl-C reaches all processes of a terminal
+    answers = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # what a library prints is no answer
+    with suppress(EOFError, BrokenPipeError):
+        while True:
+            function, arguments, options = pickle.load(sys.stdin.buffer)
+            try:
+                answer, fault = function(*arguments, **options), None
+            except Exception as error:
+                answer, fault = None, error
+            pickle.dump((answer, fault), answers)
+            answers.flush()
+            rest()
+    os._exit(0)  # without a word on the broken pipe
+
+
 def ended(process: subprocess.Popen):
     """Kill a process, wait until it is gone, and close the pipes to it."""
     with suppress(OSError), process:
         process.kill()
+
+
+if __name__ == "__main__":
+    what_is_asked()

@@ -1,6 +1,6 @@
 """FIT -> NULL TEST: a recording of another mechanism, with the same noise, goes through the same ear."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -39,25 +39,19 @@ def _null(decline, judged, name):
     rates, end = judged.fit.heard[0].rates, judged.fit.ends[0]
     free = tuple(np.flatnonzero(ALONE[name]).tolist())
     _, shares, _ = solved_near(judged.fit.heard[:1], [end], np.array(ALONE[name]), free)
-    first = float(rates.time.min()) - 0.5
-    made = {"end": end - first, "duration": end - first + 1.0, "rate": RATE, "seed": 1}
+    end -= float(rates.time.min()) - 0.5
+    none = Null(truth=name, shares=tuple(shares), verdict="cannot tell")
+
+    def made(noise):
+        return recording(decline, shares, noise=noise, end=end, duration=end + 1.0, rate=RATE, seed=1)
+
     try:
-        pilot = Sound(
-            name="pilot", samples=recording(decline, shares, noise=PILOT, **made), rate=RATE, start=0.0, tones={}
-        )
-        clear = tracked(decline, stream(pilot, judged.signal), made["end"], shares, LENGTHS[-1]).clear
-        louder = np.sqrt(np.median(clear) / np.median(rates.clear)) if len(clear) else 1.0
-        sound = heard(
-            _source(decline, shares, made, PILOT * louder), "null test", (judged.signal,), judged.sounds[0].recorded
-        )
+        pilot = Sound(name="pilot", samples=made(PILOT), rate=RATE, start=0.0, tones={})
+        clear = tracked(decline, stream(pilot, judged.signal), end, shares, LENGTHS[-1]).clear
+        louder = float(np.sqrt(np.median(clear) / np.median(rates.clear))) if len(clear) else 1.0
+        source = Recording(samples=made(PILOT * louder), sample_rate=RATE)
+        sound = heard(source, "null test", (judged.signal,), judged.sounds[0].recorded)
         one = judge(decline, [sound], correct=False)
     except RecordingError:
-        return Null(truth=name, shares=tuple(shares), verdict="cannot tell")
-    values = one.values()
-    return Null(
-        truth=name, shares=tuple(shares), verdict=one.verdict, rolling=values.get("rolling"), air=values.get("air")
-    )
-
-
-def _source(decline, shares, made, noise):
-    return Recording(samples=recording(decline, shares, noise=float(noise), **made), sample_rate=RATE)
+        return none
+    return replace(none, verdict=one.verdict, **{law: one.values().get(law) for law in ("rolling", "air")})

@@ -1,5 +1,6 @@
 """FITS -> FILES: fit.json, a picture, a table and a short page."""
 
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -41,8 +42,8 @@ def own_folder(file: str) -> Path:
 
 def as_json(fits: Fits) -> dict[str, Any]:
     """Return what fit.json holds."""
-    single = len(fits.files) == 1
-    pool = {"t_end": value(fits.pool.value(0)) if single else None} | _values(fits.values()) | {"verdict": fits.verdict}
+    end = asdict(fits.pool.value(0)) if len(fits.files) == 1 else None
+    pool = {"t_end": end} | _values(fits.values()) | {"verdict": fits.verdict}
     shares = {name: list(share) for name, share in shares_of_power(fits.files[0].judged.decline, fits.pool).items()}
     files = [_one(f, fits.resonances) for f in fits.files]
     return {
@@ -55,7 +56,7 @@ def as_json(fits: Fits) -> dict[str, Any]:
 
 def _one(fitted: Fitted, known) -> dict[str, Any]:
     judged, rates = fitted.judged, fitted.judged.fit.heard[0].rates
-    head = {"file": fitted.file, "t_end": value(judged.fit.value(0))} | _values(judged.values())
+    head = {"file": fitted.file, "t_end": asdict(judged.fit.value(0))} | _values(judged.values())
     return head | {
         "verdict": judged.verdict,
         "contour_friction_fits": judged.contour_fits,
@@ -65,16 +66,7 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
         "model": judged.model,
         "spread": judged.fit.spread,
         "radius_10_percent_off_shows": fitted.radius_shows,
-        "null_tests": [
-            {
-                "truth": n.truth,
-                "shares": list(n.shares),
-                "verdict": n.verdict,
-                "rolling": value(n.rolling),
-                "air": value(n.air),
-            }
-            for n in fitted.nulls
-        ],
+        "null_tests": [asdict(null) for null in fitted.nulls],
         "carriers": [carrier_numbers(carrier, known) for carrier in fitted.carriers],
         "published_way": {
             name: e._asdict() | ({"theirs": THEIRS[name]} if name in THEIRS else {})
@@ -91,14 +83,7 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
 
 def _values(values) -> dict[str, Any]:
     """Values by name; `rolling` and `air` always."""
-    return dict.fromkeys(("rolling", "air"), NOTHING) | {name: value(v) for name, v in values.items()}
-
-
-def value(found) -> dict[str, Any] | None:
-    """Return a Value as plain numbers."""
-    if found is None:
-        return None
-    return {"value": found.value, "low": found.low, "high": found.high, "inner": [float(x) for x in found.inner]}
+    return dict.fromkeys(("rolling", "air"), NOTHING) | {name: asdict(v) for name, v in values.items()}
 
 
 def table(fits: Fits, separator: str = " | ") -> list[str]:
@@ -163,12 +148,8 @@ def page(fits: Fits) -> str:
     lines = [f"# What slowed the disk '{fits.scene.name}'", "", *(f"* {s.strip()}" for s in sentences(fits)), ""]
     lines += ["![heard and fitted](fit.png)", "", *_as_markdown(table(fits))]
     if any(fitted.carriers for fitted in fits.files[:PANELS]):
-        lines += [
-            "",
-            "Carriers, and the resonances of the scene that they are near:",
-            "",
-            *_as_markdown(_carriers(fits)),
-        ]
+        lines += ["", "Carriers, and the resonances of the scene that they are near:", ""]
+        lines += _as_markdown(_carriers(fits))
     return "\n".join(lines) + "\n"
 
 

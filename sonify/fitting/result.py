@@ -76,18 +76,14 @@ def fit(
     scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene
     paths, known = takes([files] if isinstance(files, (str, Path)) else files), resonances(scene)
     fitted = []
-    for one in _each(paths, scene, like):
+    tasks = [(path, scene.document, like) for path in paths]
+    for one in (fit_one(*task) for task in tasks) if len(tasks) < MANY else each(fit_one, tasks, WORKERS):
         fitted.append(one)
         watch(len(fitted) / len(paths), one.file)
     decline, fits = fitted[0].judged.decline, [one.judged.fit for one in fitted]
     pool = fits[0] if len(fits) == 1 else pooled(fits)
     verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool)
     return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict, resonances=known)
-
-
-def _each(paths, scene, like):
-    tasks = [(path, scene.document, like) for path in paths]
-    return (fit_one(*task) for task in tasks) if len(tasks) < MANY else each(tasks, WORKERS)
 
 
 @one_blas_thread

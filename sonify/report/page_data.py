@@ -4,7 +4,6 @@ Arrays are base64 of little-endian floats or integers, sounds are data URLs of F
 """
 
 from base64 import b64encode
-from concurrent.futures import ThreadPoolExecutor
 from io import BytesIO
 from typing import TYPE_CHECKING, Any
 
@@ -83,8 +82,7 @@ def tracks(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
     """Return the stems over `full_scale` [Pa] by name; a stem alone may be louder than their sum, and is clipped."""
     stems = [Weighted(track=track) if weighted else track for track in sound.stems.values()]
     copies = [Copy(track=stem, full_scale=full_scale) for stem in stems]
-    with ThreadPoolExecutor() as pool:  # libsndfile lets go of Python's lock
-        return dict(zip(sound.stems, pool.map(compressed, copies), strict=True))
+    return dict(zip(sound.stems, map(compressed, copies), strict=True))  # one by one: a run listens meanwhile
 
 
 def compressed(source) -> str:
@@ -128,15 +126,10 @@ def shapes(modes: Modes, support: Support) -> dict[str, Any]:
     squares = skin(modes.body)
     nodes, numbers = np.unique(squares, return_inverse=True)
     corners = numbers.reshape(squares.shape)
-    triangles = [corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)]
+    triangles = np.concatenate([corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)])
     few = range(min(len(modes), MOST_SHAPES))
-    moved = [modes.body.displacement[i][nodes] for i in few]
-    return {
-        "points": packed(modes.body.points[nodes]),
-        "triangles": packed(np.concatenate(triangles), np.uint32),
-        "captions": [caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few],
-        "shapes": [packed(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved],
-    }
+    captions = [caption(modes, i, support.kind == "patch").replace("\n", ", ") for i in few]
+    return _moving(modes.body.points[nodes], triangles, captions, [modes.body.displacement[i][nodes] for i in few])
 
 
 def table_shapes(table: SurfaceModes) -> dict[str, Any]:
@@ -144,10 +137,15 @@ def table_shapes(table: SurfaceModes) -> dict[str, Any]:
     few = range(min(len(table), MOST_SHAPES))
     flat = np.zeros(len(table.points))
     moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
+    captions = [table_caption(table, i) for i in few]
+    return _moving(np.column_stack([table.points, flat]), Delaunay(table.points).simplices, captions, moved)
+
+
+def _moving(points, triangles, captions, moved):
     return {
-        "points": packed(np.column_stack([table.points, flat])),
-        "triangles": packed(Delaunay(table.points).simplices, np.uint32),
-        "captions": [table_caption(table, i) for i in few],
+        "points": packed(points),
+        "triangles": packed(triangles, np.uint32),
+        "captions": captions,
         "shapes": [packed(32767 * u / (np.abs(u).max() or 1.0), np.int16) for u in moved],
     }
 

@@ -5,7 +5,6 @@ import atexit
 import gc
 import os
 import pickle
-import signal
 import sys
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -16,7 +15,7 @@ from io import BytesIO
 from subprocess import PIPE, Popen
 from typing import Any
 
-from sonify.process import ended
+from sonify.process import asked, ended, what_is_asked
 
 MODULES = ("motion", "sound", "mode_shapes")
 """Of this package: they draw, and load slowly."""
@@ -51,12 +50,8 @@ class Painter:
         return self._waiting.submit(self._ask, function, *arguments, **options).result()
 
     def _ask(self, function, *arguments, **options):
-        work = function, arguments, options
         try:
-            process = self._process.result()
-            pickle.dump(work, process.stdin)
-            process.stdin.flush()
-            answer, error = pickle.load(process.stdout)
+            answer, error = asked(self._process.result(), function, *arguments, **options)
         except (OSError, EOFError, pickle.UnpicklingError):  # there is none, or it died
             return function(*arguments, **options)
         if error:
@@ -90,26 +85,11 @@ if hasattr(os, "register_at_fork"):
 
 
 def serve():
-    """Draw what is asked for on the standard input until nobody asks any more; Ctrl-C is for the process that asks."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Draw what is asked for until nobody asks any more."""
     if hasattr(os, "nice"):
         os.nice(5)  # what is solved goes first
-    ask, answer, sys.stdout = sys.stdin.buffer, sys.stdout.buffer, sys.stderr
     gc.disable()  # it would look through all of matplotlib some ten times a picture
     for module in MODULES:
         import_module(f"sonify.report.{module}")
     gc.freeze()  # and what is loaded now stays
-    with suppress(EOFError, BrokenPipeError):
-        while True:
-            pickle.dump(_reply(pickle.load(ask)), answer)
-            answer.flush()
-            gc.collect()
-    os._exit(0)  # without a word on the broken pipe
-
-
-def _reply(work):
-    function, arguments, options = work
-    try:
-        return function(*arguments, **options), None
-    except Exception as error:
-        return None, error
+    what_is_asked(gc.collect)
