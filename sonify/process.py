@@ -9,6 +9,7 @@ import sys
 import threading
 from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
 from pathlib import Path
+from queue import Empty, SimpleQueue
 from stat import S_ISREG
 
 ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
@@ -119,14 +120,17 @@ def asked(process, function, *arguments, **options):
     return pickle.load(process.stdout)
 
 
-def what_is_asked(rest=lambda: None):
-    """Do what is `asked` of this process until nobody asks any more, with a `rest` after each answer."""
+def what_is_asked(rest=lambda: None, idle: float | None = None):
+    """Do what is `asked` of this process, with a `rest` after each answer, until whoever asked is gone, by whatever
+    way, or asks nothing for a time of `idle` [s]."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # on Windows, Ctrl-C reaches all processes of a terminal
     answers = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints is no answer
-    with suppress(EOFError, BrokenPipeError):
+    tasks: SimpleQueue = SimpleQueue()
+    threading.Thread(target=_listen, args=(tasks,), daemon=True).start()
+    with suppress(Empty, BrokenPipeError):
         while True:
-            function, arguments, options = pickle.load(sys.stdin.buffer)
+            function, arguments, options = tasks.get(timeout=idle)
             try:
                 answer, fault = function(*arguments, **options), None
             except Exception as error:
@@ -135,6 +139,14 @@ def what_is_asked(rest=lambda: None):
             answers.flush()
             rest()
     os._exit(0)  # without a word on the broken pipe
+
+
+def _listen(tasks):
+    try:
+        while True:
+            tasks.put(pickle.load(sys.stdin.buffer))
+    finally:  # the input has ended, or is none: whoever asked knows by the end of this process
+        os._exit(0)
 
 
 def ended(process: subprocess.Popen):

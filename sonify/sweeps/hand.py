@@ -3,12 +3,14 @@
 The same on one machine and on every worker of a cluster: each thread has one such process.
 """
 
-import json
 import sys
 import threading
-from typing import IO, Any, cast
+from pickle import UnpicklingError
+from typing import Any
 
-from sonify.process import ended, started
+from sonify.process import asked, ended, started
+from sonify.sweeps.version import version
+from sonify.sweeps.worker import solved
 
 TRIES = 2
 """Processes that a run may bring down before that is its result."""
@@ -20,26 +22,28 @@ class Hand:
     """A process that waits for tasks; `late` where it was ended because one took too long."""
 
     def __init__(self):
-        self.process = started(sys.executable, "sonify.sweeps.worker", text=True, encoding="utf-8")
-        self._tasks, self._answers = cast(IO[str], self.process.stdin), cast(IO[str], self.process.stdout)
+        self.process = started(sys.executable, "sonify.sweeps.worker")
         self.late = False
         HANDS.add(self)
-        self.version = (_read(self._answers.readline()) or {}).get("version")
+        self.version = self._answer(version)
 
     def row(self, task: dict, limit: float) -> dict[str, Any] | None:
         """Return the row of a task, None if the process has died of it."""
-        asked = json.dumps(task) + "\n"
         clock = threading.Timer(limit, self._too_late)
         clock.start()
         try:
-            self._tasks.write(asked)
-            self._tasks.flush()
-            answer = self._answers.readline()
-        except (OSError, ValueError):  # it is dead, or its pipes are closed
-            return None
+            return self._answer(solved, task)
         finally:
             clock.cancel()
-        return _read(answer)
+
+    def _answer(self, function, *arguments):
+        try:
+            answer, fault = asked(self.process, function, *arguments)
+        except (OSError, EOFError, ValueError, UnpicklingError):  # it is dead, or its pipes are closed
+            return None
+        if fault:
+            raise fault
+        return answer
 
     def end(self):
         """End the process, whatever it does."""
@@ -49,10 +53,6 @@ class Hand:
     def _too_late(self):
         self.late = True
         self.process.kill()
-
-
-def _read(line):
-    return json.loads(line) if line.endswith("\n") else None
 
 
 class EndedError(Exception):

@@ -1,56 +1,29 @@
-"""A process that solves one scene after the other: tasks come as JSON on its standard input, rows go out on its output.
-
-`hand.py` starts it. It ends when its input does, which is when whoever started it has died, by whatever way, and when
-there is nothing to do.
-"""
+"""A process that solves one scene after the other, and ends when there is nothing to do; `hand.py` starts it."""
 
 import json
-import os
-import signal
-import sys
-import threading
-from queue import Empty, SimpleQueue
 from time import perf_counter
+from typing import Any
 
+from sonify.process import what_is_asked
 from sonify.sweeps.version import version
 
 IDLE = 60.0
 """Time without a task [s] after which the process gives its memory back."""
 
 
-def main():
-    """Say which version this is, then answer every task, until there is no one left to answer."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # on Windows, Ctrl-C reaches all processes of a terminal
-    with os.fdopen(os.dup(1), "w", encoding="utf-8") as answers:
-        os.dup2(2, 1)  # what a library prints is no answer
-        tasks: SimpleQueue = SimpleQueue()
-        threading.Thread(target=_listen, args=(tasks,), daemon=True).start()
-        from sonify.sweeps.work import row_of
+def solved(task: dict) -> dict[str, Any]:
+    """Return the row of a task as plain values, with the seconds that it took and the version of the program."""
+    from sonify.sweeps.work import row_of  # loads slowly, and who asks has no need of it
 
-        _say(answers, {"version": version()})
-        while True:
-            try:
-                task = tasks.get(timeout=IDLE)
-            except Empty:
-                return
-            began = perf_counter()
-            try:
-                row = row_of(**task)
-            except OSError as error:
-                row = {"stop": [error.errno, error.strerror, str(error.filename or task["folder"])]}
-            _say(answers, row | {"seconds": perf_counter() - began, "version": version()})
-
-
-def _listen(tasks):
-    for line in sys.stdin:
-        tasks.put(json.loads(line))
-    os._exit(0)
-
-
-def _say(answers, row):
-    answers.write(json.dumps(row) + "\n")
-    answers.flush()
+    began = perf_counter()
+    try:
+        row = row_of(**task)
+    except OSError as error:
+        row = {"stop": [error.errno, error.strerror, str(error.filename or task["folder"])]}
+    return json.loads(json.dumps(row | {"seconds": perf_counter() - began, "version": version()}))
 
 
 if __name__ == "__main__":
-    main()
+    import sonify.sweeps.work  # before the first task  # noqa: F401
+
+    what_is_asked(idle=IDLE)
