@@ -1,12 +1,12 @@
 """FORCE + MODES -> SOUND: the pressure at the listener, as separate causes that add up to it."""
 
-from collections import defaultdict
+from collections import defaultdict, deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from copy import copy
 from dataclasses import replace
 from functools import partial
-from itertools import pairwise
+from itertools import islice, pairwise
 from math import ceil
 
 import numpy as np
@@ -27,6 +27,8 @@ from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, at_b
 
 BLOCK = 1 << 16
 """Samples computed at once; the samples depend on it by rounding only."""
+AHEAD = 3
+"""Blocks read before they sound: some take longer to read, and others to sound."""
 
 
 class Renderer:
@@ -89,12 +91,12 @@ class Renderer:
         absorbed = absorbing(self.scene.air, self.listener.distance, self.sample_rate)
         early, past = self._early, self.samples + self._early
         counts = {n: min(size, past - n) for n in range(0, past, size)}
-        with ThreadPoolExecutor(1) as reader:  # the next block is read while this one sounds
-            coming = reader.submit(self.sampler.block, 0, counts[0])
+        with ThreadPoolExecutor(1) as reader:  # the next blocks are read while this one sounds
+            asked = (reader.submit(self.sampler.block, *block) for block in counts.items())
+            coming = deque(islice(asked, AHEAD))
             for n in counts:
-                force = coming.result()
-                if n + size in counts:
-                    coming = reader.submit(self.sampler.block, n + size, counts[n + size])
+                force = coming.popleft().result()
+                coming.extend(islice(asked, 1))
                 stems = absorbed(self._joined([advance(force.channels(part)) for advance, part in sounding]))
                 yield self._enveloped(stems[max(early - n, 0) :], max(n - early, 0))
 
