@@ -16,7 +16,6 @@ from modal.elements.elastic import lame
 from modal.elements.unfold import face_matrices, on_faces, unfolded
 from modal.mesh.sector import held_height
 from modal.modes import Modes
-from modal.spectral.basis import Plate
 from modal.spectral.converge import first_size
 from modal.synthesis.patches import FreeDisk
 from modal.synthesis.tractions import STANDARD, WIDEST
@@ -34,18 +33,17 @@ def richness_of(accuracy):
     return replace(STANDARD, **LEVELS[accuracy].richness)
 
 
-def held_modes(disk, material, support, density, below, accuracy) -> Modes:
+def held_modes(plate, support, below, accuracy) -> Modes:
     """The `Modes` below `below` [Hz] of a solid disk on a patch, see `eigenmodes`."""
-    known = synthesis(disk, material, support, density, below, accuracy)
-    together = known and on_shapes(disk, material, support, density, below, accuracy, known)
-    return together or elements.held_modes(disk, material, support, density, below, accuracy)
+    known = synthesis(plate, support, below, accuracy)
+    together = known and on_shapes(plate, support, below, accuracy, known)
+    return together or elements.held_modes(plate, support, below, accuracy)
 
 
-def synthesis(disk, material, support, density, below, accuracy):
+def synthesis(plate, support, below, accuracy):
     """The `HeldClass` of every symmetry class; None where the patch is not for synthesis, or too much is sought."""
-    plate = Plate(radius=disk.radius, thickness=disk.thickness, material=material, density=density)
-    least, waves = richness_of(accuracy), below * disk.radius / (lame(material)[1] / density) ** 0.5
-    part = held_height(disk.thickness, support) < disk.thickness
+    least, waves = richness_of(accuracy), below * plate.radius / (lame(plate.material)[1] / plate.density) ** 0.5
+    part = held_height(plate.thickness, support) < plate.thickness
     if part or support.half_angle_deg > WIDEST or APART * waves > MOST:
         return None
     radial = max(least.size[0], 2 + first_size(plate, below)[0])
@@ -54,19 +52,19 @@ def synthesis(disk, material, support, density, below, accuracy):
     return FreeDisk(plate=plate, richness=richness).held(whole, below, sample.rim_angles())
 
 
-def on_shapes(disk, material, support, density, below, accuracy, known):
+def on_shapes(plate, support, below, accuracy, known):
     """The `Modes` of the mesh with the known frequencies; None if the two have not found the same modes."""
-    size = elements.resolving(elements.meshes(accuracy, disk, support)[0], disk, material, density, below)
+    size = elements.resolving(elements.meshes(accuracy, plate, support)[0], plate, below)
     which = [{"below": np.inf, "exactly": len(k.frequency) + 1} for k in known]
-    part, solid, solved = elements.solve(disk, material, support, density, size, which)
-    points, _ = sample.places(disk.radius)
+    part, solid, solved = elements.solve(plate, support, size, which)
+    points, _ = sample.places(plate.radius)
     rim = face_matrices(solid, part, points), points
     rims = [on_faces(*rim, part.quarter, c)[:, 1] for c in solved]
     paired = [pair(*three, (2 * np.pi * below) ** 2) for three in zip(solved, known, rims, strict=True)]
     if None in paired:
         return None
     error = np.concatenate([k.error for k in known])
-    modes = unfolded(part, solid, paired, error, disk, material)
+    modes = unfolded(part, solid, paired, error, plate)
     return replace(modes, method="finite elements, their frequencies by synthesis")
 
 

@@ -79,22 +79,20 @@ def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | Non
     if not below > 0:
         raise ValueError(f"below = {below:g} must be a frequency above 0 Hz")
     check(scene.disk, support)
-    disk, rho = scene.disk, density(scene.disk)
-    sought = below * (on_contact.APART if support.kind == "contact" else 1.0)
-    count = mode_count(disk, scene.material, rho, sought)
+    plate, sought = free_plate(scene), below * (on_contact.APART if support.kind == "contact" else 1.0)
+    count = mode_count(plate, sought)
     if count > MOST:
         raise UnsolvableError(
             f"disk, material: so soft or so large a disk has some {count:.0f} modes or more below {sought:g} Hz; "
             f"no more than {MOST} can be sought: take a stiffer or smaller disk, or lower audio.sample_rate"
         )
     accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
-    plate = free_plate(scene)
     if support.kind == "free":
         return axisymmetric.plate_modes(plate, below, accuracy)
     if support.kind == "contact":
         inclination, suspension = standing(scene, support)
         return on_contact.contact_modes(plate, suspension, inclination, below, accuracy)
-    return held.held_modes(disk, scene.material, support, rho, below, accuracy)
+    return held.held_modes(plate, support, below, accuracy)
 
 
 def free_plate(scene: ElasticScene) -> Plate:

@@ -48,7 +48,7 @@ def plate_table(surface, below, level):
         ring_radius=surface.ring_radius or 0.0,
         ring_stiffness=surface.ring_stiffness or 0.0,
     )
-    count = mode_count(plate, surface, surface.density, below)
+    count = mode_count(plate, below)
     if count > MOST:
         raise UnsolvableError(
             f"surface: so soft or so large a table has some {count:.0f} modes or more below {below:g} Hz; no more than "
@@ -72,7 +72,7 @@ def plate_table(surface, below, level):
     def joined(of_pairs):
         return np.concatenate([of_pairs(p) for p, _ in members] or [np.zeros(0)])[ascending]
 
-    length = 2 * pi / bending_number(plate.thickness, surface, plate.density, below)
+    length = 2 * pi / bending_number(plate, below)
     return SurfaceModes(
         frequency=frequency[ascending],
         decay_rate=pi * frequency[ascending] * surface.loss_factor,

@@ -21,8 +21,8 @@ from dynamics import Outcome, simulate, theory
 from dynamics.disk import Disk
 from modal import Material, Plate, eigenmodes, plate_modes
 from modal.elements.elastic import assemble, lowest
+from modal.mesh.half_disk import Blocks, columns, divided
 from modal.mesh.sector import extrude, hexahedra
-from modal.spectral.axisymmetric import annulus
 from modal.spectral.basis import problem, rigid, rigid_count
 from modal.spectral.converge import solve
 from modal.spectral.ritz import graded, matrices
@@ -172,10 +172,11 @@ def test_finite_elements_on_the_same_ring_agree_from_above():
     plate = hollow(0.9, 0.34, 0.03755)
     exact = plate_modes(plate, 11e3).frequency
     error = []
-    for around, across, layers in ((12, 1, 2), (24, 2, 4)):
-        half = annulus(plate, around, across)
+    for split in (1, 2):
+        size = Blocks(width=np.pi / 12, depth=1 - plate.hole, rings=0, split=split)
+        half = divided(columns(np.linspace(0, np.pi, 13), size.depth), size) * plate.radius
         cells = np.concatenate([half, half[:, ::-1] * [1, -1]])
-        mesh = hexahedra(extrude(cells, np.linspace(-0.5, 0.5, layers + 1) * plate.thickness))
+        mesh = hexahedra(extrude(cells, np.linspace(-0.5, 0.5, 2 * split + 1) * plate.thickness))
         solid = assemble(mesh, ElementHex2(), STEEL, DENSITY, 4)
         values, *_ = lowest(solid.stiffness, solid.mass, np.inf, shift=-((2 * pi * 1000) ** 2), exactly=6 + len(exact))
         error.append(np.sqrt(values[6:]) / (2 * pi) / exact - 1)

@@ -6,8 +6,6 @@ load, so a held point resists as its size.
 Oracles: fitted slopes; static deflections computed by another program.
 """
 
-from types import SimpleNamespace
-
 import numpy as np
 import pytest
 from scipy.sparse.linalg import spsolve
@@ -23,8 +21,8 @@ from modal.spectral.converge import all_pairs, amplitudes
 from sonify.charts.stability_modes import bending, free_disk, polynomials
 
 STEEL = Material(young=195e9, poisson=0.28)
-DISK = SimpleNamespace(radius=0.03755, thickness=0.0128, mass=0.4387, shape="solid")
-DENSITY = DISK.mass / (np.pi * DISK.radius**2 * DISK.thickness)
+DENSITY = 0.4387 / (np.pi * 0.03755**2 * 0.0128)
+DISK = Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=DENSITY)
 
 
 def slope(x, y):
@@ -43,8 +41,7 @@ def order(errors):
 
 def swings(rings):
     """Relative errors of the lowest swing of the held disk on meshes ever finer."""
-    plate = Plate(radius=DISK.radius, thickness=DISK.thickness, material=STEEL, density=DENSITY)
-    exact = FreeDisk(plate=plate).held(HELD, 12e3)[classes(True).index(SWING)].frequency[0]
+    exact = FreeDisk(plate=DISK).held(HELD, 12e3)[classes(True).index(SWING)].frequency[0]
     found = []
     for split in SPLITS:
         part = sector(DISK.radius, DISK.thickness, HELD, Blocks(width=np.pi / 4, depth=0.5, rings=rings, split=split))
@@ -57,9 +54,8 @@ def swings(rings):
 
 def test_order_4_without_a_patch():
     """Quadratic elements without singularity: eigenvalues converge as h^4."""
-    plate = Plate(radius=DISK.radius, thickness=DISK.thickness, material=STEEL, density=DENSITY)
-    found = np.array([bending(plate, free_disk(plate, "Q2", split)) for split in SPLITS])
-    assert order(found / polynomials(plate, (14, 8)) - 1) == pytest.approx(4, abs=0.1)
+    found = np.array([bending(DISK, free_disk(DISK, "Q2", split)) for split in SPLITS])
+    assert order(found / polynomials(DISK, (14, 8)) - 1) == pytest.approx(4, abs=0.1)
 
 
 def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
@@ -99,8 +95,8 @@ def test_held_points_never_converge(y, exponent):
 
 def static_far_rim(component, mirror):
     """Displacement [m] of the far rim under a base acceleration of 1 m/s^2, by a static solve on the same mesh."""
-    size = resolving(meshes("standard", DISK, Support())[0], DISK, STEEL, DENSITY, 60e3)
-    part, solid, _ = solve(DISK, STEEL, Support(), DENSITY, size, {"below": 0.0, "exactly": 1})
+    size = resolving(meshes("standard", DISK, Support())[0], DISK, 60e3)
+    part, solid, _ = solve(DISK, Support(), size, {"below": 0.0, "exactly": 1})
     held = on_patch(solid.points, DISK.radius, np.deg2rad(Support().half_angle_deg), part.patch)
     free = free_unknowns(solid.points, held, Support().held, mirror, DISK.radius)
     load = np.zeros((len(solid.points), 3))
@@ -113,7 +109,7 @@ def static_far_rim(component, mirror):
 @pytest.mark.parametrize(("component", "mirror", "expected"), [(1, (-1, 1), 5.19e-8), (2, (1, -1), 3.50e-8)])
 def test_static_deflection_under_base_acceleration(component, mirror, expected):
     """sum_k phi_k Gamma_k / w_k^2 is the static solution, so shapes, participation and frequencies fit together."""
-    modes = held_modes(DISK, STEEL, Support(), DENSITY, 60e3, "standard")
+    modes = held_modes(DISK, Support(), 60e3, "standard")
     far = modes.at_rim([np.pi])[:, 0, component] * (1 if component == 2 else -1)
     by_modes = (far * modes.participation[:, component] / (2 * np.pi * modes.frequency) ** 2).sum()
     by_solve = static_far_rim(component, Mirror(y=mirror[0], z=mirror[1]))
@@ -123,11 +119,10 @@ def test_static_deflection_under_base_acceleration(component, mirror, expected):
 
 def test_static_deflection_of_the_free_disk():
     """1 N spread over the +-5 degree arc of a free disk moves the far rim by 2.303e-9 m beyond its rigid motion."""
-    plate = Plate(radius=DISK.radius, thickness=DISK.thickness, material=STEEL, density=DENSITY)
     zeta, weight = np.polynomial.legendre.leggauss(10)
     moved, arc = 0.0, np.deg2rad(5)
-    for pairs in all_pairs(plate, 200e3, 1e-4):
+    for pairs in all_pairs(DISK, 200e3, 1e-4):
         n = pairs.problem.n
-        axial = amplitudes(plate, pairs, np.ones(1), zeta)[2, :, 0] @ weight / 2
+        axial = amplitudes(DISK, pairs, np.ones(1), zeta)[2, :, 0] @ weight / 2
         moved += (-1) ** n * np.sinc(n * arc / np.pi) * (axial**2 / pairs.values).sum()
     assert moved == pytest.approx(2.3030e-9, rel=5e-3)

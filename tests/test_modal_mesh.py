@@ -6,14 +6,13 @@ Oracles: sqrt(z) itself; the volume of a cylinder; every side of a cell belongs 
 """
 
 from itertools import product
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from arithmetic import gamma
 from skfem.quadrature import get_quadrature
 
-from modal import Material, Support
+from modal import Material, Plate, Support
 from modal.accuracy import COARSE, MIDDLE, NARROW, ROUGH, WIDE
 from modal.elements.patch import resolving
 from modal.elements.sample import locate, mapped, quadratic
@@ -62,10 +61,8 @@ def test_squared_cells_touch_the_edge_and_the_sides_it_parts():
 
 
 PATCHES = [(5, 0.34, 0.5), (39, 0.34, 0.24), (180, 1.2, 0.96), (3, 0.34, 0.984), (10, 0.1, 0.3), (0.5, 2, 0.05)]
-DISK, STEEL = SimpleNamespace(radius=0.03755, thickness=0.001), Material(young=195e9, poisson=0.28)
-THIN = {
-    f"thin, {name}": resolving(size, DISK, STEEL, 7739.0, 2e4) for name, size in (("narrow", NARROW), ("wide", WIDE))
-}
+DISK = Plate(radius=0.03755, thickness=0.001, material=Material(young=195e9, poisson=0.28), density=7739.0)
+THIN = {f"thin, {name}": resolving(size, DISK, 2e4) for name, size in (("narrow", NARROW), ("wide", WIDE))}
 SIZES = {"middle": MIDDLE, "narrow": NARROW, "wide": WIDE, "rough": ROUGH, "coarse": COARSE, **THIN}
 WHOLE = [
     (1, 0.34, 1),

@@ -44,7 +44,7 @@ def test_calculix_is_within_a_percent_on_graded_hexahedra(kind):
 @pytest.mark.parametrize("position", ["middle", "bottom"])
 def test_calculix_agrees_on_a_patch_over_part_of_the_thickness(position):
     case, support = modes_case("patch"), Support(height=0.0064, position=position)
-    ours = held_modes(case.scene.disk, case.plate.material, support, case.plate.density, 20.5e3, "standard").frequency
+    ours = held_modes(case.plate, support, 20.5e3, "standard").frequency
     assert graded(case, support) == pytest.approx(ours[:9], rel=0.01)
 
 

@@ -14,7 +14,7 @@ from ..steady import steady_precession
 from ..switching import ImpossibleContactError
 from ..time_left import steady_power
 from .filter import predicted_power, predicted_rms
-from .from_scene import ContactScene, acts_back, last_inclination, law_table
+from .from_scene import acts_back, last_inclination, law_table
 
 SHAKEN = 0.3
 """From this rms of N' over the weight on contact is lost: the force of a Gaussian vibration is then at times 0."""
@@ -36,7 +36,7 @@ class Choice(NamedTuple):
     lost_below: float = 0.0
 
 
-def choice(scene: ContactScene) -> Choice:
+def choice(scene) -> Choice:
     """Return which model solves the contact of a scene: `numerics.contact`, and what 'auto' takes."""
     if acts_back(scene):
         return Choice("full", "surface.action = 'motion': the table moves with the disk")
@@ -63,7 +63,7 @@ def choice(scene: ContactScene) -> Choice:
     return Choice(kind, reason, predicted, below)
 
 
-def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
+def shaken(scene) -> tuple[np.ndarray, np.ndarray]:
     """Return inclinations (k,) [rad] from the release to the end, or to where the air carries the disk, and the rms of
     N' over the weight (k,) in the steady motion there."""
     beta, speed = steadily(scene)
@@ -73,7 +73,7 @@ def shaken(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
     return beta, predicted_rms(law_table(scene), scene.roughness, beta, weight, speed) / weight
 
 
-def roughness_takes(scene: ContactScene) -> float:
+def roughness_takes(scene) -> float:
     """Return the part of the energy of a steady decline that roughness takes besides friction and air.
 
     0 where the friction was fitted to such a surface, and holds it.
@@ -88,7 +88,7 @@ def roughness_takes(scene: ContactScene) -> float:
     return float(trapezoid(rough / (rough + friction), -beta) / np.ptp(beta))  # the energy goes with beta
 
 
-def steadily(scene: ContactScene) -> tuple[np.ndarray, np.ndarray]:
+def steadily(scene) -> tuple[np.ndarray, np.ndarray]:
     """Return falling inclinations (PLACES,) [rad] of a scene and the speed [m/s] of the contact in steady motion."""
     disk, first = scene.disk, radians(scene.release.inclination_deg)
     last = max(last_inclination(scene), min(carried_below(scene), first / 2))
@@ -110,14 +110,14 @@ def flat_rate(disk, beta: float) -> float:
     return (4.0 / np.sin(beta)) ** 0.5 / disk.time_unit
 
 
-def friction_used(scene: ContactScene) -> float:
+def friction_used(scene) -> float:
     """Return |F|/(mu_s N) at the release, at least 1 where the disk slides at once; 0 without friction."""
     f1, f2, N = first_force(scene)
     most = scene.friction.mu_static * N
     return float(np.hypot(f1, f2) / most) if most > 0 else 0.0
 
 
-def first_force(scene: ContactScene) -> np.ndarray:
+def first_force(scene) -> np.ndarray:
     """Return the force (3,) [N] along a_1, a_2 and the normal on the rigid disk at its release.
 
     It is the weight where no contact force satisfies the balance laws.

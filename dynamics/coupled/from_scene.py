@@ -1,41 +1,31 @@
-"""SCENE -> LAW of its elastic contact, and what is wrong with it."""
+"""SCENE -> LAW of its elastic contact, and what is wrong with it.
+
+A scene with such a contact has the sections `material`, `contact` and `roughness` besides those of `MotionScene`.
+"""
 
 from functools import lru_cache
 from math import radians
-from typing import Protocol
 
 import numpy as np
 
-from ..motion import MotionScene
 from .contact import LEAST_INCLINATION, ContactLaw
 from .resonance import rate_needed
-from .sections import Contact, Roughness, require_seen
+from .sections import require_seen
 from .table import LawTable
 
 
-class ContactScene(MotionScene, Protocol):
-    """What an elastic contact reads of a scene."""
-
-    @property
-    def material(self): ...
-    @property
-    def contact(self) -> Contact: ...
-    @property
-    def roughness(self) -> Roughness | None: ...
-
-
-def contact_law(scene: ContactScene) -> ContactLaw:
+def contact_law(scene) -> ContactLaw:
     """Return the law of the elastic contact of a scene. Raises ValueError where its fillet does not fit."""
     return scene.contact.law_of(scene.disk, scene.material)
 
 
-def law_table(scene: ContactScene, kind: type[LawTable] = LawTable, moves: float = 0.0) -> LawTable:
+def law_table(scene, kind: type[LawTable] = LawTable, moves: float = 0.0) -> LawTable:
     """Return that law by table, with what the edge of the disk yields where the scene has it bend, but for its modes
     below `moves` [Hz]; threads share it."""
     return _tabulated(kind, contact_law(scene), edge_of(scene), moves)
 
 
-def edge_of(scene: ContactScene):
+def edge_of(scene):
     """Return the `Edge` of the disk of a scene that has it bend, or None."""
     return getattr(scene, "edge", None) if scene.contact.body == "elastic" else None
 
@@ -45,22 +35,22 @@ def _tabulated(kind, law, edge, moves):
     return kind(law=law, edge=edge, moves=moves)
 
 
-def last_inclination(scene: ContactScene) -> float:
+def last_inclination(scene) -> float:
     """Return the inclination [rad] at which the motion of a disk on its elastic contact ends."""
     return max(scene.numerics.stopping_inclination(scene.disk), LEAST_INCLINATION)
 
 
-def acts_back(scene: ContactScene) -> bool:
+def acts_back(scene) -> bool:
     """Return whether the table of a scene, which may say nothing on it, moves with the disk."""
     return getattr(getattr(scene, "surface", None), "action", "sound") == "motion"
 
 
-def step_rate(scene: ContactScene) -> float:
+def step_rate(scene) -> float:
     """Return the steps [1/s] of the full model: those of the accuracy, or more where the contact is stiffer."""
     return scene.numerics.contact_rate or max(scene.numerics.level.contact_rate, stiffest(scene))
 
 
-def stiffest(scene: ContactScene) -> float:
+def stiffest(scene) -> float:
     """Return the least steps [1/s] that the full model can take down to its last inclination, on a table that moves or
     is wavy to any: there the disk passes through all before it rests."""
     moves = acts_back(scene) or getattr(scene, "imperfection", None)
@@ -68,7 +58,7 @@ def stiffest(scene: ContactScene) -> float:
     return float(rate_needed(contact_law(scene), np.array([least]))[0])
 
 
-def check(scene: ContactScene) -> None:
+def check(scene) -> None:
     """Raise ValueError, in one line, where the elastic contact of a scene cannot be solved."""
     law, beta = contact_law(scene), radians(scene.release.inclination_deg)
     if scene.roughness is not None:

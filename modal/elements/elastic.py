@@ -30,22 +30,22 @@ def lame(material):
     return young * poisson / ((1 + poisson) * (1 - 2 * poisson)), young / (2 * (1 + poisson))
 
 
-def bending_number(thickness, material, density, below):
+def bending_number(plate, below):
     """Wave number [1/m] of bending in a thin plate at `below` [Hz]: k^4 = w^2 rho 12 (1 - nu^2)/(E h^2)."""
-    stiffness = material.young * thickness**2 / (12 * (1 - material.poisson**2))
-    return ((2 * np.pi * below) ** 2 * density / stiffness) ** 0.25
+    stiffness = plate.material.young * plate.thickness**2 / (12 * (1 - plate.material.poisson**2))
+    return ((2 * np.pi * below) ** 2 * plate.density / stiffness) ** 0.25
 
 
-def mode_count(disk, material, density, below):
+def mode_count(plate, below):
     """At least how many modes a disk has below `below` [Hz], from the area of a plate and the volume of a body.
 
     A plate bends in (k R)^2/4 modes; a body has (4 pi/3) (f/c)^3 of each kind of wave in every unit of its volume
     (Weyl 1912, Debye 1912). What surfaces and edges add, up to as many again, is left out.
     """
-    lam, mu = lame(material)
-    bending = (bending_number(disk.thickness, material, density, below) * disk.radius) ** 2 / 4
-    slow, fast = (mu / density) ** 0.5, ((lam + 2 * mu) / density) ** 0.5
-    volume = pi * disk.radius**2 * disk.thickness
+    lam, mu = lame(plate.material)
+    bending = (bending_number(plate, below) * plate.radius) ** 2 / 4
+    slow, fast = (mu / plate.density) ** 0.5, ((lam + 2 * mu) / plate.density) ** 0.5
+    volume = pi * plate.radius**2 * plate.thickness
     return bending + volume * 4 * pi / 3 * below**3 * (2 / slow**3 + 1 / fast**3)
 
 

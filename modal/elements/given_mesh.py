@@ -121,8 +121,8 @@ def solved(mesh, facets, components, material, density, below, most, ends):
     else:
         coarse = level(mesh, facets, linear, whole, material, density)
     size = np.ptp(finer.solid.points, axis=0)
-    body, support = SimpleNamespace(radius=size.max() / 2, thickness=size[2]), Support(kind="free")
-    shift = 0.0 if len(facets) else shift_for(body, material, support, density)
+    body = SimpleNamespace(radius=size.max() / 2, thickness=size[2], material=material, density=density)
+    shift = 0.0 if len(facets) else shift_for(body, Support(kind="free"))
     values, shapes, residual = pairs(finer, components, below, shift)
     error = relative_errors(mesh, facets, finer, coarse, places, values, shapes, shift, ends)
     return finer, values, shapes, residual, error

@@ -1,4 +1,4 @@
-"""The modes of a disk on a patch, or free, by finite elements on one sector and its symmetry classes."""
+"""The modes of a disk (`Plate`) on a patch, or free, by finite elements on one sector and its symmetry classes."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -32,54 +32,53 @@ class Class:
     residual: np.ndarray
 
 
-def shift_for(disk, material, support, density):
+def shift_for(plate, support):
     """0 for a held disk; for a free one minus the square of a rate well below its first elastic mode [1/s^2]."""
     if support.kind == "patch":
         return 0.0
-    speed = (material.young / density) ** 0.5
-    return -((0.4 * speed * min(disk.thickness, disk.radius) / disk.radius**2) ** 2)
+    speed = (plate.material.young / plate.density) ** 0.5
+    return -((0.4 * speed * min(plate.thickness, plate.radius) / plate.radius**2) ** 2)
 
 
-def resolving(size, disk, material, density, below):
+def resolving(size, plate, below):
     """The `Blocks` narrow enough for the bending waves of a thin plate at `below` [Hz], down to NARROWEST.
 
     The rim ring, in which the boxes about the patch lie, shrinks a little less.
     """
-    number = bending_number(disk.thickness, material, density, below) * disk.radius
-    share = min(1.0, max(NARROWEST, WAVES / number))
+    share = min(1.0, max(NARROWEST, WAVES / (bending_number(plate, below) * plate.radius)))
     return replace(size, width=size.width * share, depth=size.depth * share**0.75)
 
 
-def meshes(accuracy, disk, support):
+def meshes(accuracy, plate, support):
     """The two meshes of an accuracy."""
-    part = held_height(disk.thickness, support) < disk.thickness
+    part = held_height(plate.thickness, support) < plate.thickness
     return LEVELS[accuracy].part if part else LEVELS[accuracy].meshes
 
 
-def solve_class(solid, part, mirror, disk, support, held, shift, **which):
+def solve_class(solid, part, mirror, plate, support, held, shift, **which):
     """The pairs of one class; `which` is passed to `lowest`."""
-    free = free_unknowns(solid.points, held, support.held, mirror, disk.radius)
+    free = free_unknowns(solid.points, held, support.held, mirror, plate.radius)
     k, m = free.T @ solid.stiffness @ free, free.T @ solid.mass @ free
     values, vectors, residual = lowest(k, m, shift=shift, **which)
     shapes = (free @ vectors).T.reshape(-1, len(solid.points), 3) / part.copies**0.5
     return Class(mirror=mirror, values=values, shapes=shapes, residual=residual)
 
 
-def solve(disk, material, support, density, size, which):
+def solve(plate, support, size, which):
     """The sector, its matrices and every class; which[i] selects the pairs of class i (see `lowest`).
 
     Two classes are solved at a time: SuperLU lets another thread run, Python does not, and three gain nothing.
     """
-    part = sector(disk.radius, disk.thickness, support, size)
-    solid = assemble(part.mesh, ElementHex2(), material, density, intorder=4)
-    shift = shift_for(disk, material, support, density)
+    part = sector(plate.radius, plate.thickness, support, size)
+    solid = assemble(part.mesh, ElementHex2(), plate.material, plate.density, intorder=4)
+    shift = shift_for(plate, support)
     mirrors = classes(part.quarter)
-    held = on_patch(solid.points, disk.radius, np.deg2rad(support.half_angle_deg), part.patch)
+    held = on_patch(solid.points, plate.radius, np.deg2rad(support.half_angle_deg), part.patch)
     if isinstance(which, dict):
         which = [which] * len(mirrors)
 
     def of_class(mirror, some):
-        return solve_class(solid, part, mirror, disk, support, held, shift, **some)
+        return solve_class(solid, part, mirror, plate, support, held, shift, **some)
 
     with ThreadPoolExecutor(2) as pool:
         return part, solid, list(pool.map(of_class, mirrors, which))
@@ -103,16 +102,16 @@ def without_rigid(solved, shift):
     ]
 
 
-def held_modes(disk, material, support, density, below, accuracy) -> Modes:
+def held_modes(plate, support, below, accuracy) -> Modes:
     """The `Modes` below `below` [Hz] of a solid disk at one of `LEVELS`."""
-    fine, coarse = (resolving(size, disk, material, density, below) for size in meshes(accuracy, disk, support))
+    fine, coarse = (resolving(size, plate, below) for size in meshes(accuracy, plate, support))
     limit = (2 * pi * below) ** 2
-    shift = shift_for(disk, material, support, density)
-    part, solid, solved = solve(disk, material, support, density, fine, {"below": limit})
+    shift = shift_for(plate, support)
+    part, solid, solved = solve(plate, support, fine, {"below": limit})
     check = [{"below": limit, "exactly": max(1, len(c.values))} for c in solved]
-    _, _, rough = solve(disk, material, support, density, coarse, check)
+    _, _, rough = solve(plate, support, coarse, check)
     solved, rough = without_rigid(solved, shift), without_rigid(rough, shift)
-    return unfolded(part, solid, solved, estimates(solved, rough), disk, material)
+    return unfolded(part, solid, solved, estimates(solved, rough), plate)
 
 
 def estimates(solved, rough):

@@ -1,6 +1,7 @@
 """Modes of a table meshed elsewhere: held on named surfaces or sets of nodes, its top face found and checked."""
 
 from math import ceil, pi
+from types import SimpleNamespace
 
 import numpy as np
 from skfem.quadrature import get_quadrature
@@ -35,6 +36,7 @@ def table_on_mesh(surface, reach, below, most) -> SurfaceModes:
     finer, *found = solved(mesh, facets, COMPONENTS, surface, surface.density, below, most, CORNER)
     values, shapes, residual, error = found
     frequency, height, cut = np.sqrt(values) / (2 * pi), mesh.p[2].max(), len(finer.solid.cells) > mesh.nelements
+    plate = SimpleNamespace(thickness=np.ptp(mesh.p[2]), material=surface, density=surface.density)
 
     def shape(x, y):
         return on_face(finer.solid, shapes[..., 2:], height, np.column_stack([x, y]))[..., 0]
@@ -43,7 +45,7 @@ def table_on_mesh(surface, reach, below, most) -> SurfaceModes:
         frequency=frequency,
         decay_rate=pi * frequency * surface.loss_factor,
         order=np.full(len(values), -1),
-        **sampled(shape, top, 2 * pi / bending_number(np.ptp(mesh.p[2]), surface, surface.density, below), below),
+        **sampled(shape, top, 2 * pi / bending_number(plate, below), below),
         radius=0.0,
         place=np.array(surface.place),
         residual=residual,

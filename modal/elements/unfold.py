@@ -111,9 +111,9 @@ def unfold_class(solid, part, c, rim, face):
     }
 
 
-def unfolded(part, solid, solved, error, disk, material) -> Modes:
+def unfolded(part, solid, solved, error, plate) -> Modes:
     """The record of all classes, ascending; error (m,) in the order of the classes."""
-    rim, face = ((face_matrices(solid, part, points), points) for points in sample.places(disk.radius))
+    rim, face = ((face_matrices(solid, part, points), points) for points in sample.places(plate.radius))
     columns = [unfold_class(solid, part, c, rim, face) for c in solved]
     columns = {name: np.concatenate([c[name] for c in columns]) for name in columns[0]}
     points, cells, source = whole_mesh(solid.points, solid.cells, part.quarter)
@@ -121,8 +121,8 @@ def unfolded(part, solid, solved, error, disk, material) -> Modes:
     shapes = [c.shapes[:, source[:, 0]] * sign[source[:, 1]] for c, sign in zip(solved, signs, strict=True)]
     return sample.recorded(
         columns | {"error": error, "displacement": np.concatenate(shapes)},
-        material,
-        disk.radius,
+        plate.material,
+        plate.radius,
         points,
         cells,
         mass=part.copies * solid.total,

@@ -7,7 +7,8 @@ import numpy as np
 from modal.accuracy import LEVELS
 from modal.elements import sample
 from modal.elements.unfold import whole_mesh
-from modal.mesh.half_disk import Blocks
+from modal.mesh.half_disk import Blocks, divided
+from modal.mesh.half_disk import columns as columns_of_ring
 from modal.mesh.sector import extrude, hexahedra, sector
 from modal.modes import Modes, Support
 from modal.spectral.basis import Plate
@@ -73,26 +74,17 @@ def columns(plate, pairs, odd, body):
 def body_mesh(plate, highest):
     """Nodes (p, 3) and cells of the whole plate, fine enough to draw waves of the highest order; and of the nodes the
     angles (p,), and the distinct radii and heights, each with indices (p,) into them."""
-    split = 1 + highest // 6
+    size = Blocks(width=pi / 8, depth=0.38, rings=1, split=1 + highest // 6)
     if plate.hole:
-        mesh = hexahedra(extrude(annulus(plate, 16 * split, split), np.linspace(0, plate.thickness / 2, split + 1)))
+        half = divided(columns_of_ring(np.linspace(0, pi, 17), 1 - plate.hole), size) * plate.radius
+        mesh = hexahedra(extrude(half, np.linspace(0, plate.thickness / 2, size.split + 1)))
     else:
-        size = Blocks(width=pi / 8, depth=0.38, rings=1, split=split)
         mesh = sector(plate.radius, plate.thickness, Support(kind="free"), size).mesh
     points, cells, _ = whole_mesh(mesh.doflocs.T, mesh.dofs.element_dofs.T, quarter=True)
     x, y, z = points.T
     rho = np.clip(np.hypot(x, y) / plate.radius, plate.hole, 1).round(12)
     zeta = np.clip(2 * z / plate.thickness, -1, 1).round(12)
     return points, cells, (np.arctan2(y, x), *(np.unique(part, return_inverse=True) for part in (rho, zeta)))
-
-
-def annulus(plate, around, across):
-    """Nine points (q, 3, 3, 2) [m] of each biquadratic cell of the upper half of the ring between hole and rim."""
-    angle, depth = np.linspace(0, pi, 2 * around + 1), np.linspace(0, 1, 2 * across + 1)
-    r = plate.radius - (plate.radius - plate.inner_radius) * depth
-    grid = np.stack([np.multiply.outer(np.cos(angle), r), np.multiply.outer(np.sin(angle), r)], axis=-1)
-    corners = [(i, j) for i in range(0, 2 * around, 2) for j in range(0, 2 * across, 2)]
-    return np.array([grid[i : i + 3, j : j + 3] for i, j in corners])
 
 
 def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes:

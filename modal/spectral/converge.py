@@ -83,8 +83,7 @@ def first_size(plate, below):
 
     Waves at `below` [Hz] are as long as in a thin plate, or longer.
     """
-    number = bending_number(plate.thickness, plate.material, plate.density, below)
-    return 3 + ceil(number * plate.radius / 2), 2
+    return 3 + ceil(bending_number(plate, below) * plate.radius / 2), 2
 
 
 def converged(plate, p, size, below, tolerance):

@@ -67,7 +67,7 @@ def rubbery(compressibility: float) -> Plate:
 
 def rate(plate: Plate) -> float:
     """Return a rate [1/s] some three times below the first elastic mode of a free disk."""
-    return (-shift_for(plate, plate.material, Support(kind="free"), plate.density)) ** 0.5
+    return (-shift_for(plate, Support(kind="free"))) ** 0.5
 
 
 def free_disk(plate: Plate, element: str, split: int, curved: bool = True, whole: bool = False):
@@ -139,7 +139,7 @@ def shifted(share: float) -> Answer:
 
 def held(support: Support, mesh) -> np.ndarray:
     """Return the first and the fourth frequency [Hz] of the disk on a support."""
-    _, _, classes = solve_held(disk(), disk().material, support, disk().density, mesh, {"below": 0.0, "exactly": 2})
+    _, _, classes = solve_held(disk(), support, mesh, {"below": 0.0, "exactly": 2})
     values = np.sort(np.concatenate([c.values for c in classes]))
     return np.sqrt(values[[0, 3]]) / (2 * pi)
 

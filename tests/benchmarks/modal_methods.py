@@ -90,7 +90,7 @@ def plain(mesh, element):
 def graded(accuracy):
     """Nine frequencies [Hz] by the graded sector at a level, without its error estimate, and the count of unknowns."""
     limit = (2 * pi * 20.5e3) ** 2
-    _, solid, classes = solve(DISK, STEEL, Support(), DISK.density, LEVELS[accuracy].meshes[0], {"below": limit})
+    _, solid, classes = solve(DISK, Support(), LEVELS[accuracy].meshes[0], {"below": limit})
     values = np.sort(np.concatenate([c.values for c in classes]))
     return np.sqrt(values[:9]) / (2 * pi), 3 * len(solid.points)
 
