@@ -52,17 +52,12 @@ class Console(Stages):
             self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
     def answer(self, result: "Result"):
-        """Print what was found; the files follow."""
+        """Print checks and findings; the files follow."""
         self._bars.stop()
-        say(result)
-
-
-def say(result: "Result"):
-    """Print checks and findings."""
-    for c in result.checks:
-        verdict = "ok    " if c.passed else "FAILED"
-        click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
-    for f in result.findings:
-        click.echo(f"{f.answer:6}  {f.claim}: {f.measured} {f.unit} ({f.expectation})")
-    for line in unsettled(result.motion):
-        click.echo(f"note    {line}")
+        for c in result.checks:
+            verdict = "ok    " if c.passed else "FAILED"
+            click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
+        for f in result.findings:
+            click.echo(f"{f.answer:6}  {f.claim}: {f.measured} {f.unit} ({f.expectation})")
+        for line in unsettled(result.motion):
+            click.echo(f"note    {line}")

@@ -5,7 +5,6 @@ import tomllib
 from copy import deepcopy
 from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
-from importlib import resources
 from math import hypot, inf, isfinite
 from pathlib import Path
 from typing import Annotated, Any
@@ -20,8 +19,10 @@ from dynamics.dissipation import Dissipation
 from dynamics.numerics import Numerics
 from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.modes import Material, Support
+from sonify.documents import named, read, shipped
 from sonify.scene_errors import SceneError, explain
 
+SCENES = Path(__file__).parent / "scenes"
 MAY_BE_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
 """Infinite friction is physics: the contact never slips. Nothing else in a scene may be infinite."""
 
@@ -151,19 +152,14 @@ def load_scene(source: str | Path = "published") -> Scene:
     Raises SceneError if there is no such scene, if the file cannot be read or is not TOML, and if a key is unknown or
     missing or has a value that is not allowed.
     """
-    form = "JSON" if Path(source).suffix == ".json" else "TOML"
-    try:
-        content = _find(source).read_bytes()
-    except OSError as error:
-        raise SceneError(f"{source}: cannot be read: {error.strerror}") from None
-    try:
-        text = content.decode("utf-8-sig")  # some editors of Windows begin a text with a mark
-        document = _recorded(json.loads(text)) if form == "JSON" else tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise SceneError(f"{source}: not {form}: {error}") from None
-    except (LookupError, TypeError, AttributeError):
-        raise SceneError(f"{source}: not the run.json of a run: it holds no scene") from None
-    return from_document(_with_mesh(document, Path(str(_find(source))).parent))
+    file = named(source, SCENES, "scene", SceneError)
+    document = read(file, SceneError)
+    if file.suffix == ".json":
+        try:
+            document = _recorded(document)
+        except (LookupError, TypeError, AttributeError):
+            raise SceneError(f"{source}: not the run.json of a run: it holds no scene") from None
+    return from_document(_with_mesh(document, file.parent))
 
 
 def _with_mesh(document, folder):
@@ -183,16 +179,8 @@ def scene_of(scene: Scene | str | Path, accuracy: str | None = None) -> Scene:
 
 def shipped_scenes() -> dict[str, str]:
     """Name and first comment line of every scene that comes with the program."""
-    files = sorted(_shipped().iterdir(), key=lambda file: file.name)
-    return {f.name.removesuffix(".toml"): _summary(f.read_text("utf-8")) for f in files if f.name.endswith(".toml")}
-
-
-def _summary(text: str) -> str:
-    return text.splitlines()[0].removeprefix("#").strip()
-
-
-def _shipped():
-    return resources.files("sonify") / "scenes"
+    texts = {name: (SCENES / f"{name}.toml").read_text("utf-8") for name in shipped(SCENES)}
+    return {name: text.splitlines()[0].removeprefix("#").strip() for name, text in texts.items()}
 
 
 def _document(sections):
@@ -224,15 +212,6 @@ def _plain(value):
     if isinstance(value, tuple):
         return list(map(_plain, value))
     return _given(value) if isinstance(value, dict) else value
-
-
-def _find(source):
-    shipped = _shipped() / f"{source}.toml"
-    if str(source).replace("-", "").replace("_", "").isalnum() and not Path(source).is_file():
-        if not shipped.is_file():
-            raise SceneError(f"{source}: no such scene; shipped: {', '.join(shipped_scenes())}; or give a TOML file")
-        return shipped
-    return Path(source)
 
 
 def _assign(document, assignment):

@@ -88,13 +88,9 @@ def in_words(result: "Result") -> str:
 def in_a_notebook(result: "Result") -> str:
     """Return a result as a piece of HTML: the sound to play, and the verdict on every claim."""
     template = templates().get_template("notebook.html")
-    audible = playable(result.sound.audible)
+    sound = result.sound.audible
+    audible = compressed(sound) if 3 * sound.frames <= MOST_EMBEDDED else ""
     return template.render(result=result, hangs_on=hangs_on, audible=audible, words=in_words(result))
-
-
-def playable(source) -> str:
-    """Return a source as a data URL, or "" if it is too long for a notebook."""
-    return compressed(source) if 3 * source.frames <= MOST_EMBEDDED else ""
 
 
 def embedded(path: Path, kind: str) -> str:

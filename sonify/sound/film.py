@@ -16,7 +16,7 @@ from dynamics.film.acting import film_of
 from dynamics.film.law import compressibility, film_in
 from dynamics.rates import precession_rate
 from dynamics.regime import ARRAY
-from sonify.sound.drive import in_patch_frame, listener_azimuth, rigid_acceleration
+from sonify.sound.drive import in_patch_frame, inertia, listener_azimuth, rigid_acceleration
 from sonify.sound.film_modes import Tuned, filmed, heights
 from sonify.sound.radiation import Listener
 from sonify.sound.response import Vibrating
@@ -98,8 +98,7 @@ class FilmedRigid(RigidDisk):
         the mean gap [m], and the cosine of the azimuth, (k, 5), the second, third and last also for the other ear."""
         disk, (lift, across, along) = self._disk, self._pressed(state)
         turn = in_patch_frame(force, state[:, 1]) @ rigid_acceleration(np.eye(3), disk)[:, 3:]
-        about_diameter = disk.mass * (disk.radius**2 * disk.gyration / 4 + disk.thickness**2 / 12)
-        turn[:, :2] -= np.column_stack([along, across]) / about_diameter
+        turn[:, :2] -= np.column_stack([along, across]) / inertia(disk)[3:5]
         heave = (force[:, 2] + lift - disk.weight) / disk.mass
         rate = precession_rate(state)
         shares = shares_of_tilt(compressibility(state[:, 1], rate, self._air))

@@ -48,7 +48,9 @@ class Outside:
         """Return the mean pressure in the gap at the rim (a, 3), and the multipoles on the hemisphere
         (a, MULTIPOLES, 3), of the order n and `numbers` k (a,), under each of `loads` times cos n theta."""
         order, (slope, around, mass) = n + 2 * np.arange(MULTIPOLES), self._forms
-        waves = np.array([_load.assemble(self._beyond, weight=w) for w in _legendre(n, self._cosine())]) / self.far**2
+        r, z = _places(self._beyond)
+        shapes = _legendre(n, z / np.hypot(r, z))
+        waves = np.array([_load.assemble(self._beyond, weight=w) for w in shapes]) / self.far**2
         on = np.flatnonzero(waves.any(axis=0))
         some = np.setdiff1d(np.arange(waves.shape[1]), self._axis if n else [])
         at_rim, multipoles = [], []
@@ -61,10 +63,6 @@ class Outside:
             at_rim.append(self.loads[2, some] @ p)
             multipoles.append(waves[:, some] @ p)
         return np.array(at_rim), np.array(multipoles)
-
-    def _cosine(self):
-        r, z = _places(self._beyond)
-        return z / np.hypot(r, z)
 
 
 def heard(n: int, numbers, far: float, distance: float, elevation: float) -> np.ndarray:

@@ -62,14 +62,10 @@ def sweep(
 
         draw_maps(folder, asked.find)
     if asked.name in CONCLUSIONS:
+        told = CONCLUSIONS[asked.name](read_table(folder / NAME)[0])
         with whole(folder / "conclusion.md") as temporary:
-            temporary.write_text("\n".join(conclude(folder / NAME, asked.name)) + "\n", "utf-8")
+            temporary.write_text("\n".join(told) + "\n", "utf-8")
     return folder / NAME
-
-
-def conclude(path: str | Path, name: str) -> list[str]:
-    """Return what the table at `path` of the shipped sweep `name` says: at most three sentences."""
-    return CONCLUSIONS[name](read_table(path)[0])
 
 
 def says(path: str | Path) -> tuple[list[str], bool]:

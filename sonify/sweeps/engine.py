@@ -15,7 +15,7 @@ from sonify.sweeps.hand import EndedError, end_all, solve_apart
 from sonify.sweeps.version import version
 
 LOCAL = "local"
-"""Instead of an address: a scheduler of Dask that lives as long as the sweep."""
+"""Instead of an address: a scheduler of Dask that lives as long as the sweep, with one worker of so many threads."""
 AHEAD = 3
 """Tasks per process that wait or run: no process is ever without."""
 PATIENCE = 4.0
@@ -35,7 +35,9 @@ def engine(scheduler: str | None, processes: int | None) -> Iterator[tuple[Submi
     own. Raises InputError where the scheduler does not answer, or where its workers have another version of this
     program."""
     if scheduler == LOCAL:
-        with own_cluster(processes or cores()) as address, cluster(address) as made:
+        count = processes or cores()
+        local = dask().LocalCluster(n_workers=1, threads_per_worker=count, dashboard_address=None)
+        with local, cluster(local.scheduler_address) as made:
             yield made
     else:
         with cluster(scheduler) if scheduler else machine(processes or cores()) as made:
@@ -53,14 +55,6 @@ def machine(processes: int):
         end_all()
         threads.shutdown()
         end_all()
-
-
-@contextmanager
-def own_cluster(processes: int):
-    """The address of a Dask scheduler of this machine, with one worker of so many threads, each with its process."""
-    made = dask().LocalCluster(n_workers=1, threads_per_worker=processes, dashboard_address=None)
-    with made:
-        yield made.scheduler_address
 
 
 def dask():

@@ -1,22 +1,22 @@
 """FILE -> SWEEP: what is to be run, read strictly from TOML."""
 
 import json
-import tomllib
 from copy import deepcopy
 from dataclasses import asdict, dataclass
 from functools import cached_property
-from importlib import resources
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from annotated_types import Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
+from sonify.documents import named, read, shipped
 from sonify.scene import from_document, load_scene
 from sonify.scene_errors import InputError, SceneError, explain
 from sonify.sweeps.axes import Points, Samples, points_of
 from sonify.sweeps.needs import needed
 
+SWEEPS = Path(__file__).parent / "shipped"
 MOST = 1_000_000_000
 """Runs beyond which a sweep is to be cut into several: their marks alone fill a memory."""
 
@@ -129,8 +129,8 @@ def placed(document: dict, values: dict[str, Any]) -> dict:
 
 def load_sweep(source: "str | Path | dict") -> Sweep:
     """Return the sweep of a shipped name, a TOML file or a document, checked. Raises InputError where it is wrong."""
-    path = Path() if isinstance(source, dict) else _find(source)
-    document = source if isinstance(source, dict) else _read(path)
+    path = Path() if isinstance(source, dict) else named(source, SWEEPS, "sweep", InputError)
+    document = source if isinstance(source, dict) else read(path, InputError)
     try:
         sweep = TypeAdapter(Sweep).validate_json(json.dumps(document, default=str))
     except ValidationError as error:
@@ -145,25 +145,4 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
 def shipped_sweeps() -> list[str]:
     """Return the names of the sweeps that come with the program."""
-    return sorted(f.name.removesuffix(".toml") for f in _shipped().iterdir() if f.name.endswith(".toml"))
-
-
-def _shipped():
-    return resources.files("sonify.sweeps") / "shipped"
-
-
-def _find(source):
-    if Path(source).suffix or Path(source).is_file():
-        return Path(source)
-    if str(source) not in shipped_sweeps():
-        raise InputError(f"{source}: no such sweep; shipped: {', '.join(shipped_sweeps())}; or give a TOML file")
-    return Path(str(_shipped() / f"{source}.toml"))
-
-
-def _read(path):
-    try:
-        return tomllib.loads(path.read_bytes().decode("utf-8-sig"))
-    except OSError as error:
-        raise InputError(f"{path}: cannot be read: {error.strerror}") from None
-    except (ValueError, RecursionError) as error:
-        raise InputError(f"{path}: not TOML: {error}") from None
+    return shipped(SWEEPS)

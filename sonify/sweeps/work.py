@@ -99,6 +99,6 @@ ALONE: dict[str, Callable] = {"motion": _motion, "modes": _modes}
 WHOLE: dict[str, Callable] = {
     "arrays": _arrays,
     "wav": lambda result, folder, watch: write_sound(result.sound, folder, lambda share: None),
-    "page": lambda result, folder, watch: write(result, folder, watch),
+    "page": write,
 }
 """What to keep -> what writes it."""
