@@ -1,6 +1,6 @@
 """Progress on standard error, results on standard output."""
 
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from typing import TYPE_CHECKING
 
 import click
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 
-class Console(Stages):
+class Console(Stages, AbstractContextManager):
     """Shows every stage as a line on standard error, with a bar while it runs where there is a terminal."""
 
     def __init__(self):
@@ -29,9 +29,6 @@ class Console(Stages):
             transient=True,
             disable=not self._console.is_terminal,
         )
-
-    def __enter__(self):
-        return self
 
     def __exit__(self, *_):
         self._shown = False  # what still goes on in a thread says no more

@@ -3,7 +3,7 @@
 Lengths are over the radius R, pressures over density times R times acceleration; waves are exp(i w t), of the order n
 round the axis, k = w R/c. Finite elements in the half plane of r and z reach from the disk to a hemisphere, on which
 the field is a sum of outgoing multipoles: their amplitudes are the answer, exact at every listener beyond.
-tests/test_sound_outside.py.
+tests/test_sound_open_film.py.
 """
 
 import numpy as np
