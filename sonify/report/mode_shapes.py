@@ -56,12 +56,14 @@ def draw_modes(
         axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
     if table:
         draw_table(axis, *table, -high * rows)
-    axis.text(ACROSS * COLUMNS / 2, HEAD / 2, LEGEND, fontsize=11, ha="center", va="center")
+    legend = AT_A_SLANT + LEGEND if slanted else LEGEND
+    axis.text(ACROSS * COLUMNS / 2, HEAD / 2, legend, fontsize=11, ha="center", va="center")
     figure.savefig(path)
 
 
+AT_A_SLANT = "At a slant: exaggerated, bright where it moves most. "
 LEGEND = (
-    "At a slant: exaggerated, bright where it moves most. From above: axial motion of the top face (colour),\n"
+    "From above: axial motion of the top face (colour),\n"
     "nodal lines (black), rim (dashed); a patch that holds the disk is to the right (green), a swing turns about it"
 )
 
