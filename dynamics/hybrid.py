@@ -84,22 +84,14 @@ class Crossing(NamedTuple):
 
 @dataclass
 class Path:
-    """The solution so far: breakpoints, one Taylor polynomial and one regime for each piece, and the crossings."""
+    """The solution so far: breakpoints, the coefficients of the pieces (n, order + 1, k) and their regimes, arc by arc,
+    and the crossings."""
 
     t: float = 0.0
     times: list = field(default_factory=lambda: [np.zeros(1)])
-    blocks: list = field(default_factory=list)
-    origins: list = field(default_factory=list)
+    coefficients: list = field(default_factory=list)
     regimes: list = field(default_factory=list)
     crossings: list = field(default_factory=list)
-
-    @property
-    def coefficients(self) -> list:
-        """The coefficients of the pieces (n, order + 1, k), arc by arc."""
-        while self.origins:  # added at once: arc by arc, beside other work, it would take as long as a Taylor step
-            block, origin = self.origins.pop()
-            block[:, 0] += origin
-        return self.blocks
 
     def extend(self, times, coefficients, regime, passed=(), origin=None) -> Any:
         """Append pieces that end at `times` (n,), counted from the present end; return the regime of the last.
@@ -112,9 +104,9 @@ class Path:
             self.crossings.append(Crossing(float(times[pieces - 1]), regime, after, guard))
             regime, done = after, pieces
         self.times.append(times)
-        self.blocks.append(coefficients)
         if origin:
-            self.origins.append((coefficients, origin))
+            coefficients[:, 0] += origin
+        self.coefficients.append(coefficients)
         self.regimes.append((regime, len(times) - done))
         self.t = float(times[-1])
         return regime
