@@ -238,6 +238,8 @@ def test_pictures_say_what_is_seen(result):
     assert all(name.replace("_", " ") in stems for name in result.sound.stems)
     assert "goes from 1 to 1.57 rad" in motion
     assert f"{result.modes.frequency[0]:.0f} Hz" in modes
+    page = (result.out / "report.html").read_text()
+    assert all(f" {100 * share:.3g} %" in page for share in result.sound.low_share), "100 % is not 1e+02 %"
 
 
 def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatch):
