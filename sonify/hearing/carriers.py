@@ -169,8 +169,8 @@ def _bands(level, spacing):
     """The tracks of bands of noise in levels (t, f)."""
     octaves, size = np.log2(0.9 * level.shape[1] * spacing / LOWEST), int(BROAD / GRID) + 1
     frequency = LOWEST * 2 ** (np.arange(0, 1200 * octaves, GRID) / 1200)
-    grid = median_filter(level[:, np.round(frequency / spacing).astype(int)], (1, size))
-    around = median_filter(grid[:, ::COARSE], (1, int(AROUND / GRID / COARSE) + 1))
+    grid = _medians(level[:, np.round(frequency / spacing).astype(int)], size)
+    around = _medians(grid[:, ::COARSE], int(AROUND / GRID / COARSE) + 1)
     places = np.arange(0, grid.shape[1], COARSE)
     grid -= make_interp_spline(places, around, 1, axis=1)(np.clip(np.arange(grid.shape[1]), 0, places[-1]))
     grid = uniform_filter1d(grid, size, axis=1)
@@ -178,6 +178,11 @@ def _bands(level, spacing):
     frame, place, height = _tops(mean, FAINTEST)
     found = _tracks(np.array([frame, LOWEST * 2 ** (place * GRID / 1200), height]), len(level), AHEAD)
     return [band for band in (_middled(one, mean, grid) for one in found) if band.reach < BROADEST]
+
+
+def _medians(level, size):
+    """The medians over so many columns about each of levels (t, f): row by row, for which SciPy has a faster way."""
+    return np.array([median_filter(row, size) for row in level])
 
 
 def _middled(band, mean, grid):

@@ -48,7 +48,7 @@ def noise_band(sound: Source, start: float, stop: float, length: float, lines=()
         near = np.abs(seen.frequency / line - 1) < NEAR
         power[:, near] = power[:, near].min(axis=1, initial=np.inf, keepdims=True)
     f = np.geomspace(*seen.frequency[[0, -1]], int(STEPS * np.log2(seen.frequency[-1] / seen.frequency[0])))
-    level = median_filter([np.interp(f, seen.frequency, row) for row in power], (1, LINE))
+    level = np.array([median_filter(np.interp(f, seen.frequency, row), LINE) for row in power])
     peak = (level - np.percentile(level, QUARTER, axis=0)).argmax(axis=1)
     highest = 10 * np.log10(level[np.arange(len(peak)), peak] / np.median(level, axis=1))
     highest[(peak < LINE) | (peak >= len(f) - LINE)] = 0.0  # the flank of what lies outside

@@ -167,6 +167,6 @@ def held_back(advance, samples: int):
 
 def noted_energy(t, acceleration, modes, sample_rate):
     """The greatest energy of modes in each ENERGY_WINDOW: q''^2/(2 w^2) at the turn of a swing, modal mass 1."""
-    energy = np.einsum("km,km,m->k", acceleration, acceleration, (2 * np.pi * modes.frequency) ** -2.0 / 2)
+    energy = np.square(acceleration) @ ((2 * np.pi * modes.frequency) ** -2.0 / 2)
     starts = np.arange(0, len(energy), max(int(ENERGY_WINDOW * sample_rate), 1))
     return t[starts], np.maximum.reduceat(energy, starts)
