@@ -28,6 +28,10 @@ class BrokenOffError(RuntimeError):
     """A command cannot go on, though nothing was wrong with what it was given; the message is one line."""
 
 
+class GoneError(Exception):
+    """The process that was asked is dead."""
+
+
 @contextmanager
 def well_behaved():
     """Within, every signal that ends is a KeyboardInterrupt that holds its number, and unread streams are no error."""
@@ -113,11 +117,17 @@ def started(python: str, module: str, **how) -> subprocess.Popen:
 
 
 def asked(process, function, *arguments, **options):
-    """Return what `function`, of a module, returns and None, or None and what it raises, called in a process that does
-    `what_is_asked`. Raises OSError or EOFError where that is dead."""
-    pickle.dump((function, arguments, options), process.stdin)
-    process.stdin.flush()
-    return pickle.load(process.stdout)
+    """Return what `function`, of a module, returns in a process that does `what_is_asked`. Raises what it raises there,
+    and GoneError where that process is dead."""
+    try:
+        pickle.dump((function, arguments, options), process.stdin)
+        process.stdin.flush()
+        answer, fault = pickle.load(process.stdout)
+    except (OSError, EOFError, ValueError, pickle.UnpicklingError) as error:  # ValueError: its pipes are closed
+        raise GoneError(str(error) or "no answer") from None
+    if fault:
+        raise fault
+    return answer
 
 
 def what_is_asked(rest=lambda: None, idle: float | None = None):

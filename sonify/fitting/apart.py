@@ -7,7 +7,7 @@ from queue import SimpleQueue
 from typing import Any
 
 from sonify.hearing.recording import RecordingError
-from sonify.process import asked, ended, started
+from sonify.process import GoneError, asked, ended, started
 
 
 def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
@@ -20,14 +20,11 @@ def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
     def done(task):
         process = idle.get()
         try:
-            answer, fault = asked(process, function, *task)
-        except (EOFError, OSError) as error:
-            raise RecordingError(f"{task[0]}: the process that fitted it ended: {error or 'no answer'}") from None
+            return asked(process, function, *task)
+        except GoneError as error:
+            raise RecordingError(f"{task[0]}: the process that fitted it ended: {error}") from None
         finally:
             idle.put(process)
-        if fault:
-            raise fault
-        return answer
 
     pool = ThreadPoolExecutor(count)
     try:

@@ -4,7 +4,6 @@ solved while a motion is."""
 import atexit
 import gc
 import os
-import pickle
 import sys
 from collections.abc import Callable
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -15,7 +14,7 @@ from io import BytesIO
 from subprocess import PIPE, Popen
 from typing import Any
 
-from sonify.process import asked, ended, what_is_asked
+from sonify.process import GoneError, asked, ended, what_is_asked
 
 MODULES = ("motion", "sound", "mode_shapes")
 """Of this package: they draw, and load slowly."""
@@ -51,11 +50,9 @@ class Painter:
 
     def _ask(self, function, *arguments, **options):
         try:
-            answer, error = asked(self._process.result(), function, *arguments, **options)
-        except (OSError, EOFError, pickle.UnpicklingError):  # there is none, or it died
+            answer = asked(self._process.result(), function, *arguments, **options)
+        except (OSError, GoneError):  # there is none, or it died
             return function(*arguments, **options)
-        if error:
-            raise error
         self._loaded = True
         return answer
 

@@ -5,10 +5,9 @@ The same on one machine and on every worker of a cluster: each thread has one su
 
 import sys
 import threading
-from pickle import UnpicklingError
 from typing import Any
 
-from sonify.process import asked, ended, started
+from sonify.process import GoneError, asked, ended, started
 from sonify.sweeps.version import version
 from sonify.sweeps.worker import solved
 
@@ -38,12 +37,9 @@ class Hand:
 
     def _answer(self, function, *arguments):
         try:
-            answer, fault = asked(self.process, function, *arguments)
-        except (OSError, EOFError, ValueError, UnpicklingError):  # it is dead, or its pipes are closed
+            return asked(self.process, function, *arguments)
+        except GoneError:
             return None
-        if fault:
-            raise fault
-        return answer
 
     def end(self):
         """End the process, whatever it does."""
