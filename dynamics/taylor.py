@@ -1,6 +1,5 @@
 """The flow by heyoka's adaptive Taylor integrator: steps of high order, and every root of every guard within a step."""
 
-import math
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
 from functools import lru_cache
@@ -13,7 +12,8 @@ from .equations import Law
 from .film.law import Film, film_in
 from .guards import Guard
 from .hybrid import Arc
-from .regime import PRECESSION, Branch, Flow, Regime
+from .regime import Branch, Flow, Regime
+from .rolling import restarted
 from .switching import reversal
 from .symbolic import formulas, prepared, shape
 
@@ -102,11 +102,11 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
     flow = future.result()
     integrator, pars, state, series = borrowed = flow.borrow()
-    pars[:], state[:] = parameters, y
+    pars[:], state[:], start = parameters, y, y
     integrator.time = 0.0
     integrator.reset_cooldowns()
     branch, now, guard, step, t = Branch.of(regime, law, loads), regime, None, integrator.step, 0.0
-    times, kept, passed, turned = [], [], [], []
+    times, kept, passed, lost = [], [], [], [[0.0] * len(STATE)]
     for _ in range(MOST_STEPS):
         outcome, _ = step(span - t, True)
         since, t = t, integrator.time
@@ -118,21 +118,20 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         after = guard and t > since and reversal(state.tolist(), now, branch, guard, law)
         if not after:
             break
-        state[:], now = after
-        turned.append(state[PRECESSION] - math.remainder(state[PRECESSION], 2 * math.pi))
-        state[PRECESSION] -= turned[-1]  # a large angle would make the steps longer
+        y, now = after
+        state[:], origin = restarted(y)  # what has grown large would make the steps longer
+        lost.append(origin)
         pars[:] = prepared(compiled, now, law, loads, r_end, tolerance)[1]
         integrator.reset_cooldowns()
         passed.append((len(times), guard, now))
         guard = None
     coefficients = np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
-    for (pieces, *_), angle in zip(passed, turned, strict=True):
-        coefficients[pieces:, 0, PRECESSION] += angle
-        state[PRECESSION] += angle
-    end = state.tolist()
+    origins, pieces = np.cumsum(lost, axis=0), np.diff([0, *(n for n, *_ in passed), len(times)])
+    coefficients[:, 0] += np.repeat(origins, pieces, axis=0)
+    end = (state + origins[-1]).tolist()
     flow.give_back(borrowed)
     if outcome == NOT_FINITE:
         from . import dop853  # numba loads slowly
 
-        return dop853.advance(y, regime, law, loads, r_end, span, tolerance)
+        return dop853.advance(start, regime, law, loads, r_end, span, tolerance)
     return Arc(np.array(times), coefficients, end, guard, tuple(passed))
