@@ -126,9 +126,11 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         passed.append((len(times), guard, now))
         guard = None
     coefficients = np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
-    origins, pieces = np.cumsum(lost, axis=0), np.diff([0, *(n for n, *_ in passed), len(times)])
-    coefficients[:, 0] += np.repeat(origins, pieces, axis=0)
-    end = (state + origins[-1]).tolist()
+    if passed:
+        origins, pieces = np.cumsum(lost, axis=0), np.diff([0, *(n for n, *_ in passed), len(times)])
+        coefficients[:, 0] += np.repeat(origins, pieces, axis=0)
+        state += origins[-1]
+    end = state.tolist()
     flow.give_back(borrowed)
     if outcome == NOT_FINITE:
         from . import dop853  # numba loads slowly
