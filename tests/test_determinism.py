@@ -22,9 +22,10 @@ from sonify.sound.film_modes import ORDERS, below
 from sonify.sound.render import Renderer
 
 HALF_SECOND = 24000
-SAME_DB = -120.0
-AS_LONG = 13.0
-"""How long [s] the sound of the published motion stays the same, whatever solves it."""
+SAME_DB, PARTED_DB = -180.0, -100.0
+"""Rounding leaves some -200 dB; a slip at 7.5 s that all but grazes makes this 50 to 80 dB more, by the last bits."""
+GRAZES, AS_LONG = 7.0, 13.0
+"""Until when [s] the sound of the published motion is the same, and the same but for that, whatever solves it."""
 
 
 @pytest.mark.slow
@@ -69,11 +70,17 @@ def difference_db(scene, modes, *ways):
     return 10 * np.log10(np.mean((one - other) ** 2, axis=1) / np.mean(one**2, axis=1))
 
 
+def check_same(scene, modes, *ways):
+    difference = difference_db(scene, modes, *[[f"numerics.time_limit={AS_LONG}", way] for way in ways])
+    assert len(difference) >= round(2 * AS_LONG)
+    assert difference[: round(2 * GRAZES)].max() < SAME_DB
+    assert difference.max() < PARTED_DB
+
+
 def test_both_integrators_sound_the_same(scene, modes):
-    """Through some hundred changes of regime; a slip at 7.5 s that all but grazes takes 60 dB of the agreement."""
+    """Through some hundred changes of regime."""
     pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
-    ways = [[f"numerics.time_limit={AS_LONG}", f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
-    assert difference_db(scene, modes, *ways).max() < SAME_DB
+    check_same(scene, modes, "numerics.integrator=taylor", "numerics.integrator=dop853")
 
 
 def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
@@ -81,15 +88,13 @@ def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
     pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
     scene = load_scene("moffatt")
     ways = [[f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
-    assert difference_db(scene, modes, *ways).max() < SAME_DB
+    assert difference_db(scene, modes, *ways).max() < -120
 
 
 @pytest.mark.slow
 def test_finer_tolerances_sound_the_same_for_longer(scene, modes):
     pytest.importorskip("heyoka", reason="heyoka is not installed")
-    limit = f"numerics.time_limit={AS_LONG}"
-    ways = [[limit, f"numerics.tolerance={tolerance}"] for tolerance in ("1e-15", "1e-16")]
-    assert difference_db(scene, modes, *ways).max() < SAME_DB
+    check_same(scene, modes, "numerics.tolerance=1e-15", "numerics.tolerance=1e-16")
 
 
 def test_why_it_cannot_be_longer(scene):

@@ -33,7 +33,8 @@ def hang():
     with whole(sys.argv[1]) as temporary:
         temporary.write_text("half")
         click.echo("writing")
-        time.sleep(60)
+        for _ in range(600):  # a signal just before a sleep is heeded after it
+            time.sleep(0.1)
 
 main(["hang"])
 """
