@@ -8,9 +8,9 @@ from .equations import Loads as Loads
 from .motion import Motion as Motion
 from .motion import Outcome as Outcome
 from .motion import Transition as Transition
-from .numerics import Numerics as Numerics
 from .rigid_motion import RigidMotion as RigidMotion
 from .simulation import simulate as simulate
+from .solver_settings import Numerics as Numerics
 from .surface import InfiniteSurface as InfiniteSurface
 from .surface import MeshSurface as MeshSurface
 from .surface import ModesSurface as ModesSurface

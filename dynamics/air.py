@@ -1,4 +1,4 @@
-"""The air: one section of a scene for what slows the disk and for what carries its sound."""
+"""The section `air` of a scene: the air film under the disk, and the air that carries the sound."""
 
 from dataclasses import dataclass
 from math import exp, log, pi, sqrt
@@ -6,49 +6,89 @@ from typing import Annotated, Literal
 
 from annotated_types import Ge, Gt, Le
 
-PRESSURE, TEMPERATURE = 101325.0, 293.15
-"""Of the standard air [Pa, K]."""
-DENSITY, SOUND_SPEED, GAS_CONSTANT = 1.204, 343.2, 287.05
-"""Of dry air, the first two under these [kg/m^3, m/s, J/(kg K)]."""
+STANDARD_PRESSURE = 101325.0
+"""Standard pressure [Pa]."""
+STANDARD_TEMPERATURE = 293.15
+"""Standard temperature [K]."""
+STANDARD_DENSITY = 1.204
+"""Density of dry air at standard pressure and temperature [kg/m^3]."""
+STANDARD_SOUND_SPEED = 343.2
+"""Speed of sound in dry air at standard temperature [m/s]."""
+AIR_GAS_CONSTANT = 287.05
+"""Specific gas constant of dry air [J/(kg K)]."""
+HEAT_RATIO = 1.4
+"""Ratio of the specific heats of air."""
+PRANDTL = 0.71
+"""Prandtl number of air: kinematic viscosity over thermal diffusivity."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Air:
-    """The air around the disk, which carries its sound, and between disk and table, which slows and lifts it."""
+    """The air around the disk, which carries its sound, and the film under it, which slows it.
+
+    Raises
+    ------
+    ValueError
+        If a film is required in a vacuum.
+
+    Examples
+    --------
+    >>> from dynamics import Air
+    >>> f"{Air(temperature=273.15).sound_speed:.1f} m/s"
+    '331.3 m/s'
+    """
 
     film: Literal["auto", "none", "acts"] = "auto"
-    """Whether the film under the disk acts on its motion and sound; auto: where it ever takes 1 % of the power."""
+    """Air film under the disk: none, acts, or auto: it acts if it ever takes 1 % of the power."""
     viscosity: Annotated[float, Gt(0), Le(1e3)] = 1.82e-5
     """Viscosity [Pa s]."""
     density: Annotated[float, Ge(0), Le(1e3)] = None  # type: ignore[assignment]
-    """Density [kg/m^3]; that of dry air of this pressure and temperature unless given."""
-    pressure: Annotated[float, Ge(0), Le(1e9)] = PRESSURE
-    """Pressure at rest [Pa]."""
-    temperature: Annotated[float, Ge(50), Le(3000)] = TEMPERATURE
-    """Temperature [K], which the speed of sound follows."""
+    """Density [kg/m^3]; by default that of dry air at this pressure and temperature."""
+    pressure: Annotated[float, Ge(0), Le(1e9)] = STANDARD_PRESSURE
+    """Static pressure [Pa]."""
+    temperature: Annotated[float, Ge(50), Le(3000)] = STANDARD_TEMPERATURE
+    """Temperature [K]; it determines the speed of sound."""
 
     def __post_init__(self):
         if self.film == "acts" and not self.pressure:
             raise ValueError("film = 'acts': a vacuum, pressure = 0, has no film")
         if self.density is None:
-            object.__setattr__(self, "density", dry(self.pressure, self.temperature))
+            object.__setattr__(self, "density", dry_air_density(self.pressure, self.temperature))
 
     @property
     def sound_speed(self) -> float:
         """Speed of sound [m/s]."""
-        return SOUND_SPEED * sqrt(self.temperature / TEMPERATURE)
+        return STANDARD_SOUND_SPEED * sqrt(self.temperature / STANDARD_TEMPERATURE)
 
     @property
     def mean_free_path(self) -> float:
-        """How far a molecule flies [m]: mu/p sqrt(pi R T/2). A gap below that is not filled by a continuum."""
-        return self.viscosity / self.pressure * sqrt(pi * GAS_CONSTANT * self.temperature / 2)
+        """Mean free path of the molecules [m]: mu/p sqrt(pi R T/2). Thinner films are no
+        continuum."""
+        return self.viscosity / self.pressure * sqrt(pi * AIR_GAS_CONSTANT * self.temperature / 2)
 
     def absorption(self, frequency: float, humidity: float = 0.5) -> float:
-        """Return how much of a sound of `frequency` [Hz] air of a relative humidity takes [dB/m], ISO 9613-1.
+        """Return the absorption of sound by the air.
 
-        Within 10 % from -20 to 50 degrees and 0.05 to 2 atmospheres.
+        It is accurate to 10 % from -20 to 50 degrees Celsius and 0.05 to 2 atmospheres.
+
+        Parameters
+        ----------
+        frequency : float
+            Frequency of the sound [Hz].
+        humidity : float
+            Relative humidity, 0 to 1.
+
+        Returns
+        -------
+        float
+            Absorption [dB/m].
+
+        References
+        ----------
+        .. [1] ISO 9613-1:1993, equations (3) to (5).
         """
-        p, t = self.pressure / PRESSURE, self.temperature / TEMPERATURE
+        p = self.pressure / STANDARD_PRESSURE
+        t = self.temperature / STANDARD_TEMPERATURE
         vapour = 100 * humidity / p * 10 ** (4.6151 - 6.8346 * (273.16 / self.temperature) ** 1.261)
         oxygen = p * (24 + 4.04e4 * vapour * (0.02 + vapour) / (0.391 + vapour))
         nitrogen = p / sqrt(t) * (9 + 280 * vapour * exp(-4.17 * (t ** (-1 / 3) - 1)))
@@ -57,10 +97,10 @@ class Air:
         return 20 / log(10) * frequency**2 * (1.84e-11 / p * sqrt(t) + t**-2.5 * relaxing)
 
 
-def dry(pressure: float, temperature: float) -> float:
-    """Return the density [kg/m^3] of dry air, an ideal gas."""
-    return DENSITY * (pressure / PRESSURE) * (TEMPERATURE / temperature)
+def dry_air_density(pressure: float, temperature: float) -> float:
+    """Return the density [kg/m^3] of dry air at pressure [Pa] and temperature [K], an ideal gas."""
+    return STANDARD_DENSITY * (pressure / STANDARD_PRESSURE) * (STANDARD_TEMPERATURE / temperature)
 
 
-STANDARD = Air()
-"""Dry air at 20 degrees and 101325 Pa."""
+STANDARD_AIR = Air()
+"""Dry air at 20 degrees Celsius and 101325 Pa."""

@@ -1,4 +1,4 @@
-"""The sections of a scene that the motion reads. SI units unless a key says `_deg`; [ ] holds the unit of a key."""
+"""The sections `disk`, `friction` and `release` of a scene; [ ] holds the unit of each key."""
 
 from dataclasses import dataclass
 from math import inf, pi
@@ -7,36 +7,47 @@ from typing import Annotated, Literal
 from annotated_types import Ge, Gt, Le, Lt
 
 GRAVITY = 9.81
-"""Acceleration of free fall [m/s^2]; it gives the paper's unit of time, 0.0691712 s (7.2)."""
-
-
-LARGEST = 1e6
-"""Coefficient of friction beyond which none is asked for but an infinite one."""
-SMALLEST = 1e-9
-"""Length [m] that no disk falls below: its square times its mass would be no number."""
-Rate = Annotated[float, Ge(-1e6), Le(1e6)]
+"""Acceleration of gravity [m/s^2]; it gives the time unit of the paper, 0.0691712 s (7.2)."""
+MIN_DISK_LENGTH = 1e-9
+"""Smallest dimension of a disk [m]; with a smaller one the moments of inertia would underflow."""
+MAX_FINITE_FRICTION = 1e6
+"""Largest coefficient of friction other than infinity."""
+AngularRate = Annotated[float, Ge(-1e6), Le(1e6)]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Disk:
-    """A circular cylinder, of which either the mass or the density is given."""
+    """A circular cylinder, given by its mass or its density.
+
+    Raises
+    ------
+    ValueError
+        If not exactly one of mass and density is given, or if a dimension is impossible.
+
+    Examples
+    --------
+    >>> from dynamics import Disk
+    >>> disk = Disk(radius=0.03755, thickness=0.013, density=7850.0)
+    >>> f"{disk.mass:.3f} kg, aspect {disk.aspect:.3f}"
+    '0.452 kg, aspect 0.173'
+    """
 
     radius: Annotated[float, Gt(0), Le(100)]
     """Outer radius [m]."""
-    thickness: Annotated[float, Ge(SMALLEST), Le(100)]
-    """Height along the axis [m]."""
+    thickness: Annotated[float, Ge(MIN_DISK_LENGTH), Le(100)]
+    """Thickness along the axis [m]."""
     mass: Annotated[float, Ge(1e-9), Le(1e9)] = None  # type: ignore[assignment]
     """Mass [kg]."""
     density: Annotated[float, Ge(1e-3), Le(1e6)] | None = None
-    """Mass per volume [kg/m^3], of a disk that has a volume."""
+    """Density [kg/m^3], in place of the mass."""
     shape: Literal["solid", "shell"] = "solid"
-    """A shell is hollow along its axis."""
-    wall: Annotated[float, Ge(SMALLEST), Le(100)] | None = None
-    """Outer less inner radius of a shell [m], negligible unless it is given."""
+    """Solid cylinder, or a shell (tube) that is open along its axis."""
+    wall: Annotated[float, Ge(MIN_DISK_LENGTH), Le(100)] | None = None
+    """Wall thickness of a shell [m]; negligible unless given."""
 
     def __post_init__(self):
-        if self.radius < SMALLEST:
-            raise ValueError(f"radius = {self.radius:g}: must not be below {SMALLEST:g}")
+        if self.radius < MIN_DISK_LENGTH:
+            raise ValueError(f"radius = {self.radius:g}: must not be below {MIN_DISK_LENGTH:g}")
         if (self.mass is None) == (self.density is None):
             raise ValueError("give either mass or density")
         if self.wall is not None and self.shape != "shell":
@@ -44,14 +55,16 @@ class Disk:
         if self.wall is not None and not self.wall < self.radius:
             raise ValueError(f"wall = {self.wall:g}: must be less than radius = {self.radius:g}")
         if self.mass is None and not self.volume:
-            raise ValueError("a shell of negligible wall has no density: give its mass, or its wall")
+            raise ValueError("a shell of negligible wall has no volume: give its mass, or its wall")
         if self.mass is None:
             object.__setattr__(self, "mass", self.density * self.volume)
 
     @property
     def inner_radius(self) -> float:
-        """Radius of the hole [m]: 0 of a solid cylinder, the outer radius of a shell of negligible wall."""
-        return 0.0 if self.shape == "solid" else self.radius - (self.wall or 0.0)
+        """Radius of the hole [m]; 0 for a solid cylinder."""
+        if self.shape == "solid":
+            return 0.0
+        return self.radius - (self.wall or 0.0)
 
     @property
     def volume(self) -> float:
@@ -60,53 +73,74 @@ class Disk:
 
     @property
     def gyration(self) -> float:
-        """k^2 of (2.4): 1 for a solid cylinder, 2 for a shell of negligible wall, 1 + (inner over outer radius)^2."""
+        """k^2 of (2.4): 1 + (inner/outer radius)^2, from 1 (solid cylinder) to 2 (thin shell)."""
         return 1.0 + (self.inner_radius / self.radius) ** 2
 
     @property
     def aspect(self) -> float:
-        """h = H/R of (4.4): half the thickness over the radius (7.2 prints its inverse)."""
+        """h = H/R of (4.4): half the thickness over the radius; (7.2) prints its inverse."""
         return self.thickness / (2 * self.radius)
 
     @property
     def time_unit(self) -> float:
-        """chi of (4.5) [s]."""
+        """Time unit chi of (4.5) [s]."""
         return ((self.gyration + 4) / 4 * self.radius / GRAVITY) ** 0.5
 
     @property
     def weight(self) -> float:
-        """m g [N]."""
+        """Weight m g [N]."""
         return self.mass * GRAVITY
 
 
 @dataclass(frozen=True, kw_only=True)
 class Friction:
-    """Coulomb's law (3.2), and the moments (3.3) that resist the three parts of the angular velocity."""
+    """Coulomb friction (3.2) and the resisting moments (3.3) of the contact.
+
+    Raises
+    ------
+    ValueError
+        If the dynamic coefficient exceeds the static one, or a coefficient exceeds 1e6.
+
+    Examples
+    --------
+    >>> from dynamics import Friction
+    >>> Friction(mu_static=0.5, mu_dynamic=0.45, arm_rolling=1e-5).arm_pivoting
+    0.0
+    """
 
     mu_static: Annotated[float, Ge(0)]
-    """Coefficient of static friction, at most 1e6; or inf, for a contact that never slips."""
+    """Coefficient of static friction, at most 1e6, or inf for a contact that never slips."""
     mu_dynamic: Annotated[float, Ge(0)]
-    """Coefficient of dynamic friction, not above the static one."""
+    """Coefficient of dynamic friction, at most the static one."""
     arm_nutation: Annotated[float, Ge(0), Le(100)] = 0.0
-    """Arm k_1 of the normal force in the moment that resists nutation [m], at most the radius."""
+    """Arm k_1 of the moment that resists nutation [m], at most the radius of the disk."""
     arm_rolling: Annotated[float, Ge(0), Le(100)] = 0.0
-    """Arm k_2 of the normal force in the moment that resists rolling [m], at most the radius."""
+    """Arm k_2 of the moment that resists rolling [m], at most the radius of the disk."""
     arm_pivoting: Annotated[float, Ge(0), Le(100)] = 0.0
-    """Arm k_3 of the normal force in the moment that resists pivoting [m], at most the radius."""
+    """Arm k_3 of the moment that resists pivoting [m], at most the radius of the disk."""
 
     def __post_init__(self):
-        for key in ("mu_static", "mu_dynamic"):
-            if LARGEST < (mu := getattr(self, key)) < inf:
-                raise ValueError(f"{key} = {mu:g}: must be less than or equal to {LARGEST:g}, or inf")
+        for key, mu in (("mu_static", self.mu_static), ("mu_dynamic", self.mu_dynamic)):
+            if MAX_FINITE_FRICTION < mu < inf:
+                allowed = f"less than or equal to {MAX_FINITE_FRICTION:g}, or inf"
+                raise ValueError(f"{key} = {mu:g}: must be {allowed}")
         if self.mu_dynamic > self.mu_static:
-            raise ValueError(f"mu_dynamic = {self.mu_dynamic:g} must not exceed mu_static = {self.mu_static:g}")
+            dynamic = f"mu_dynamic = {self.mu_dynamic:g}"
+            raise ValueError(f"{dynamic} must not exceed mu_static = {self.mu_static:g}")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Release:
-    """The start of the motion, without slip (7.4)."""
+    """The initial state (7.4): the contact does not slip.
+
+    Examples
+    --------
+    >>> from dynamics import Release
+    >>> Release(inclination_deg=10, omega=(0.0, 2.0, 30.0)).inclination_deg
+    10
+    """
 
     inclination_deg: Annotated[float, Ge(1e-6), Lt(90)]
     """Inclination of the disk to the table [degrees]."""
-    omega: tuple[Rate, Rate, Rate]
-    """Angular velocity along e_1 (nutation), e_2 (the disk's axis) and e_3 (in its plane) [rad/s]."""
+    omega: tuple[AngularRate, AngularRate, AngularRate]
+    """Angular velocity along e_1 (nutation), e_2 (disk axis) and e_3 (disk plane) [rad/s]."""

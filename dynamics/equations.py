@@ -1,17 +1,18 @@
-"""Newton-Euler for the disk on the plane, solved for the accelerations, the contact force and the resisting moments.
+"""Newton-Euler for the disk on the plane, solved for the accelerations, the contact force and the
+resisting moments.
 
-Dimensionless as in the paper: m = R = 1, time in units of chi. The formulas are written once, for scalars of any kind:
-floats, numpy arrays, numba floats or heyoka expressions, according to the sine and cosine that they are given.
-"""
+Dimensionless as in the paper: m = R = 1, time in units of chi. The formulas are written once, for
+scalars of any kind: floats, numpy arrays, numba floats or heyoka expressions, according to the sine
+and cosine that they are given."""
 
 import math
 from typing import NamedTuple
 
-from .kinematics import arms, centre_velocity, precession_rate
+from dynamics.kinematics import arms, centre_velocity, precession_rate
 
 
 class Law(NamedTuple):
-    """The dimensionless constants of a scene: h = H/R, K = k^2, friction coefficients, arms over R."""
+    """Dimensionless constants of a scene: h = H/R, K = k^2, friction coefficients, arms over R."""
 
     h: float
     K: float
@@ -29,12 +30,33 @@ class Law(NamedTuple):
 
 def law_of(disk, friction) -> Law:
     """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
-    arms = (friction.arm_nutation, friction.arm_rolling, friction.arm_pivoting)
-    return Law(disk.aspect, disk.gyration, friction.mu_static, friction.mu_dynamic, *(a / disk.radius for a in arms))
+    return Law(
+        h=disk.aspect,
+        K=disk.gyration,
+        mu_static=friction.mu_static,
+        mu_dynamic=friction.mu_dynamic,
+        k1=friction.arm_nutation / disk.radius,
+        k2=friction.arm_rolling / disk.radius,
+        k3=friction.arm_pivoting / disk.radius,
+    )
 
 
 class Loads(NamedTuple):
-    """What else acts on the disk: a force on its centre along a_1, a_2, a_3 and a moment along e_1, e_2, e_3."""
+    """Dimensionless loads besides the contact, as an `OwnLaw` returns them.
+
+    Parameters
+    ----------
+    G1, G2, G3 : float
+        Force on the centre along a_1, a_2, a_3.
+    M1, M2, M3 : float
+        Moment along e_1, e_2, e_3.
+
+    Examples
+    --------
+    >>> from dynamics import Loads
+    >>> Loads(M3=-0.1).G3
+    0.0
+    """
 
     G1: float = 0.0
     G2: float = 0.0
@@ -45,9 +67,11 @@ class Loads(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """What the balance laws give: rates of omega and slip, forces along a_1..a_3, moments along -a_1..-a_3.
+    """Solution of the balance laws, dimensionless.
 
-    `inertia` is what the normal force works against; where it is not positive the contact has no solution, or two.
+    It holds the rates of omega and slip, the forces along a_1, a_2, a_3 and the moments along -a_1,
+    -a_2, -a_3. `inertia` is the effective inertia against the normal force Phi; where it is not
+    positive the contact has no solution, or two.
     """
 
     domega1: float
@@ -73,83 +97,144 @@ UNLOADED = Loads()
 
 
 def balance(sin, cos):
-    """Return the solver of the balance laws (4.1), (4.2) for scalars that `sin` and `cos` understand."""
+    """Return the solver of the balance laws (4.1), (4.2) for scalars that `sin` and `cos`
+    understand."""
 
-    def solve(beta, w1, w2, w3, u1, u2, c, s, sliding, stuck1, stuck2, stuck3, s1, s2, s3, law, loads=UNLOADED):
-        """Solve for accelerations and contact loads at inclination beta, angular velocity w and slip velocity u.
+    def solve(
+        beta,
+        w1,
+        w2,
+        w3,
+        u1,
+        u2,
+        c,
+        s,
+        sliding,
+        stuck1,
+        stuck2,
+        stuck3,
+        s1,
+        s2,
+        s3,
+        law,
+        loads=UNLOADED,
+    ):
+        """Solve for accelerations and contact loads at inclination beta, angular velocity w and
+        slip velocity u.
 
-        (c, s) is the slip direction (2.7), used when `sliding`; otherwise the contact rolls. s1..s3 are the senses
-        (+-1) of omega.a_i, replaced by an unknown multiplier where the surface omega.a_i = 0 is `stuck`. Equal to (4.7)
-        and (5.3) with the errata corrected, which tests/test_equations.py shows.
-        """
-        h, K = law.h, law.K
-        sin_a, cos_a = cos(beta), sin(beta)
+        (c, s) is the slip direction (2.7), used when `sliding`; otherwise the contact rolls. s1..s3
+        are the senses (+-1) of omega.a_i, replaced by an unknown multiplier where the surface
+        omega.a_i = 0 is `stuck`. Equal to (4.7) and (5.3) with the errata corrected, which
+        tests/test_equations.py shows."""
+        h = law.h
+        K = law.K
+        sin_a = cos(beta)
+        cos_a = sin(beta)
         e, f = arms(sin_a, cos_a, h)
-        J1, J2, weight = K / 4 + h * h / 3, K / 2, (K + 4) / 4
+        J1 = K / 4 + h * h / 3
+        J2 = K / 2
+        weight = (K + 4) / 4
         rate = precession_rate(w3, cos_a)
         v1, v2 = centre_velocity((u1, u2), (w1, w2, w3), e, h)
 
-        # About e_1: J1 w1' = b1 + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less the load G3. The
-        # frame turns by (w1, rate sin a, w3): of the angular momentum about e_2 this is what does not turn with it.
+        # About e_1: J1 w1' = b1 + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less
+        # the load G3. The
+        # frame turns by (w1, rate sin a, w3): of the angular momentum about e_2 this is what does
+        # not turn with it.
         gyro = J2 * w2 - J1 * (rate * sin_a)
-        b1, b2, b3 = loads.M1 + gyro * w3, loads.M2, loads.M3 - gyro * w1
+        b1 = loads.M1 + gyro * w3
+        b2 = loads.M2
+        b3 = loads.M3 - gyro * w1
         Phi0 = weight - e * (w1 * w1) - loads.G3
         if sliding:  # F2 = -mu s Phi
-            drag, F20, F21 = law.mu_dynamic * s, 0.0, 0.0
+            drag = law.mu_dynamic * s
+            F20 = 0.0
+            F21 = 0.0
         else:  # F2 = F20 + F21 w1' keeps u2 at rest
-            drag, F20, F21 = 0.0, rate * v1 - f * (w1 * w1) - loads.G2, -e
+            drag = 0.0
+            F20 = rate * v1 - f * (w1 * w1) - loads.G2
+            F21 = -e
         if stuck1:
-            domega1, inertia = 0.0 * Phi0, J1
+            domega1 = 0.0 * Phi0
+            inertia = J1
         else:
             lever = f + e * drag + s1 * law.k1
-            inertia = J1 + lever * f if sliding else J1 + 1 + h * h + s1 * law.k1 * f  # e^2 + f^2 = 1 + h^2
+            inertia = (
+                J1 + lever * f if sliding else J1 + 1 + h * h + s1 * law.k1 * f
+            )  # e^2 + f^2 = 1 + h^2
             domega1 = (b1 + e * F20 - lever * Phi0) / inertia
         Phi = Phi0 + f * domega1
         F2 = F20 + F21 * domega1 - drag * Phi
         m1 = b1 + e * F2 - f * Phi if stuck1 else s1 * law.k1 * Phi
 
-        # About e_2, e_3: A (w2', w3') = b - m2 n2 - m3 n3, with n2 = (cos a, -sin a), n3 = (sin a, cos a).
+        # About e_2, e_3: A (w2', w3') = b - m2 n2 - m3 n3, with n2 = (cos a, -sin a), n3 = (sin a,
+        # cos a).
         if sliding:
             F1 = -law.mu_dynamic * c * Phi
-            A22, A23, A33 = J2, 0.0, J1
-            b2, b3 = b2 - F1, b3 + h * F1
+            A22 = J2
+            A23 = 0.0
+            A33 = J1
+            b2 = b2 - F1
+            b3 = b3 + h * F1
         else:  # F1 = w2' - h w3' - rate v2 keeps u1 at rest
-            A22, A23, A33 = J2 + 1, -h, J1 + h * h
-            b2, b3 = b2 + rate * v2 + loads.G1, b3 - h * (rate * v2 + loads.G1)
+            A22 = J2 + 1
+            A23 = -h
+            A33 = J1 + h * h
+            b2 = b2 + rate * v2 + loads.G1
+            b3 = b3 - h * (rate * v2 + loads.G1)
         det = A22 * A33 - A23 * A23
-        roll2, pivot3 = -w1 * (w2 * sin_a + w3 * cos_a), w1 * (w2 * cos_a - w3 * sin_a)
-        # roll2, pivot3: what the turning of a_2, a_3 adds to n2.(w2', w3') and n3.(w2', w3') in d(omega.a_i)/dtau
+        roll2 = -w1 * (w2 * sin_a + w3 * cos_a)
+        pivot3 = w1 * (w2 * cos_a - w3 * sin_a)
+        # roll2, pivot3: what the turning of a_2, a_3 adds to n2.(w2', w3') and n3.(w2', w3') in
+        # d(omega.a_i)/dtau
         if stuck2 and stuck3:
-            domega2, domega3 = -roll2 * cos_a - pivot3 * sin_a, roll2 * sin_a - pivot3 * cos_a
-            r2, r3 = b2 - A22 * domega2 - A23 * domega3, b3 - A23 * domega2 - A33 * domega3
-            m2, m3 = r2 * cos_a - r3 * sin_a, r2 * sin_a + r3 * cos_a
+            domega2 = -roll2 * cos_a - pivot3 * sin_a
+            domega3 = roll2 * sin_a - pivot3 * cos_a
+            r2 = b2 - A22 * domega2 - A23 * domega3
+            r3 = b3 - A23 * domega2 - A33 * domega3
+            m2 = r2 * cos_a - r3 * sin_a
+            m3 = r2 * sin_a + r3 * cos_a
         else:
-            m2, m3 = s2 * law.k2 * Phi, s3 * law.k3 * Phi
+            m2 = s2 * law.k2 * Phi
+            m3 = s3 * law.k3 * Phi
             if stuck2:
-                q2, q3 = (A33 * cos_a + A23 * sin_a) / det, (-A23 * cos_a - A22 * sin_a) / det
-                m2 = (q2 * (b2 - m3 * sin_a) + q3 * (b3 - m3 * cos_a) + roll2) / (q2 * cos_a - q3 * sin_a)
+                q2 = (A33 * cos_a + A23 * sin_a) / det
+                q3 = (-A23 * cos_a - A22 * sin_a) / det
+                m2 = (q2 * (b2 - m3 * sin_a) + q3 * (b3 - m3 * cos_a) + roll2) / (
+                    q2 * cos_a - q3 * sin_a
+                )
             if stuck3:
-                q2, q3 = (A33 * sin_a - A23 * cos_a) / det, (A22 * cos_a - A23 * sin_a) / det
-                m3 = (q2 * (b2 - m2 * cos_a) + q3 * (b3 + m2 * sin_a) + pivot3) / (q2 * sin_a + q3 * cos_a)
-            r2, r3 = b2 - m2 * cos_a - m3 * sin_a, b3 + m2 * sin_a - m3 * cos_a
-            domega2, domega3 = (A33 * r2 - A23 * r3) / det, (A22 * r3 - A23 * r2) / det
+                q2 = (A33 * sin_a - A23 * cos_a) / det
+                q3 = (A22 * cos_a - A23 * sin_a) / det
+                m3 = (q2 * (b2 - m2 * cos_a) + q3 * (b3 + m2 * sin_a) + pivot3) / (
+                    q2 * sin_a + q3 * cos_a
+                )
+            r2 = b2 - m2 * cos_a - m3 * sin_a
+            r3 = b3 + m2 * sin_a - m3 * cos_a
+            domega2 = (A33 * r2 - A23 * r3) / det
+            domega3 = (A22 * r3 - A23 * r2) / det
 
         spin = domega2 - h * domega3
         if sliding:
             du1 = F1 + loads.G1 - spin + rate * v2  # (2.8)
             du2 = F2 + loads.G2 + e * domega1 + f * (w1 * w1) - rate * v1
         else:
-            F1, du1, du2 = spin - rate * v2 - loads.G1, 0.0 * Phi, 0.0 * Phi
+            F1 = spin - rate * v2 - loads.G1
+            du1 = 0.0 * Phi
+            du2 = 0.0 * Phi
         return Contact(domega1, domega2, domega3, du1, du2, F1, F2, Phi, m1, m2, m3, inertia)
 
     return solve
 
 
 def separation(beta, w1, w2, w3, law, loads=UNLOADED) -> float:
-    """Return the acceleration with which the lowest point would leave the plane if nothing held it there."""
-    sin_a, cos_a = math.cos(beta), math.sin(beta)
+    """Return the acceleration with which the lowest point would leave the plane if nothing held it
+    there."""
+    sin_a = math.cos(beta)
+    cos_a = math.sin(beta)
     e, f = arms(sin_a, cos_a, law.h)
-    J1, J2 = law.K / 4 + law.h**2 / 3, law.K / 2
+    J1 = law.K / 4 + law.h**2 / 3
+    J2 = law.K / 2
     free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
     return e * w1 * w1 - f * free - (law.K + 4) / 4 + loads.G3
 

@@ -1,15 +1,18 @@
-"""What every solved motion of the disk answers, however it was solved; its outcome, transitions and jumps."""
+"""The interface of a solved motion, and the types of its outcome, transitions and jumps."""
 
 from collections.abc import Sequence
 from enum import Enum
 from functools import cached_property, lru_cache
-from typing import NamedTuple, Protocol, runtime_checkable
+from typing import TYPE_CHECKING, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .disk import Disk, Friction, Release
-from .numerics import Numerics
+from dynamics.disk import Disk, Friction, Release
+from dynamics.solver_settings import Numerics
+
+if TYPE_CHECKING:
+    from dynamics.film.wedge import Film
 
 COLUMNS = (
     "precession",
@@ -28,18 +31,25 @@ COLUMNS = (
 
 
 class Outcome(Enum):
-    """How a motion ended, with the sentence that says so."""
+    """The way a motion ended; each value is a sentence for the reader.
 
-    SETTLED = "the inclination reached its final value: the disk lies on the table"
+    Examples
+    --------
+    >>> from dynamics import Outcome
+    >>> Outcome.TIME_LIMIT.sentence
+    'the time limit was reached before the disk came to rest'
+    """
+
+    SETTLED = "the disk settled: its inclination reached the final value"
     TIME_LIMIT = "the time limit was reached before the disk came to rest"
-    LIFTED_OFF = "the normal force fell to zero: the contact was lost"
-    AIRBORNE = "the pressure of the film under the falling disk reached the contact force: the air carries the disk"
-    LEFT_TABLE = "the contact came to the edge of the table: the disk falls off it"
-    UPRIGHT = "the disk stood upright on a generator of its lateral surface: contact passes to the other rim"
-    FELL = "the disk fell flat, with angular velocity left"
-    PRECESSION_STOPPED = "the precession came to a stop, where the law of dissipation has no direction"
-    CASCADE = "the regimes changed again and again at one instant"
-    STALLED = "the motion became too stiff to be followed, however short the steps"
+    LIFTED_OFF = "the disk lifted off: the normal force fell to zero"
+    AIRBORNE = "the disk became airborne: the lift of the air film reached the contact force"
+    LEFT_TABLE = "the contact reached the edge of the table: the disk falls off"
+    UPRIGHT = "the disk stood upright on its lateral surface: the contact moves to the other rim"
+    FELL = "the disk fell flat while it was still rotating"
+    PRECESSION_STOPPED = "the precession stopped, where the dissipation law is not defined"
+    CASCADE = "the contact regime changed without end at one instant"
+    STALLED = "the motion became too stiff to integrate, even with the shortest steps"
 
     @property
     def sentence(self) -> str:
@@ -48,7 +58,17 @@ class Outcome(Enum):
 
 
 class Transition(NamedTuple):
-    """A change of regime at t [s]: its name before and after ('roll', 'slide', with what sticks), and the guard."""
+    """A change of regime.
+
+    Parameters
+    ----------
+    t : float
+        Time [s].
+    before, after : str
+        Names of the two regimes, such as 'roll', 'slide' or 'roll, nutation sticks'.
+    guard : str
+        Name of the guard that fell to zero, such as 'slip'.
+    """
 
     t: float
     before: str
@@ -57,15 +77,27 @@ class Transition(NamedTuple):
 
 
 class Jumps(NamedTuple):
-    """The discontinuities of the contact force: times (j,) [s], `Motion.force` before and after them (j, 3) [N]."""
+    """Discontinuities of the contact force: times (j,) [s] and one-sided forces (j, 3) [N]."""
 
     t: np.ndarray
     before: np.ndarray
     after: np.ndarray
 
 
+CAUSES = ("contact", "creep", "slip", "moments", "table", "film", "body")
+"""The sinks of energy: compression of the contact, its creep, sliding, the resisting moments, the
+modes of the table, the air film, the modes of the disk."""
+
+
+class MotionPart(NamedTuple):
+    """A part of a motion, solved by one model: its start [s], and the motion in its own time."""
+
+    begin: float
+    motion: "Motion"
+
+
 class MotionScene(Protocol):
-    """What `simulate` reads of a scene, besides its dissipation where it has one."""
+    """The sections of a scene that `simulate` needs; dissipation, surface and air are optional."""
 
     @property
     def disk(self) -> Disk: ...
@@ -79,7 +111,27 @@ class MotionScene(Protocol):
 
 @runtime_checkable
 class Motion(Protocol):
-    """A solved motion, in SI units; times outside it raise ValueError. `RigidMotion` is the rigid disk's."""
+    """A solved motion in SI units, as `simulate` returns it.
+
+    Methods evaluate the solution at any times within [0, t[-1]] and raise ValueError for others.
+    The angular velocity is given in the frame that precesses with the contact, and the
+    inclination is pi/2 - alpha with the angle alpha of the paper.
+
+    See Also
+    --------
+    RigidMotion : the motion of a rigid disk on a rigid contact.
+
+    Examples
+    --------
+    >>> from dynamics import simulate
+    >>> from sonify import load_scene
+    >>> motion = simulate(load_scene("published").replace("numerics.accuracy=draft"))
+    >>> state = motion.at([0.0, 0.5])
+    >>> state.shape
+    (2, 11)
+    >>> motion.outcome.name
+    'SETTLED'
+    """
 
     def __hash__(self) -> int: ...
     @property
@@ -94,13 +146,28 @@ class Motion(Protocol):
     def integrator(self) -> str: ...
 
     @property
+    def parts(self) -> tuple[MotionPart, ...]:
+        """The parts of the motion that different models solved, in order of time."""
+
+    @property
+    def film(self) -> "Film | None":
+        """The air film that acts on the disk, or None."""
+
+    @property
+    def solves_contact(self) -> bool:
+        """True if the vibration of an elastic contact is part of the whole motion."""
+
+    @property
+    def moves_table(self) -> bool:
+        """True if the table and the disk are coupled from the start of the motion."""
+
+    @property
     def t(self) -> np.ndarray:
         """Ends of the pieces of the solution, (n,) [s], from 0 to the end of the motion."""
 
     @property
     def t_end(self) -> float:
-        """The time [s] at which the inclination of a settled motion would be zero; of another one that of its last
-        instant."""
+        """The time [s] at which a settled disk would lie flat; the end of any other motion."""
 
     @property
     def state(self) -> np.ndarray:
@@ -108,41 +175,96 @@ class Motion(Protocol):
 
     @property
     def jumps(self) -> Jumps:
-        """Every discontinuity of the contact force, with the one-sided limits of the force."""
+        """The discontinuities of the contact force, with the one-sided limits of the force."""
 
     def at(self, t: ArrayLike) -> np.ndarray:
-        """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses."""
+        """Return the state at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k, 11)
+            The columns COLUMNS: precession, inclination and spin [rad], x and y of the centre [m],
+            angular velocity [rad/s] and slip velocity [m/s] in the precessing frame, and
+            dissipated energy [J].
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
 
     def force(self, t: ArrayLike) -> np.ndarray:
-        """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force."""
+        """Return the contact force at times t.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        ndarray, (k, 3)
+            Friction along a_1 and a_2, and the normal force [N]; at a jump, the force after it.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
 
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation."""
 
     def normal_load(self, t: ArrayLike) -> np.ndarray:
-        """Return Phi of (4.6) at the times t (k,) [s]."""
+        """Return the dimensionless normal force Phi of (4.6) at times t (k,) [s] as (k,)."""
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force at times t (k,) [s] as (k,) [N], without the vibration of an elastic contact."""
+        """Return the normal force (k,) [N] at times t (k,) [s], without contact vibration."""
+
+    def steady_nutation(self, t: ArrayLike) -> np.ndarray:
+        """Return omega_1 (k,) [rad/s] at times t (k,) [s], without contact vibration."""
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
-        """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11)."""
+        """Return the highest frequency (k,) [Hz] of the contact force at states (k, 11)."""
 
     def energy(self, t: ArrayLike) -> np.ndarray:
-        """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table."""
+        """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest."""
+
+    def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
+        """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s]."""
+
+    def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
+        """Return the power (k,) [W] lost to each of CAUSES at times t (k,) [s]."""
 
     def largest_regain(self) -> float:
-        """Return by how much [J] the dissipated energy ever falls, from any instant to any later one."""
+        """Return the largest decrease [J] of the dissipated energy between any two instants.
+
+        The exact value is zero.
+        """
 
     def friction_excess(self) -> float:
-        """Return by how much |F|/N exceeds mu_s while rolling, or misses mu_d while sliding."""
+        """Return the largest violation of Coulomb's law (3.2) by the ratio |F|/N.
+
+        It is the excess over mu_static while the disk rolls, and the distance from mu_dynamic
+        while it slides.
+        """
 
     def regime(self, t: ArrayLike) -> np.ndarray:
-        """Return the name of the regime at the times t (k,) [s], an array of strings."""
+        """Return the names (k,) of the regimes at times t (k,) [s]."""
 
 
-class Answers:
-    """What follows from the `t`, `at` and `force` of any motion."""
+class MotionBase:
+    """Quantities that follow from `t`, `at` and `force` of any motion."""
+
+    @property
+    def parts(self: Motion) -> tuple[MotionPart, ...]:
+        """The whole motion as one part."""
+        return (MotionPart(0.0, self),)
 
     @cached_property
     def state(self: Motion) -> np.ndarray:
@@ -154,18 +276,18 @@ class Answers:
         return self.at(t), self.force(t)
 
     def normal_load(self: Motion, t: ArrayLike) -> np.ndarray:
-        """Return Phi of (4.6) at the times t (k,) [s]; at rest it is (K + 4)/4."""
+        """Return Phi of (4.6) at times t (k,) [s] as (k,); at rest it is (K + 4)/4."""
         return self.force(t)[:, 2] * self.disk.time_unit**2 / (self.disk.mass * self.disk.radius)
 
 
 def read_only(array: ArrayLike) -> np.ndarray:
-    """Return an array that cannot be changed."""
+    """Mark an array as not writeable and return it."""
     array = np.asarray(array)
     array.flags.writeable = False
     return array
 
 
 @lru_cache(maxsize=1)
-def halves(motion: Motion) -> np.ndarray:
-    """Return the ends and the middles (2n - 1,) [s] of the pieces of a motion, read-only."""
+def piece_ends_and_middles(motion: Motion) -> np.ndarray:
+    """Return the ends and the midpoints (2n - 1,) [s] of the pieces of a motion, read-only."""
     return read_only(np.sort(np.concatenate([motion.t, (motion.t[:-1] + motion.t[1:]) / 2])))

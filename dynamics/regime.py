@@ -1,9 +1,9 @@
 """Regimes of the contact, the flow within one, and the guards that end it.
 
-The state that is integrated makes the approach to the table regular: r = sqrt(inclination), and the angular velocity
-omega/r and slip velocity u/r, all of which stay of order one while the inclination falls through ten decades. The last
-five entries are quadratures: precession, spin, centre of mass, dissipated energy.
-"""
+The state that is integrated makes the approach to the table regular: r = sqrt(inclination), and the
+angular velocity omega/r and slip velocity u/r, all of which stay of order one while the inclination
+falls through ten decades. The last five entries are quadratures: precession, spin, centre of mass,
+dissipated energy."""
 
 import math
 from collections.abc import Callable
@@ -12,16 +12,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .equations import UNLOADED, Contact, Law, balance
-from .guards import ALL, AXES, STOP_SPEED, Guard, Where
-from .guards import FALLING as FALLING
-from .kinematics import arms, centre_velocity, precession_rate
+from dynamics.equations import UNLOADED, Contact, Law, balance
+from dynamics.guards import ALL, AXES, STOP_SPEED, Guard, Where
+from dynamics.guards import FALLING as FALLING
+from dynamics.kinematics import arms, centre_velocity, precession_rate
 
 R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
 
 
 class Regime(NamedTuple):
-    """Which branch of each set-valued law holds: rolling or sliding, and for omega.a_i its sense, or sticking."""
+    """Which branch of each set-valued law holds: rolling or sliding, and for omega.a_i its sense,
+    or sticking."""
 
     sliding: bool
     stuck: tuple[bool, bool, bool]
@@ -39,7 +40,8 @@ def _name(sliding, stuck):
 
 
 class Branch(NamedTuple):
-    """What of a regime and a scene shapes the flow: everything but numbers that can change from call to call."""
+    """What of a regime and a scene shapes the flow: everything but numbers that can change from
+    call to call."""
 
     sliding: bool
     stuck: tuple[bool, bool, bool]
@@ -50,14 +52,23 @@ class Branch(NamedTuple):
 
     @classmethod
     def of(cls, regime: Regime, law: Law, loads: Callable | None) -> "Branch":
-        """Return the branch of `regime` under `law`: no guard for a moment without arm or a cone without edge."""
+        """Return the branch of `regime` under `law`: no guard for a moment without arm or a cone
+        without edge."""
         arms = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
-        return cls(regime.sliding, regime.stuck, arms, law.mu_static < float("inf"), law.mu_dynamic > 0, loads)
+        return cls(
+            regime.sliding,
+            regime.stuck,
+            arms,
+            law.mu_static < float("inf"),
+            law.mu_dynamic > 0,
+            loads,
+        )
 
 
 def projections(beta, w1, w2, w3, sin, cos):
     """Return omega.a_1, omega.a_2, omega.a_3 from the components along e_i (2.1)."""
-    sin_a, cos_a = cos(beta), sin(beta)
+    sin_a = cos(beta)
+    cos_a = sin(beta)
     return w1, w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
 
 
@@ -74,13 +85,17 @@ def describe(y) -> str:
 
 
 class Flow:
-    """The flow of every branch, for the kind of scalar that `sin`, `cos`, `sqrt`, `power` act on."""
+    """The flow of every branch, for the kind of scalar that `sin`, `cos`, `sqrt`, `power` act
+    on."""
 
     FUNCTIONS, SIZE = ("sin", "cos", "sqrt", "pow"), DISSIPATED + 1
     """What the flow is made with, and the length of a state."""
 
     def __init__(self, sin, cos, sqrt, power):
-        self.sin, self.cos, self.sqrt, self.power = sin, cos, sqrt, power
+        self.sin = sin
+        self.cos = cos
+        self.sqrt = sqrt
+        self.power = power
         self.solve = balance(sin, cos)
 
     def speed(self, y):
@@ -94,12 +109,17 @@ class Flow:
     def contact(self, y, branch: Branch, senses, law: Law) -> Contact:
         """Solve the balance laws at state y; the slip direction is that of y."""
         r = y[R]
-        u1, u2, c, s = 0.0, 0.0, 0.0, 0.0
+        u1 = 0.0
+        u2 = 0.0
+        c = 0.0
+        s = 0.0
         if branch.sliding:
-            u1, u2 = r * y[V1], r * y[V2]
+            u1 = r * y[V1]
+            u2 = r * y[V2]
             if branch.can_grip:  # without friction the direction has no meaning at rest
                 speed = self.speed(y)
-                c, s = y[V1] / speed, y[V2] / speed
+                c = y[V1] / speed
+                s = y[V2] / speed
         return self.contact_along(y, (u1, u2), (c, s), branch, senses, law)
 
     def contact_along(self, y, slip, direction, branch: Branch, senses, law: Law) -> Contact:
@@ -107,18 +127,25 @@ class Flow:
         r = y[R]
         omega = (r * y[W1], r * y[W2], r * y[W3])
         loads = branch.loads(r * r, omega, slip, law, self) if branch.loads else UNLOADED
-        return self.solve(r * r, *omega, *slip, *direction, branch.sliding, *branch.stuck, *senses, law, loads)
+        return self.solve(
+            r * r, *omega, *slip, *direction, branch.sliding, *branch.stuck, *senses, law, loads
+        )
 
     def rates(self, y, contact: Contact, branch: Branch, law: Law):
-        """Return dy/dtau from the solved contact: (4.7) or (5.3), (2.3), (2.5) and the dissipated power."""
-        r, w1 = y[R], y[W1]
-        beta, omega = r * r, (r * y[W1], r * y[W2], r * y[W3])
-        sin_a, cos_a = self.cos(beta), self.sin(beta)
+        """Return dy/dtau from the solved contact: (4.7) or (5.3), (2.3), (2.5) and the dissipated
+        power."""
+        r = y[R]
+        w1 = y[W1]
+        beta = r * r
+        omega = (r * y[W1], r * y[W2], r * y[W3])
+        sin_a = self.cos(beta)
+        cos_a = self.sin(beta)
         slip = (r * y[V1], r * y[V2]) if branch.sliding else (0.0, 0.0)
         e, f = arms(sin_a, cos_a, law.h)
         v1, v2 = centre_velocity(slip, omega, e, law.h)
         rate = precession_rate(omega[2], cos_a)
-        ct, st = self.cos(y[PRECESSION]), self.sin(y[PRECESSION])
+        ct = self.cos(y[PRECESSION])
+        st = self.sin(y[PRECESSION])
         turns = projections(beta, w1, y[W2], y[W3], self.sin, self.cos)
         power = r * (contact.m1 * turns[0] + contact.m2 * turns[1] + contact.m3 * turns[2])
         if branch.sliding:
@@ -142,11 +169,16 @@ class Flow:
             power,
         ]
 
-    def guards(self, y, contact: Contact, branch: Branch, senses, law: Law, r_end) -> dict[Guard, Any]:
-        """Return the guards of a branch by name: each is positive while the regime is valid and falls through zero."""
+    def guards(
+        self, y, contact: Contact, branch: Branch, senses, law: Law, r_end
+    ) -> dict[Guard, Any]:
+        """Return the guards of a branch by name: each is positive while the regime is valid and
+        falls through zero."""
         turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
         slip = self.grip(y) if branch.sliding and branch.can_grip else None
-        where = Where(y[R], y[W1], y[W3], slip, turns, contact, senses, law, r_end, self.sqrt, self.cos)
+        where = Where(
+            y[R], y[W1], y[W3], slip, turns, contact, senses, law, r_end, self.sqrt, self.cos
+        )
         return {guard: guard.value(where) for guard in ALL if guard.acts(branch)}
 
 

@@ -1,52 +1,98 @@
-"""The record of a solved motion of a rigid disk, which answers for any time and any force."""
+"""The solved motion of a rigid disk: state, force, energy and regime at any time."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property, wraps
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .disk import Disk
-from .equations import Law
-from .kinematics import energy, precession_rate
-from .monotone import largest_fall
-from .motion import COLUMNS, Answers, Jumps, Outcome, Transition, halves, read_only
-from .pieces import Pieces
-from .regime import ARRAY, DISSIPATED, PRECESSION, SPIN, STOP_SPEED, V1, V2, W1, W3, Branch, R, Regime, X
+from dynamics.disk import Disk
+from dynamics.equations import Law
+from dynamics.film.wedge import Film, film_powers, find_film
+from dynamics.kinematics import energy, precession_rate
+from dynamics.monotonicity import largest_fall
+from dynamics.motion import (
+    CAUSES,
+    COLUMNS,
+    Jumps,
+    MotionBase,
+    Outcome,
+    Transition,
+    piece_ends_and_middles,
+    read_only,
+)
+from dynamics.piecewise_polynomial import Pieces
+from dynamics.regime import (
+    ARRAY,
+    DISSIPATED,
+    PRECESSION,
+    SPIN,
+    STOP_SPEED,
+    V1,
+    V2,
+    W1,
+    W3,
+    Branch,
+    R,
+    Regime,
+    X,
+)
 
-HARMONICS = 8
-"""Multiples of the precession rate that the contact force is taken to contain."""
-GENTLE = 1e-8
-"""Share of the first step of a slide in which it gains less speed by its first push than by the growth of that push:
-then it has none, but the rounding of its coefficients."""
-BLOCK = 8192
-"""Times at which the force is computed together: few enough for the cache."""
+FORCE_HARMONICS = 8
+"""Harmonics of the precession rate in the contact force, by which its bandwidth is estimated."""
 
 
-def remembered(method):
-    """Let a method of a motion know its answers for the last two rows of times that nobody can change: many ask for
-    what is at `t` and at its `halves`."""
+def cached_for_read_only_times(method):
+    """Make a method remember its results for the last two arrays of times that are read-only."""
+    results_of_motion = WeakKeyDictionary()
 
     @wraps(method)
-    def answer(self, t):
+    def cached(self, t):
         if not isinstance(t, np.ndarray) or t.flags.writeable or t.base is not None:
             return method(self, t)
-        known = self.__dict__.setdefault(f"_{method.__name__}", [])
-        found = next((found for row, found in known if row is t), None)
-        if found is None:
-            found = method(self, t)
-            known[:] = [*known[-1:], (t, found)]
-        return tuple(part.copy() for part in found) if isinstance(found, tuple) else found.copy()
+        results = results_of_motion.setdefault(self, [])
+        result = next((result for times, result in results if times is t), None)
+        if result is None:
+            result = method(self, t)
+            results[:] = [*results[-1:], (t, result)]
+        if isinstance(result, tuple):
+            return tuple(array.copy() for array in result)
+        return result.copy()
 
-    return answer
+    return cached
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
-class RigidMotion(Answers):
-    """A `Motion` as piecewise polynomials of the state, the regime of each piece, the transitions and the outcome.
+class RigidMotion(MotionBase):
+    """The motion of a rigid disk on a rigid contact, with every event located.
 
-    Inside, everything is dimensionless as in the paper; what the methods take and return is in SI units.
+    It implements `Motion`. The solution is a piecewise polynomial in the dimensionless quantities
+    of the paper; methods take and return SI units.
+
+    Parameters
+    ----------
+    disk : Disk
+        The disk.
+    law : Law
+        Dimensionless constants of disk and friction.
+    loads : callable or None
+        Law of resistance that acts besides friction.
+    path : Pieces
+        The state as a piecewise polynomial of the dimensionless time.
+    regimes : tuple of Regime
+        The regimes that occur.
+    regime_of_piece : ndarray, (n - 1,)
+        Index into `regimes` for each piece.
+    transitions : tuple of Transition
+        The changes of regime, in order of time.
+    contact_losses : tuple
+        Empty: a rigid motion ends where contact is lost.
+    outcome : Outcome
+        The way the motion ended.
+    integrator : str
+        'taylor' or 'dop853'.
     """
 
     disk: Disk
@@ -61,9 +107,10 @@ class RigidMotion(Answers):
     integrator: str
 
     def __repr__(self):
-        """In one line."""
+        """Duration, outcome, number of transitions and integrator on one line."""
         end = self.path.x[-1] * self.disk.time_unit
-        return f"Motion({end:.6g} s, {self.outcome.name}, {len(self.transitions)} transitions, {self.integrator})"
+        changes = f"{len(self.transitions)} transitions"
+        return f"Motion({end:.6g} s, {self.outcome.name}, {changes}, {self.integrator})"
 
     @cached_property
     def t(self) -> np.ndarray:
@@ -71,74 +118,166 @@ class RigidMotion(Answers):
         return read_only(self.path.x * self.disk.time_unit)
 
     def at(self, t: ArrayLike) -> np.ndarray:
-        """Return the state at the times t (k,) [s] as (k, 11): COLUMNS, in SI units; the frame of omega precesses.
-
-        Raises ValueError for times outside the motion.
-        """
-        return self._columns(self.path(*self._placed(t)))
+        """Return the state at times t; see `Motion.at`."""
+        return self._columns(self.path(*self._time_and_piece(t)))
 
     def force(self, t: ArrayLike) -> np.ndarray:
-        """Return the contact force at times t (k,) [s] as (k, 3) [N]: friction along a_1, a_2, and the normal force.
+        """Return the contact force at times t; see `Motion.force`.
 
-        It comes from the balance laws that the integrator solved (4.6), (5.2), never from differences. At a jump it is
-        the force after it. Raises ValueError for times outside the motion.
+        The force solves the balance laws (4.6) and (5.2) that the integrator solved; nothing is
+        differentiated numerically.
         """
         return self.at_and_force(t)[1]
 
-    @remembered
+    @cached_for_read_only_times
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return `at(t)` and `force(t)` from one evaluation; ValueError for times outside the motion."""
-        tau, piece = self._placed(t)
-        state, force = np.empty((len(tau), len(COLUMNS))), np.empty((len(tau), 3))
-        for i in range(0, len(tau), BLOCK):
-            some = slice(i, i + BLOCK)
-            y = self.path(tau[some], piece[some])
-            state[some], force[some] = self._columns(y), self._force(y, piece[some])
+        """Return `at(t)` and `force(t)` from one evaluation."""
+        tau, piece = self._time_and_piece(t)
+        state = np.empty((len(tau), len(COLUMNS)))
+        force = np.empty((len(tau), 3))
+        block_size = 8192  # times; their states fit into the cache of the processor
+        for begin in range(0, len(tau), block_size):
+            block = slice(begin, begin + block_size)
+            y = self.path(tau[block], piece[block])
+            state[block] = self._columns(y)
+            force[block] = self._force(y, piece[block])
         return state, force
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force at times t (k,) [s] as (k,) [N]: nothing vibrates on a rigid contact."""
+        """Return the normal force (k,) [N] at times t (k,) [s]; nothing vibrates."""
         return self.force(t)[:, 2]
 
-    def bandwidth(self, state: np.ndarray) -> np.ndarray:
-        """Return the highest frequency (k,) [Hz] that the contact force is taken to hold at states (k, 11); (2.3)."""
-        return HARMONICS / (2 * np.pi) * np.abs(precession_rate(state[:, 7], np.sin(state[:, 1])))
+    def steady_nutation(self, t: ArrayLike) -> np.ndarray:
+        """Return omega_1 (k,) [rad/s] at times t (k,) [s]; a rigid contact does not vibrate."""
+        return self.at(t)[:, 5]
 
-    @remembered
+    def bandwidth(self, state: np.ndarray) -> np.ndarray:
+        """Return the highest frequency (k,) [Hz] of the contact force at states (k, 11).
+
+        It is FORCE_HARMONICS times the precession rate (2.3).
+        """
+        rate = precession_rate(state[:, 7], np.sin(state[:, 1]))
+        return FORCE_HARMONICS / (2 * np.pi) * np.abs(rate)
+
+    @cached_for_read_only_times
     def energy(self, t: ArrayLike) -> np.ndarray:
-        """Return kinetic and potential energy [J] at times t (k,) [s], zero at rest on the table; (6.1) corrected."""
-        y = self.path(*self._placed(t))
+        """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest.
+
+        It is (6.1) without its two misprints.
+        """
+        y = self.path(*self._time_and_piece(t))
         r = y[R]
-        return energy(r * r, r * y[W1 : W3 + 1], r * y[V1 : V2 + 1], self.law) * self._unit_of_energy
+        omega = r * y[W1 : W3 + 1]
+        slip = r * y[V1 : V2 + 1]
+        return energy(r * r, omega, slip, self.law) * self._unit_of_energy
+
+    @property
+    def film(self) -> Film | None:
+        """The air film that acts on the disk, or None."""
+        return find_film(self.loads)
+
+    @property
+    def solves_contact(self) -> bool:
+        """False: a rigid contact does not vibrate."""
+        return False
+
+    @property
+    def moves_table(self) -> bool:
+        """False: the table of a rigid motion is at rest."""
+        return False
+
+    def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
+        """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s].
+
+        The powers of sliding and film are integrated by the two-point Gauss rule on each piece of
+        the solution. The resisting moments take the rest of the dissipated energy.
+        """
+        return {cause: np.interp(t, self.t, lost) for cause, lost in self._energy_lost.items()}
+
+    @cached_property
+    def _energy_lost(self) -> dict[str, np.ndarray]:
+        middle = (self.t[1:] + self.t[:-1]) / 2
+        half_length = np.diff(self.t) / 2
+        offset = half_length / np.sqrt(3)
+        nodes = np.column_stack([middle - offset, middle + offset])
+        state, force = self.at_and_force(nodes.ravel())
+        powers = {"slip": -np.sum(force[:, :2] * state[:, 8:10], axis=1)}
+        if self.film:
+            powers["film"] = film_powers(self.disk, self.film, state).sum(axis=0)
+        lost = {}
+        for cause, power in powers.items():
+            work = power.reshape(nodes.shape).sum(axis=1) * half_length
+            lost[cause] = np.append(0.0, np.cumsum(work))
+        moments = self.state[:, 10] - sum(lost.values())
+        return dict.fromkeys(CAUSES, np.zeros(len(self.t))) | lost | {"moments": moments}
+
+    def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
+        """Return the power (k,) [W] lost to each of CAUSES at times t (k,) [s]; (3.2), (3.3)."""
+        tau, piece = self._time_and_piece(t)
+        y = self.path(tau, piece)
+        state = self._columns(y)
+        force = self._force(y, piece)
+        slip = -np.sum(force[:, :2] * state[:, 8:10], axis=1)
+        film = np.zeros(len(tau))
+        if self.film:
+            film = film_powers(self.disk, self.film, state).sum(axis=0)
+        moments = self._power(y, piece) - slip - film
+        powers = dict.fromkeys(CAUSES, np.zeros(len(tau)))
+        return powers | {"slip": slip, "film": film, "moments": moments}
+
+    def _power(self, y, piece):
+        """Return the dissipated power (k,) [W] at states y (11, k) in the pieces (k,)."""
+        power = np.empty(len(piece))
+        regime_index = self.regime_of_piece[piece]
+        for index in np.unique(regime_index):
+            selected = regime_index == index
+            regime = self.regimes[index]
+            states = y[:, selected]
+            contact = self._contact(states, piece[selected], regime)
+            branch = Branch.of(regime, self.law, self.loads)
+            power[selected] = ARRAY.rates(states, contact, branch, self.law)[DISSIPATED]
+        return power * self._unit_of_energy / self.disk.time_unit
 
     def largest_regain(self) -> float:
-        """Return by how much [J] the dissipated energy ever falls, from any instant to any later one."""
+        """Return the largest decrease [J] of the dissipated energy between any two instants."""
         return largest_fall(self.path.c[..., DISSIPATED], self.path.x) * self._unit_of_energy
 
     def friction_excess(self) -> float:
-        """Return by how much |F|/N exceeds mu_s while rolling, or misses mu_d while sliding, between the instants t."""
-        t, force = halves(self)[1::2], self.force(halves(self))[1::2]
+        """Return the largest violation of Coulomb's law at the middles of the pieces.
+
+        See `Motion.friction_excess`.
+        """
+        t = piece_ends_and_middles(self)
+        force = self.force(t)[1::2]
         ratio = np.hypot(force[:, 0], force[:, 1]) / force[:, 2]
-        sliding = np.char.startswith(self.regime(t), "slide")
-        excess, miss = ratio[~sliding] - self.law.mu_static, np.abs(ratio[sliding] - self.law.mu_dynamic)
-        return float(max(excess.max(initial=0.0), miss.max(initial=0.0)))
+        sliding = np.char.startswith(self.regime(t[1::2]), "slide")
+        excess = ratio[~sliding] - self.law.mu_static
+        deviation = np.abs(ratio[sliding] - self.law.mu_dynamic)
+        return float(max(excess.max(initial=0.0), deviation.max(initial=0.0)))
 
     def regime(self, t: ArrayLike) -> np.ndarray:
-        """Return the name of the regime at the times t (k,) [s], an array of strings."""
+        """Return the names (k,) of the regimes at times t (k,) [s]."""
         names = np.array([str(regime) for regime in self.regimes])
-        return names[self.regime_of_piece[self._placed(t)[1]]]
+        _, piece = self._time_and_piece(t)
+        return names[self.regime_of_piece[piece]]
 
     @cached_property
     def jumps(self) -> Jumps:
-        """Every discontinuity of the contact force, with the one-sided limits of the force."""
-        ends = np.flatnonzero(np.diff(self.regime_of_piece)) + 1
-        tau = self.path.x[ends]
-        before, after = (self._force(self.path(tau, piece), piece) for piece in (ends - 1, ends))
-        return Jumps(*(read_only(a) for a in (tau * self.disk.time_unit, before, after)))
+        """The discontinuities of the contact force, with the one-sided limits of the force."""
+        piece_after = np.flatnonzero(np.diff(self.regime_of_piece)) + 1
+        piece_before = piece_after - 1
+        tau = self.path.x[piece_after]
+        before = self._force(self.path(tau, piece_before), piece_before)
+        after = self._force(self.path(tau, piece_after), piece_after)
+        return Jumps(read_only(tau * self.disk.time_unit), read_only(before), read_only(after))
 
     @cached_property
     def t_end(self) -> float:
-        """The time [s] at which sqrt(inclination), falling linearly on the mean, is zero; the last if not settled."""
+        """The time [s] at which a settled disk would lie flat; the end of any other motion.
+
+        The square root of the inclination falls linearly on average. Its last decade is
+        extrapolated to zero.
+        """
         if self.outcome is not Outcome.SETTLED:
             return float(self.t[-1])
         r = self.path.c[-1, :, R]
@@ -146,44 +285,67 @@ class RigidMotion(Answers):
         slope = (r[-1] - r[i]) / (self.path.x[-2] - self.path.x[i])
         return float((self.path.x[-2] - r[-1] / slope) * self.disk.time_unit)
 
-    def _placed(self, t):
-        """The times t (k,) [s] in units of time, and the pieces (k,) in which they lie."""
+    def _time_and_piece(self, t):
+        """Return times t (k,) [s] in time units, and the indices (k,) of the pieces they are in."""
         t = np.atleast_1d(np.asarray(t, dtype=float))
         if t.ndim > 1:
-            raise ValueError(f"t must be a time or a row of times [s], not an array of shape {t.shape}")
-        tau, end = t / self.disk.time_unit, self.path.x[-1]
+            raise ValueError(f"t must be a time or a row of times [s], not of shape {t.shape}")
+        tau = t / self.disk.time_unit
+        end = self.path.x[-1]
         if tau.size and not (tau.min() >= 0 and tau.max() <= end * (1 + 1e-14)):
-            raise ValueError(f"t must lie within the motion, 0 to {end * self.disk.time_unit:.9g} s")
+            duration = end * self.disk.time_unit
+            raise ValueError(f"t must be within the motion, 0 to {duration:.9g} s")
         piece = np.searchsorted(self.t[:-1], t, side="right") - 1
-        return np.clip(tau, self.path.x[piece], self.path.x[piece + 1]), piece  # the quotient may round to beside it
+        # Rounding of the quotient may lead out of the piece.
+        return np.clip(tau, self.path.x[piece], self.path.x[piece + 1]), piece
 
     @property
     def _unit_of_energy(self) -> float:
+        """The energy [J] m (R/chi)^2."""
         return self.disk.mass * (self.disk.radius / self.disk.time_unit) ** 2
 
     def _columns(self, y):
-        r, radius, chi = y[R], self.disk.radius, self.disk.time_unit
-        omega, slip = r * y[W1 : W3 + 1] / chi, r * y[V1 : V2 + 1] * radius / chi
-        place, work = y[X : X + 2] * radius, y[DISSIPATED] * self._unit_of_energy
-        return np.stack([y[PRECESSION], r * r, y[SPIN], *place, *omega, *slip, work], axis=1)
+        """Convert integrated states y (11, k) to COLUMNS (k, 11) in SI units."""
+        r = y[R]
+        radius = self.disk.radius
+        chi = self.disk.time_unit
+        omega = r * y[W1 : W3 + 1] / chi
+        slip = r * y[V1 : V2 + 1] * radius / chi
+        position = y[X : X + 2] * radius
+        work = y[DISSIPATED] * self._unit_of_energy
+        return np.stack([y[PRECESSION], r * r, y[SPIN], *position, *omega, *slip, work], axis=1)
 
     def _force(self, y, piece):
-        """Solve the contact at states y (11, k) within the pieces (k,), and return its force (k, 3) [N]."""
-        out = np.empty((len(piece), 3))
-        kinds = self.regime_of_piece[piece]
-        for kind in np.unique(kinds):
-            here = np.flatnonzero(kinds == kind)
-            contact = self._contact(y[:, here], piece[here], self.regimes[kind])
-            out[here] = np.stack(np.broadcast_arrays(contact.F1, contact.F2, contact.Phi), axis=1)
-        return out * (self.disk.mass * self.disk.radius / self.disk.time_unit**2)
+        """Return the contact force (k, 3) [N] at states y (11, k) in the pieces (k,)."""
+        force = np.empty((len(piece), 3))
+        regime_index = self.regime_of_piece[piece]
+        for index in np.unique(regime_index):
+            selected = np.flatnonzero(regime_index == index)
+            contact = self._contact(y[:, selected], piece[selected], self.regimes[index])
+            components = np.broadcast_arrays(contact.F1, contact.F2, contact.Phi)
+            force[selected] = np.stack(components, axis=1)
+        return force * (self.disk.mass * self.disk.radius / self.disk.time_unit**2)
 
     def _contact(self, y, piece, regime):
-        if regime.sliding:  # at either end of a slide the direction is that of the slip which begins or ends there
-            resting = np.hypot(y[V1], y[V2]) < 1e-3 * STOP_SPEED
-            rest, slope, curve = self.path.c[-1:-4:-1, piece[resting], V1 : V2 + 1].swapaxes(1, 2)
-            duration = np.diff(self.path.x)[piece[resting]]
-            grazes = np.abs(slope).max(axis=0) < GENTLE * duration * np.abs(curve).max(axis=0)
-            onward = np.where(grazes, curve, slope) * np.where(rest.any(axis=0), -1.0, 1.0)
-            y[V1 : V2 + 1, resting] = 1e-3 * STOP_SPEED * onward / np.abs(onward).max(axis=0)
+        """Solve the balance laws at states y (11, k) of one regime in the pieces (k,)."""
+        if regime.sliding:
+            self._set_direction_at_rest(y, piece)
         branch = Branch.of(regime, self.law, self.loads)
         return ARRAY.contact(y, branch, regime.senses, self.law)
+
+    def _set_direction_at_rest(self, y, piece):
+        """Give a slip at rest the direction in which its piece begins or ends, in place.
+
+        The direction is that of the slip acceleration. If this is a rounding error only, the slide
+        starts without acceleration, and the direction is that of the next derivative.
+        """
+        tiny_speed = 1e-3 * STOP_SPEED
+        resting = np.hypot(y[V1], y[V2]) < tiny_speed
+        coefficients = self.path.c[-1:-4:-1, piece[resting], V1 : V2 + 1].swapaxes(1, 2)
+        start, slope, curvature = coefficients
+        duration = np.diff(self.path.x)[piece[resting]]
+        rounding = 1e-8 * duration * np.abs(curvature).max(axis=0)
+        is_gentle = np.abs(slope).max(axis=0) < rounding
+        sense = np.where(start.any(axis=0), -1.0, 1.0)
+        direction = np.where(is_gentle, curvature, slope) * sense
+        y[V1 : V2 + 1, resting] = tiny_speed * direction / np.abs(direction).max(axis=0)

@@ -1,30 +1,38 @@
-"""The disk as a hybrid system: its beginning, its flow and its switches, for the driver of hybrid.py."""
+"""The disk as a hybrid system for the driver in hybrid.py: start, flow and switching."""
 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from operator import add
 
-from .dissipation import OwnLaw, Resistance
-from .equations import Law
-from .guards import AXES, LIFT_OFF, STOP_SPEED, Kind, guard_of
-from .hybrid import Arc, StalledError, Step, Switch
-from .regime import FLOAT, PRECESSION, SPIN, V1, V2, W3, Branch, R, Regime, describe, turnings
-from .slow_slide import is_stiff
-from .switching import GRAZING, ImpossibleContactError, at_rest, follow, slide_to_rest
-
-CRAWL, MANY = 1e-5, 1000
-"""A motion is too stiff to be followed where as MANY steps as this are on the mean shorter than CRAWL r."""
-LOOKS = 4
-"""Points of a closed step at which the guards are looked at."""
+from dynamics.dissipation import OwnLaw, Resistance
+from dynamics.equations import Law
+from dynamics.guards import AXES, LIFT_OFF, STOP_SPEED, Kind, guard_of
+from dynamics.hybrid import Arc, StalledError, Step, Switch
+from dynamics.integrators.slow_slide_criterion import is_stiff
+from dynamics.regime import (
+    FLOAT,
+    PRECESSION,
+    SPIN,
+    V1,
+    V2,
+    W3,
+    Branch,
+    R,
+    Regime,
+    describe,
+    turnings,
+)
+from dynamics.switching import GRAZING, ImpossibleContactError, at_rest, follow, slide_to_rest
 
 
 @dataclass(frozen=True)
 class RollingDisk:
-    """Law and loads of a scene, the sqrt(inclination) at which the motion counts as over, and the integrator to use.
+    """Law and loads of a scene, the sqrt(inclination) at which the motion counts as over, and the
+    integrator to use.
 
-    `announce(what)` is called before each slide so slow that the compiler may be asked for its flow.
-    """
+    `announce(what)` is called before each slide so slow that the compiler may be asked for its
+    flow."""
 
     law: Law
     loads: OwnLaw | Resistance | None
@@ -36,7 +44,9 @@ class RollingDisk:
     def begin(self, y) -> Switch:
         """Decide the regime of a disk released with its contact at rest."""
         if self.loads and self.loads.is_singular and abs(y[W3]) <= STOP_SPEED:
-            raise ImpossibleContactError(f"{describe(y)}: without precession the law of dissipation has no direction")
+            raise ImpossibleContactError(
+                f"{describe(y)}: without precession the law of dissipation has no direction"
+            )
         turns = turnings(y)
         at_zero = {0} | {i + 1 for i in range(3) if abs(turns[i]) < 1e-14}
         start = self._follow(y, at_zero)
@@ -45,25 +55,34 @@ class RollingDisk:
         return start
 
     def advance(self, y, regime: Regime, span: float) -> Arc:
-        """Integrate within `regime`; precession and quadratures restart near zero so that they keep their digits.
+        """Integrate within `regime`; precession and quadratures restart near zero so that they keep
+        their digits.
 
         Raises StalledError where steps of no reasonable length suffice.
         """
         local, offset = restarted(y)
-        within, arc = (local, regime, self.law, self.loads, self.r_end, span), None
+        within = (local, regime, self.law, self.loads, self.r_end, span)
+        arc = None
         if self._is_stiff(y, regime):
             self.announce("slow slide")
-            from .collocation import advance  # numba loads slowly
+            from dynamics.integrators.slow_slides import advance  # numba loads slowly
 
             arc = advance(*within)
         arc = arc or self.integrate(*within, self.tolerance)
-        if arc.guard is None and len(arc.times) >= MANY and arc.times[-1] < min(CRAWL * y[R] * len(arc.times), span):
+        steps = len(arc.times)
+        shortest_mean_step = 1e-5 * y[R]
+        if (
+            arc.guard is None
+            and steps >= 1000
+            and arc.times[-1] < min(shortest_mean_step * steps, span)
+        ):
             raise StalledError(f"{describe(y)}: every step is too short in {regime}")
         return shifted(arc, offset)
 
     def _graze(self, y, nu, regime) -> Arc | None:
-        """Integrate a slide from rest along nu, with hardly a push; only its first step where it is not stiff."""
-        from .collocation import MOST_STEPS, graze  # numba loads slowly
+        """Integrate a slide from rest along nu, with hardly a push; only its first step where it is
+        not stiff."""
+        from dynamics.integrators.slow_slides import MOST_STEPS, graze  # numba loads slowly
 
         local, offset = restarted(y)
         most = MOST_STEPS if self._is_stiff(y, regime) else 1
@@ -78,7 +97,8 @@ class RollingDisk:
 
     @property
     def _is_grazing(self) -> bool:
-        """Whether slides begin so gently that collocation.py is asked first, which itself looks whether one is slow."""
+        """Whether slides begin so gently that collocation.py is asked first, which itself looks
+        whether one is slow."""
         return self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic
 
     def _contact(self, y, regime):
@@ -86,11 +106,14 @@ class RollingDisk:
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Decide what follows when `guard` has fallen through zero."""
-        guard, held = guard_of(guard), {i for i, holds in enumerate((not regime.sliding, *regime.stuck)) if holds}
+        guard = guard_of(guard)
+        held = {i for i, holds in enumerate((not regime.sliding, *regime.stuck)) if holds}
         match guard.kind:
             case Kind.REVERSES | Kind.UNSTICKS:  # by far the most
                 fired = {guard.axis + 1} if guard.kind is Kind.UNSTICKS else ()
-                return self._follow(at_rest(y, guard.axis), {*held, guard.axis + 1}, fired, regime.senses)
+                return self._follow(
+                    at_rest(y, guard.axis), {*held, guard.axis + 1}, fired, regime.senses
+                )
             case Kind.END:
                 return Switch(None, y, ended=guard)
             case Kind.JAM:
@@ -113,67 +136,99 @@ class RollingDisk:
         return then._replace(steps=(last, *then.steps))
 
     def _follow(self, y, at_zero, fired=(), senses=(1.0, 1.0, 1.0)) -> Switch:
-        at_zero, fired = frozenset(at_zero), frozenset(fired)
+        at_zero = frozenset(at_zero)
+        fired = frozenset(fired)
         regime, step = follow(y, self.law, self.loads, at_zero, fired, senses, self._graze)
         if regime is None:
             return Switch(None, y, ended=LIFT_OFF)
-        return self._through(step, at_zero) if isinstance(step, Step) else Switch(regime, y, ahead=step)
+        return (
+            self._through(step, at_zero)
+            if isinstance(step, Step)
+            else Switch(regime, y, ahead=step)
+        )
 
     def _through(self, step, at_zero) -> Switch:
-        """Take the first step of a slide, up to a turning that reverses within it: its guard would be below zero."""
+        """Take the first step of a slide, up to a turning that reverses within it: its guard would
+        be below zero."""
         _, stuck, senses = step.regime
         arms = (self.law.k1, self.law.k2, self.law.k3)
 
         def guards(y):
             turns = zip(AXES, arms, stuck, senses, turnings(y), strict=True)
-            return {axis: sense * turn for axis, arm, held, sense, turn in turns if arm > 0 and not held}
+            return {
+                axis: sense * turn for axis, arm, held, sense, turn in turns if arm > 0 and not held
+            }
 
         end, axis = first_fall(step, guards)
         step = step._replace(duration=end)
+        if (
+            self._contact(step.end, step.regime).Phi <= 0
+        ):  # the guard is lost below zero: it could not fall any more
+            return self._lifts_off(step)
         y = step.end
-        if self._contact(y, step.regime).Phi <= 0:  # the guard is lost below zero: it could not fall any more
-            return Switch(None, y, (step,), ended=LIFT_OFF)
         if axis is None:
             return Switch(step.regime, y, (step,))
-        y, held = at_rest(y, AXES.index(axis)), {*at_zero, AXES.index(axis) + 1} - {0}
+        y = at_rest(y, AXES.index(axis))
+        held = {*at_zero, AXES.index(axis) + 1} - {0}
         if math.hypot(y[V1], y[V2]) < STOP_SPEED:
             y[V1] = y[V2] = 0.0
             held |= {0}
         then = self._follow(y, held, senses=senses)
         return then._replace(steps=(step, *then.steps))
 
+    def _lifts_off(self, step: Step) -> Switch:
+        """End the motion within a step after which the normal force is negative, where it is
+        zero."""
+        from scipy.optimize import brentq  # loads slowly
 
-def first_fall(step: Step, guards: Callable):
-    """Return the time within a step at which one of the guards(y) falls first through zero, and its name; its duration
-    and None where none does. A guard that is not positive at the start cannot fall."""
-    before, start = guards(step.at(0.0)), 0.0
-    for look in (k * step.duration / LOOKS for k in range(1, LOOKS + 1)):
+        def load(t):
+            return self._contact(step.at(t), step.regime).Phi
+
+        if load(0.0) <= 0:
+            return Switch(None, step.at(0.0), ended=LIFT_OFF)
+        step = step._replace(duration=brentq(load, 0.0, step.duration, xtol=1e-16))
+        return Switch(None, step.end, (step,), ended=LIFT_OFF)
+
+
+def first_fall(step: Step, guards: Callable, checks: int = 4):
+    """Return the time and the name of the first of the guards(y) that falls to zero in a step.
+
+    Without one they are the duration of the step and None. The guards are evaluated at `checks`
+    equidistant times. A guard that is not positive at the start cannot fall.
+    """
+    before = guards(step.at(0.0))
+    start = 0.0
+    for look in (k * step.duration / checks for k in range(1, checks + 1)):
         now = guards(step.at(look))
         falls = [name for name in now if before[name] > 0 >= now[name]]
         if falls:
             from scipy.optimize import brentq  # loads slowly
 
-            roots = {name: brentq(lambda t, n=name: guards(step.at(t))[n], start, look, xtol=1e-16) for name in falls}
+            roots = {
+                name: brentq(lambda t, n=name: guards(step.at(t))[n], start, look, xtol=1e-16)
+                for name in falls
+            }
             name = min(roots, key=roots.get)
             return roots[name], name
-        start, before = look, now
+        start = look
+        before = now
     return step.duration, None
 
 
 def restarted(y):
-    """Return state y with precession and quadratures near zero, and what it has lost."""
+    """Return state y with precession and quadratures near zero, and the offset removed."""
     turned = math.remainder(y[PRECESSION], 2 * math.pi)
     lost = [*[0.0] * PRECESSION, y[PRECESSION] - turned, *y[SPIN:]]
     return [*y[:PRECESSION], turned, *[0.0] * 4], lost
 
 
 def shifted(arc, origin):
-    """Return an arc with an `origin` of its precession and quadratures."""
+    """Return an arc whose precession and quadratures start at `origin`."""
     end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], origin[PRECESSION:])]
     return Arc(arc.times, arc.coefficients, end, arc.guard, arc.passed, origin)
 
 
 def released(disk, release) -> list:
-    """Return the state of (7.4): the contact at rest, the centre over the origin."""
+    """Return the initial state (7.4): the contact at rest, the centre above the origin."""
     r = math.sqrt(math.radians(release.inclination_deg))
     return [r, *(w * disk.time_unit / r for w in release.omega), *[0.0] * 7]

@@ -1,4 +1,4 @@
-"""From a scene to its motion: `simulate`."""
+"""Solve the motion of a scene: `simulate`."""
 
 import math
 from collections.abc import Callable
@@ -9,18 +9,19 @@ from typing import Any
 
 import numpy as np
 
-from . import guards
-from .dissipation import OwnLaw
-from .equations import law_of
-from .film.acting import loads_of
-from .hybrid import CASCADE, STALLED, StalledError, drive
-from .motion import Motion, MotionScene, Outcome, Transition, read_only
-from .numerics import integrator_of
-from .pieces import Pieces
-from .regime import FLOAT, V1, V2, W1, W3, R, Regime
-from .rigid_motion import RigidMotion
-from .rolling import RollingDisk, released
-from .switching import ImpossibleContactError
+from dynamics import guards
+from dynamics.dissipation import OwnLaw
+from dynamics.equations import law_of
+from dynamics.film.activation import final_inclination, non_contact_loads
+from dynamics.hybrid import CASCADE, STALLED, StalledError, drive
+from dynamics.motion import Motion, MotionScene, Outcome, Transition, read_only
+from dynamics.piecewise_polynomial import Pieces
+from dynamics.regime import FLOAT, V1, V2, W1, W3, R, Regime
+from dynamics.rigid_motion import RigidMotion
+from dynamics.rolling import RollingDisk, released
+from dynamics.solver_settings import integrator_of
+from dynamics.surface import table_action
+from dynamics.switching import ImpossibleContactError
 
 OUTCOMES = {
     guards.FLAT: Outcome.SETTLED,
@@ -32,15 +33,9 @@ OUTCOMES = {
     STALLED: Outcome.STALLED,
     None: Outcome.TIME_LIMIT,
 }
-
-
-CARRIES = 0.01
-"""Part of the weight that a film bears at least where it, and not the turning of the disk, takes the contact force."""
-GONE = 1e-9
-"""Part of the weight below which the contact force is gone, where regimes change at one instant without end."""
-
-
+"""Outcome of a motion by the name of the guard that ended it; None is the time limit."""
 Watch = Callable[[float, float, str], None]
+"""A progress callback: time [s], inclination [rad], and a description of what is being done."""
 
 
 def simulate(
@@ -49,137 +44,257 @@ def simulate(
     loads: OwnLaw | None = None,
     surface_modes: Any = None,
 ) -> Motion:
-    """Solve the motion of `scene`, in which `loads`, where given, resist in place of its dissipation.
+    """Solve the motion of a scene.
 
-    It is that of the rigid disk, event by event, unless the contact of the scene is elastic and `coupled.choice` has it
-    solved in full. A table with surface.action = "motion" moves with the disk by its modes (`modal.SurfaceModes`), and
-    one with "auto" from where `coupled.acting` says.
+    The disk is rigid and every event is located, unless the scene has an elastic contact that
+    must be solved in full (`numerics.contact`). The coupling to the table depends on
+    `surface.action`:
 
-    `watch(t, inclination, doing)` [s, rad] is called on the way, and before a wait for the compiler, which `doing` then
-    names. Threads may call this at the same time and share scenes and motions, which nobody changes; every call has
-    integrators of its own. Raises ImpossibleContactError, with time and state, where no contact force satisfies the
-    balance laws, and ValueError where a profile cannot be read or `loads` are given to an elastic contact.
+    * "sound": none. The motion is that on a rigid table.
+    * "motion": two-way coupling from the release on.
+    * "auto": two-way coupling from the inclination at which the table modes hold 1 % of the
+      energy of the disk, or take 1 % of the power of friction. There is none with a rough
+      contact, with a wavy edge or table (`imperfection`), or on an infinite plate.
+
+    The modes of a table with `surface.kind = "modes"` are taken from the scene (those below
+    24 kHz), and the motion is that of `sonify.solve(scene)`. A plate or a mesh needs
+    `surface_modes`. Since `sonify.solve` keeps only the modes of its plan, its motion is
+    `simulate(scene, surface_modes=sonify.solve(scene).table)`.
+
+    Parameters
+    ----------
+    scene : MotionScene
+        The scene; it is not changed, and threads may share it.
+    watch : callable, optional
+        Progress callback `watch(t, inclination, doing)` [s, rad]. It is also called before the
+        compiler runs, with a description in `doing`.
+    loads : OwnLaw, optional
+        A law of resistance that replaces `scene.dissipation`. It needs a rigid contact or
+        `numerics.contact = "filter"`, and a table without two-way coupling.
+    surface_modes : modal.SurfaceModes, optional
+        Modes of the table, as `modal.surface_modes(scene)` returns them. They replace those of
+        the scene and are ignored without two-way coupling.
+
+    Returns
+    -------
+    Motion
+        The solved motion, read-only; threads may share it.
+
+    Raises
+    ------
+    ImpossibleContactError
+        If no contact force satisfies the balance laws; the message gives time and state.
+    ValueError
+        If two-way coupling needs `surface_modes` that are missing or do not suit the contact, if
+        a height profile cannot be read, or if `loads` are combined with a contact or table that
+        does not support them.
+
+    References
+    ----------
+    .. [1] The rolling disk (4.7), the sliding disk (5.3), and the switching between them (3.2),
+       (3.3) of the paper.
+
+    Examples
+    --------
+    >>> from dynamics import simulate
+    >>> from sonify import load_scene
+    >>> motion = simulate(load_scene("published").replace("numerics.accuracy=draft"))
+    >>> f"{motion.t_end:.2f} s"
+    '19.38 s'
     """
-    if loads is None and getattr(getattr(scene, "surface", None), "action", "") == "auto" and surface_modes is not None:
-        from .coupled.acting import acting
+    if table_action(scene) == "sound":
+        return _with_given_table(scene, watch, loads, None)
+    from dynamics.compliant.two_way_onset import table_modes, table_reaction
 
-        table = acting(scene, surface_modes)
-        if table.acts:
-            from .coupled.handed import hand_over
+    modes = table_modes(scene, surface_modes)
+    if modes is None or table_action(scene) == "motion":
+        return _with_given_table(scene, watch, loads, modes)
+    found = table_reaction(scene, modes)
+    if not found.acts:
+        return _with_given_table(scene, watch, loads, None)
+    if loads is not None:
+        needed = "a rigid table: set surface.action = 'sound'"
+        raise ValueError(f"loads: a law of your own needs {needed}")
+    from dynamics.compliant.switched_motion import solve_switched
 
-            return hand_over(scene, table.inclination, lambda part: simulate(part, watch), watch, surface_modes)
+    def solve_on_rigid_table(first_part):
+        return _with_given_table(first_part, watch, None, None)
+
+    return solve_switched(scene, found.inclination, solve_on_rigid_table, watch, modes)
+
+
+def _with_given_table(
+    scene: MotionScene,
+    watch: Watch,
+    loads: OwnLaw | None,
+    modes: Any,
+) -> Motion:
+    """Solve the motion on a table with these modes, or on a rigid table if `modes` is None."""
     if is_compliant(scene):
-        from .coupled.motion import solve
+        from dynamics.compliant.compliant_motion import solve_compliant_motion
 
         if loads is not None:
-            raise ValueError("loads: a law of your own acts on a rigid contact, or with numerics.contact = 'filter'")
-        return solve(scene, watch, surface_modes)
-    prepare(scene, loads)
-    disk, system = scene.disk, system_of(scene, loads)
-    known, now, inclination, last = set(), 0.0, math.radians(scene.release.inclination_deg), None
-
-    def announce(what):
-        if what not in known:
-            known.add(what)
-            watch(now, inclination, f"compiling the flow of '{what}'")
-
-    def integrate(y, regime, *rest):
-        announce(str(regime))
-        return system.integrate(y, regime, *rest)
-
-    def watched(tau, y):
-        nonlocal now, inclination, last
-        now, inclination, last = tau * disk.time_unit, y[R] ** 2, y
-        watch(now, inclination, "")
-
-    span = scene.numerics.time_limit / disk.time_unit
+            needed = "a rigid contact, or numerics.contact = 'filter'"
+            raise ValueError(f"loads: a law of your own needs {needed}")
+        return solve_compliant_motion(scene, watch, modes)
+    compile_in_background(scene, loads)
+    system = system_of(scene, loads)
+    progress = _Progress(scene, watch)
+    watched_system = replace(
+        system,
+        integrate=progress.announcing(system.integrate),
+        announce=progress.announce,
+    )
+    start = released(scene.disk, scene.release)
+    time_limit = scene.numerics.time_limit / scene.disk.time_unit
     try:
-        path, guard = drive(
-            replace(system, integrate=integrate, announce=announce), released(disk, scene.release), span, watched
-        )
+        path, guard = drive(watched_system, start, time_limit, progress.record)
     except (ImpossibleContactError, StalledError) as error:
-        raise ImpossibleContactError(f"at t = {now:.9g} s: {error}") from None
-    motion = _motion(disk, system, path, outcome_of(guard, last, system), integrator_of(scene.numerics.integrator))
-    if guard == CASCADE and motion.normal_load(motion.t[-1])[0] < GONE:  # friction of no force holds nothing
-        return replace(motion, outcome=outcome_of(guards.LIFT_OFF, last, system))
+        raise ImpossibleContactError(f"at t = {progress.t:.9g} s: {error}") from None
+    outcome = outcome_of(guard, progress.state, system)
+    motion = _motion(scene.disk, system, path, outcome, integrator_of(scene.numerics.integrator))
+    lost_contact = 1e-9  # normal force over the weight
+    if guard == CASCADE and motion.normal_load(motion.t[-1])[0] < lost_contact:
+        # Without a normal force friction cannot hold the contact: the regimes change without end.
+        return replace(motion, outcome=outcome_of(guards.LIFT_OFF, progress.state, system))
     return motion
 
 
-def outcome_of(guard: str | None, y, system: RollingDisk) -> Outcome:
-    """Return how a motion ended whose last guard, at state y, was `guard`.
+class _Progress:
+    """Reports the progress of a solution to a callback and remembers the last state."""
 
-    Where the contact force is gone and a film bears more than CARRIES of the weight, the air carries the disk.
+    def __init__(self, scene: MotionScene, watch: Watch):
+        self.t = 0.0
+        self.inclination = math.radians(scene.release.inclination_deg)
+        self.state: Any = None
+        self._time_unit = scene.disk.time_unit
+        self._watch = watch
+        self._announced: set[str] = set()
+
+    def record(self, tau, y) -> None:
+        """Report the state y at dimensionless time tau."""
+        self.t = tau * self._time_unit
+        self.inclination = y[R] ** 2
+        self.state = y
+        self._watch(self.t, self.inclination, "")
+
+    def announce(self, flow: str) -> None:
+        """Report once that the compiler may run for a flow."""
+        if flow not in self._announced:
+            self._announced.add(flow)
+            self._watch(self.t, self.inclination, f"compiling the flow of '{flow}'")
+
+    def announcing(self, integrate: Callable) -> Callable:
+        """Return an integrator that announces the regime before it runs."""
+
+        def announced(y, regime, *arguments):
+            self.announce(str(regime))
+            return integrate(y, regime, *arguments)
+
+        return announced
+
+
+def outcome_of(guard: str | None, y, system: RollingDisk, min_film_share: float = 0.01) -> Outcome:
+    """Return the outcome of a motion that ended with `guard` at state y.
+
+    A disk that lifts off is airborne if the air film carries more than `min_film_share` of the
+    weight.
     """
     if guard == guards.LIFT_OFF and system.loads:
         r = y[R]
-        state = r * r, tuple(r * w for w in y[W1 : W3 + 1]), (r * y[V1], r * y[V2])
-        if system.loads(*state, system.law, FLOAT).G3 > CARRIES * (system.law.K + 4) / 4:
+        omega = tuple(r * w for w in y[W1 : W3 + 1])
+        slip = (r * y[V1], r * y[V2])
+        film_lift = system.loads(r * r, omega, slip, system.law, FLOAT).G3
+        weight = (system.law.K + 4) / 4
+        if film_lift > min_film_share * weight:
             return Outcome.AIRBORNE
     return OUTCOMES[guard]
 
 
-def prepare(scene: MotionScene, loads: OwnLaw | None = None) -> None:
-    """Begin to compile the flows that most motions need, beside whatever is done before `scene` is simulated."""
-    if integrator_of(scene.numerics.integrator) == "taylor" and not is_compliant(scene):
-        from . import taylor
+def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> None:
+    """Start to compile the flows that most motions of a scene need, in background threads."""
+    if integrator_of(scene.numerics.integrator) != "taylor" or is_compliant(scene):
+        return
+    from dynamics import taylor
 
-        system = system_of(scene, loads)
-        for sliding in (False, True)[: 1 if system.law.mu_static == math.inf else 2]:
-            taylor.prepare(Regime(sliding, (False,) * 3, (1.0,) * 3), system.law, system.loads, system.tolerance)
+    system = system_of(scene, loads)
+    can_slide = system.law.mu_static != math.inf
+    for sliding in (False, True) if can_slide else (False,):
+        regime = Regime(sliding, (False,) * 3, (1.0,) * 3)
+        taylor.compile_in_background(regime, system.law, system.loads, system.tolerance)
 
 
 def is_compliant(scene: MotionScene) -> bool:
-    """Return whether the contact of a scene, which may say nothing on it, is elastic and solved in full."""
+    """Return True if the scene has an elastic contact that is solved in full."""
     contact = getattr(scene, "contact", None)
     if contact is None or contact.law == "rigid":
         return False
-    from .coupled.choice import choice
+    from dynamics.compliant.model_selection import choose_contact_model
 
-    return choice(scene).kind == "full"  # type: ignore[arg-type]
+    return choose_contact_model(scene).kind == "full"  # type: ignore[arg-type]
 
 
 def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
-    """Return the hybrid system of a scene."""
-    disk, numerics = scene.disk, scene.numerics
+    """Return the hybrid system of a scene with a rigid contact."""
+    disk = scene.disk
+    numerics = scene.numerics
     return RollingDisk(
         law=law_of(disk, scene.friction),
-        loads=loads_of(scene, loads),
-        r_end=math.sqrt(numerics.stopping_inclination(disk)),
+        loads=non_contact_loads(scene, loads),
+        r_end=math.sqrt(final_inclination(scene)),
         integrate=chosen_integrator(numerics.integrator)[1],
         tolerance=numerics.chosen_tolerance,
     )
 
 
 def chosen_integrator(name: str):
-    """Return name and flow of the integrator asked for, see `integrator_of`; nothing else is imported."""
+    """Return the name of an integrator ('auto' is resolved) and its function `advance`."""
     name = integrator_of(name)
-    return name, import_module(f".{name}", __package__).advance
+    modules = {"taylor": "dynamics.taylor", "dop853": "dynamics.integrators.dop853"}
+    return name, import_module(modules[name]).advance
 
 
-def _motion(disk, system, path, outcome, name) -> RigidMotion:
-    """Join the pieces of a path to one record; pieces of no duration are left out."""
-    x, blocks = np.concatenate(path.times), path.coefficients
-    lasting, start = np.diff(x) > 0, 0
-    terms = np.zeros((np.count_nonzero(lasting), blocks[0].shape[2], max(block.shape[1] for block in blocks)))
-    ends = np.cumsum([len(block) for block in blocks])
-    for block, keep in zip(blocks, np.split(lasting, ends[:-1]), strict=True):
-        block = block if keep.all() else block[keep]
-        terms[start : start + len(block), :, : block.shape[1]] = block.swapaxes(1, 2)
-        start += len(block)
+def _motion(disk, system, path, outcome, integrator) -> RigidMotion:
+    """Convert a path to a record of the motion, without the pieces of no duration."""
+    times = np.concatenate(path.times)
+    has_duration = np.diff(times) > 0
     regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
-    kinds = np.repeat([regimes.index(regime) for regime, _ in path.regimes], [n for _, n in path.regimes])
-    chi = disk.time_unit
+    counts = [count for _, count in path.regimes]
+    regime_of_piece = np.repeat([regimes.index(regime) for regime, _ in path.regimes], counts)
     name_of = cache(str)
-    crossings = (Transition(a.t * chi, name_of(a.before), name_of(a.after), a.guard) for a in path.crossings)
+    transitions = []
+    for crossing in path.crossings:
+        t = crossing.t * disk.time_unit
+        before = name_of(crossing.before)
+        transitions.append(Transition(t, before, name_of(crossing.after), crossing.guard))
     return RigidMotion(
         disk=disk,
         law=system.law,
         loads=system.loads,
-        path=Pieces(read_only(terms.transpose(2, 0, 1)[::-1]), read_only(np.append(x[0], x[1:][lasting]))),
+        path=Pieces(
+            read_only(_joined(path.coefficients, has_duration)),
+            read_only(np.append(times[0], times[1:][has_duration])),
+        ),
         regimes=regimes,
-        regime_of_piece=read_only(kinds[lasting]),
-        transitions=tuple(crossings),
+        regime_of_piece=read_only(regime_of_piece[has_duration]),
+        transitions=tuple(transitions),
         contact_losses=(),
         outcome=outcome,
-        integrator=name,
+        integrator=integrator,
     )
+
+
+def _joined(blocks, keep):
+    """Return the kept pieces of blocks (n, order + 1, k) as (highest order + 1, sum of n, k).
+
+    The highest power comes first, as in `Pieces`.
+    """
+    order = max(block.shape[1] for block in blocks)
+    terms = np.zeros((np.count_nonzero(keep), blocks[0].shape[2], order))
+    ends = np.cumsum([len(block) for block in blocks])
+    start = 0
+    for block, keep_of_block in zip(blocks, np.split(keep, ends[:-1]), strict=True):
+        kept = block if keep_of_block.all() else block[keep_of_block]
+        terms[start : start + len(kept), :, : kept.shape[1]] = kept.swapaxes(1, 2)
+        start += len(kept)
+    return terms.transpose(2, 0, 1)[::-1]

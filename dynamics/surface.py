@@ -1,7 +1,7 @@
-"""The section of a scene on what the disk stands on: one type for each kind of table.
+"""The section `surface` of a scene: one class for each kind of table.
 
-The frame of a table is that of the motion: z upwards, the origin where the centre of the disk is above at the release,
-unless its `place` says otherwise. SI units; [ ] holds the unit of a key.
+The frame of a table is that of the motion: z points upwards, and at the release the centre of the
+disk is above the origin, or above `place` if given. [ ] holds the unit of each key.
 """
 
 from dataclasses import dataclass
@@ -10,131 +10,191 @@ from typing import Annotated, Literal
 from annotated_types import Ge, Gt, Le, Len, Lt
 
 Action = Literal["auto", "sound", "motion"]
-Size = Annotated[float, Gt(0), Le(100)]
-Place = Annotated[float, Ge(-100), Le(100)]
+Length = Annotated[float, Gt(0), Le(100)]
+Coordinate = Annotated[float, Ge(-100), Le(100)]
 Young = Annotated[float, Ge(1), Le(1e15)]
 Poisson = Annotated[float, Gt(-1), Lt(0.5)]
 Density = Annotated[float, Ge(1e-3), Le(1e6)]
 Loss = Annotated[float, Ge(0), Le(1)]
 ACTS = 0.01
-"""A table acts back that holds as much of the energy of the disk, or takes as much of the power that the rest takes."""
+"""Two-way coupling begins where the table modes hold this share of the energy of the disk, or take
+this share of the dissipated power."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Surface:
-    """A table that neither moves nor sounds."""
+    """A rigid table: it neither moves nor sounds.
+
+    Examples
+    --------
+    >>> from dynamics import Surface
+    >>> Surface().kind
+    'rigid'
+    """
 
     kind: Literal["rigid"] = "rigid"
-    """What the disk stands on: a table without motion, a round plate, modes by number, an endless plate, any solid."""
+    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class PlateSurface:
-    """A round elastic plate."""
+    """A round elastic plate.
+
+    Raises
+    ------
+    ValueError
+        If the plate is thicker than its radius, or its supporting ring is wider than the plate or
+        given in part only.
+
+    Examples
+    --------
+    >>> from dynamics import PlateSurface
+    >>> steel = {"young": 2.1e11, "poisson": 0.3, "density": 7850.0}
+    >>> PlateSurface(radius=0.2, thickness=0.006, **steel).edge
+    'supported'
+    """
 
     kind: Literal["plate"] = "plate"
-    """What the disk stands on: a table without motion, a round plate, modes by number, an endless plate, any solid."""
+    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
     action: Action = "auto"
-    """Whether the table only sounds or acts back on the motion of the disk; auto is the plan's choice."""
-    radius: Size
+    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
+    radius: Length
     """Radius of the plate [m], at least that of the disk."""
-    thickness: Size
+    thickness: Length
     """Thickness of the plate [m]."""
     young: Young
     """Young's modulus of the table [Pa]."""
     poisson: Poisson
     """Poisson's ratio of the table."""
     density: Density
-    """Mass per volume of the table [kg/m^3]."""
+    """Density of the table [kg/m^3]."""
     loss_factor: Loss = 0.02
-    """Loss of energy per radian over the energy: twice the damping ratio of every mode."""
+    """Loss factor of the material: twice the damping ratio of every mode."""
     edge: Literal["free", "supported", "clamped"] = "supported"
-    """How the edge is held: not at all, against vertical motion, or against every motion."""
-    ring_radius: Size | None = None
-    """Radius of an elastic ring that carries the plate [m], with ring_stiffness; none unless given."""
+    """Boundary condition at the edge of the plate."""
+    ring_radius: Length | None = None
+    """Radius of an elastic ring under the plate [m]; needs ring_stiffness; no ring unless given."""
     ring_stiffness: Annotated[float, Gt(0), Le(1e15)] | None = None
-    """Vertical stiffness of that ring, per length [N/m^2]."""
-    place: tuple[Place, Place] = (0.0, 0.0)
-    """Where the centre of the disk is at the release [m], in the frame of the mesh or from the middle of the plate."""
+    """Vertical stiffness of that ring per unit length [N/m^2]."""
+    place: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    """Position of the disk centre at the release [m], from the plate centre or the mesh origin."""
 
     def __post_init__(self):
         if self.thickness > self.radius:
-            raise ValueError(f"thickness = {self.thickness:g}: must not exceed radius = {self.radius:g}")
+            limit = f"radius = {self.radius:g}"
+            raise ValueError(f"thickness = {self.thickness:g}: must not exceed {limit}")
         if (self.ring_radius is None) != (self.ring_stiffness is None):
             raise ValueError("give ring_radius and ring_stiffness together")
         if (self.ring_radius or 0) > self.radius:
-            raise ValueError(f"ring_radius = {self.ring_radius:g}: must not exceed radius = {self.radius:g}")
+            limit = f"radius = {self.radius:g}"
+            raise ValueError(f"ring_radius = {self.ring_radius:g}: must not exceed {limit}")
 
 
 @dataclass(frozen=True, kw_only=True)
 class SurfaceMode:
-    """A mode of a table round the contact circle, of which a cosine and a sine partner exist unless its order is 0."""
+    """A mode of a table along the contact circle; orders above 0 mean a cosine and sine pair.
+
+    Examples
+    --------
+    >>> from dynamics import SurfaceMode
+    >>> SurfaceMode(order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0).frequency
+    600.0
+    """
 
     order: Annotated[int, Ge(0), Le(64)]
-    """Number of waves round the contact circle."""
+    """Number of wavelengths along the contact circle."""
     frequency: Annotated[float, Gt(0), Le(1e6)]
     """Frequency [Hz]."""
     damping_ratio: Annotated[float, Ge(0), Lt(1)]
-    """Decay rate over angular frequency."""
+    """Damping ratio: decay rate over angular frequency."""
     modal_mass: Annotated[float, Ge(1e-9), Le(1e9)]
-    """Mass that, moving as the antinode on the contact circle does, has the kinetic energy of the mode [kg]."""
+    """Modal mass for a shape of amplitude 1 at its antinode on the contact circle [kg]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class ModesSurface:
-    """A table by its modes, as measured or computed elsewhere."""
+    """A table given by its modes, measured or computed elsewhere.
+
+    Examples
+    --------
+    >>> from dynamics import ModesSurface, SurfaceMode
+    >>> mode = SurfaceMode(order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0)
+    >>> len(ModesSurface(modes=(mode,)).modes)
+    1
+    """
 
     kind: Literal["modes"] = "modes"
-    """What the disk stands on: a table without motion, a round plate, modes by number, an endless plate, any solid."""
+    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
     action: Action = "auto"
-    """Whether the table only sounds or acts back on the motion of the disk; auto is the plan's choice."""
+    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
     modes: Annotated[tuple[SurfaceMode, ...], Len(1, 64)]
-    """Order, frequency in hertz, damping ratio and modal mass in kilograms of each mode."""
+    """Order, frequency [Hz], damping ratio and modal mass [kg] of each mode."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class InfiniteSurface:
-    """An endless elastic plate: it takes energy from a force at a point, and never rings."""
+    """An infinite elastic plate: it absorbs energy from the contact force and never rings.
+
+    Examples
+    --------
+    >>> from dynamics import InfiniteSurface
+    >>> wood = {"young": 1e10, "poisson": 0.3, "density": 600.0}
+    >>> InfiniteSurface(thickness=0.02, **wood).loss_factor
+    0.02
+    """
 
     kind: Literal["infinite"] = "infinite"
-    """What the disk stands on: a table without motion, a round plate, modes by number, an endless plate, any solid."""
+    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
     action: Action = "auto"
-    """Whether the table only sounds or acts back on the motion of the disk; auto is the plan's choice."""
-    thickness: Size
+    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
+    thickness: Length
     """Thickness of the plate [m]."""
     young: Young
     """Young's modulus of the table [Pa]."""
     poisson: Poisson
     """Poisson's ratio of the table."""
     density: Density
-    """Mass per volume of the table [kg/m^3]."""
+    """Density of the table [kg/m^3]."""
     loss_factor: Loss = 0.02
-    """Loss of energy per radian over the energy: twice the damping ratio of every mode."""
+    """Loss factor of the material: twice the damping ratio of every mode."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class MeshSurface:
-    """A table of any shape, as a mesh of its volume; its top face is level, and the highest that there is."""
+    """A table of any shape, given as a volume mesh with a level top face.
+
+    Examples
+    --------
+    >>> from dynamics import MeshSurface
+    >>> wood = {"young": 1e10, "poisson": 0.3, "density": 600.0}
+    >>> MeshSurface(file="table.msh", held=("feet",), **wood).place
+    (0.0, 0.0)
+    """
 
     kind: Literal["mesh"] = "mesh"
-    """What the disk stands on: a table without motion, a round plate, modes by number, an endless plate, any solid."""
+    """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
     action: Action = "auto"
-    """Whether the table only sounds or acts back on the motion of the disk; auto is the plan's choice."""
+    """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
     file: str
-    """File of the mesh, in metres, z upwards, as meshio reads it; sought beside the scene."""
+    """Mesh file readable by meshio, in metres, z upwards; relative to the scene file."""
     young: Young
     """Young's modulus of the table [Pa]."""
     poisson: Poisson
     """Poisson's ratio of the table."""
     density: Density
-    """Mass per volume of the table [kg/m^3]."""
+    """Density of the table [kg/m^3]."""
     loss_factor: Loss = 0.02
-    """Loss of energy per radian over the energy: twice the damping ratio of every mode."""
+    """Loss factor of the material: twice the damping ratio of every mode."""
     held: tuple[str, ...] = ()
-    """Names of the surfaces or sets of nodes of the mesh that do not move."""
-    place: tuple[Place, Place] = (0.0, 0.0)
-    """Where the centre of the disk is at the release [m], in the frame of the mesh or from the middle of the plate."""
+    """Names of the fixed surfaces or node sets of the mesh."""
+    place: tuple[Coordinate, Coordinate] = (0.0, 0.0)
+    """Position of the disk centre at the release [m], from the plate centre or the mesh origin."""
 
 
 AnySurface = Surface | PlateSurface | ModesSurface | InfiniteSurface | MeshSurface
-"""The kinds of table; `kind` tells them apart."""
+"""Any kind of table; `kind` is the discriminator."""
+
+
+def table_action(scene) -> Action:
+    """Return `surface.action` of a scene; "sound" if the scene has no table or a rigid one."""
+    return getattr(getattr(scene, "surface", None), "action", "sound")

@@ -1,8 +1,9 @@
-"""Which regime follows: the set-valued laws (3.2), (3.3) decided at an instant, and the two ends of a slide made exact.
+"""Which regime follows: the set-valued laws (3.2), (3.3) decided at an instant, and the two ends of
+a slide made exact.
 
-sign() at zero is any number in [-1, 1] (Filippov): among rolling and sliding, and for each omega.a_i = 0 among sticking
-and the two senses, exactly the choices whose own accelerations and loads agree with them can follow.
-"""
+sign() at zero is any number in [-1, 1] (Filippov): among rolling and sliding, and for each
+omega.a_i = 0 among sticking and the two senses, exactly the choices whose own accelerations and
+loads agree with them can follow."""
 
 import math
 from functools import lru_cache
@@ -10,36 +11,47 @@ from itertools import product
 
 import numpy as np
 
-from .equations import UNLOADED, Law, separation
-from .guards import Kind
-from .hybrid import Arc, StalledError, Step
-from .regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
-from .slip_direction import slip_push
+from dynamics.equations import UNLOADED, Law, separation
+from dynamics.guards import Kind
+from dynamics.hybrid import Arc, StalledError, Step
+from dynamics.incipient_slip import slip_push
+from dynamics.regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
 
 ROUND_OFF = 1e-12
+"""Relative tolerance for rounding errors in the consistency of a regime."""
 START = 3e-6
-"""What changes at most in the first step of a slide, and its length in units of r: its error is START cubed, below
-round-off."""
+"""What changes at most in the first step of a slide, and its length in units of r: its error is
+START cubed, below round-off."""
 PASSING = 0.01
-"""Part of the time in which friction could stop a slip, for a step that leaves behind the guard that has fallen."""
+"""Part of the time in which friction could stop a slip, for a step that leaves behind the guard
+that has fallen."""
 
 GRAZING = 0.05
-"""A slide whose first acceleration is less than this part of friction starts with the long step of collocation.py."""
+"""A slide whose first acceleration is less than this part of friction starts with the long step of
+collocation.py."""
 
 
 class ImpossibleContactError(ValueError):
-    """No choice of rolling, sliding and sticking satisfies the balance laws with a pressing contact (Painleve);
-    or they are undefined at the release."""
+    """No rolling, sliding or sticking contact satisfies the balance laws (Painleve paradox).
+
+    Also raised if the laws are undefined at the release. The message gives time and state.
+
+    Examples
+    --------
+    >>> from dynamics import ImpossibleContactError
+    >>> issubclass(ImpossibleContactError, ValueError)
+    True
+    """
 
 
 def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, Step | Arc | None]:
-    """Return the regime that can follow from state y, and the first step, or more, where it leaves rest.
+    """Return the regime that can follow from state y, and the first step, or more, where it leaves
+    rest.
 
-    `at_zero` names what is zero now: 0 the slip, i the surface omega.a_i; `fired` which of these can no longer stay so.
-    `graze(y, nu, regime)` integrates a slide that leaves rest along nu more gently than GRAZING, or is None.
-    Both are None where the disk leaves the plane. Raises ImpossibleContactError where it presses on it, but no regime
-    is consistent.
-    """
+    `at_zero` names what is zero now: 0 the slip, i the surface omega.a_i; `fired` which of these
+    can no longer stay so. `graze(y, nu, regime)` integrates a slide that leaves rest along nu more
+    gently than GRAZING, or is None. Both are None where the disk leaves the plane. Raises
+    ImpossibleContactError where it presses on it, but no regime is consistent."""
     for leaving in (fired, frozenset()) if fired else (fired,):
         for regime in _candidates(y, law, at_zero, leaving, senses):
             branch = Branch.of(regime, law, loads)
@@ -47,21 +59,25 @@ def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, S
                 step = _slide_from_rest(y, regime, branch, law, at_zero, graze)
                 if step:
                     return regime, step
-            elif _consistent(y, contact := FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero):
+            elif _consistent(
+                y, contact := FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero
+            ):
                 return regime, _step_off(y, contact, regime, branch, law) if leaving - {0} else None
     if _separates(y, law, loads):
         return None, None
     raise ImpossibleContactError(
-        f"{describe(y)}: no rolling, sliding or sticking contact with a pressing force satisfies the balance laws"
+        f"{describe(y)}: no rolling, sliding or sticking contact with a pressing force satisfies "
+        f"the balance laws"
     )
 
 
 def reversal(y, regime, branch, guard, law: Law) -> tuple[list, Regime] | None:
-    """Return state and regime behind a turning of a rolling disk that reverses and changes nothing else, which is what
-    `follow` tries first; None for all other changes."""
+    """Return state and regime behind a turning of a rolling disk that reverses and changes nothing
+    else, which is what `follow` tries first; None for all other changes."""
     if guard.kind is not Kind.REVERSES or regime.sliding or any(regime.stuck):
         return None
-    y, axis = at_rest(y, guard.axis), guard.axis
+    y = at_rest(y, guard.axis)
+    axis = guard.axis
     senses = tuple([-sense if i == axis else sense for i, sense in enumerate(regime.senses)])
     after = Regime(False, regime.stuck, senses)
     contact = FLOAT.contact(y, branch, senses, law)
@@ -74,22 +90,26 @@ def at_rest(y, i):
     if i == 0:
         y[W1] = 0.0
         return y
-    sin_a, cos_a, excess = math.cos(y[R] ** 2), math.sin(y[R] ** 2), turnings(y)[i]
+    sin_a = math.cos(y[R] ** 2)
+    cos_a = math.sin(y[R] ** 2)
+    excess = turnings(y)[i]
     along2, along3 = (cos_a, -sin_a) if i == 1 else (sin_a, cos_a)
     y[W2], y[W3] = y[W2] - excess * along2, y[W3] - excess * along3
     return y
 
 
 def _separates(y, law, loads) -> bool:
-    """Tell whether the disk, left alone, would rise from the plane, or by no more than rounding stays on it."""
+    """Return True if the free disk would rise from the plane, or stay on it within rounding."""
     r = y[R]
-    omega, slip = (r * y[W1], r * y[W2], r * y[W3]), (r * y[V1], r * y[V2])
+    omega = (r * y[W1], r * y[W2], r * y[W3])
+    slip = (r * y[V1], r * y[V2])
     applied = loads(r * r, omega, slip, law, FLOAT) if loads else UNLOADED
     return separation(r * r, *omega, law, applied) > -ROUND_OFF
 
 
 def _candidates(y, law, at_zero, leaving, senses):
-    """Return the regimes to try: rolling before sliding; of a turning at zero the reversal, sticking, the old sense."""
+    """Return the regimes to try: rolling before sliding; of a turning at zero the reversal,
+    sticking, the old sense."""
     turn1, turn2, turn3 = turnings(y)
     turning = (
         0.0 if 1 in at_zero else math.copysign(1.0, turn1),
@@ -113,11 +133,14 @@ def _choices(turning, senses, resisted, can_slip, at_rest, leaving):
         else:
             stick = [] if i + 1 in leaving else [(True, 1.0)]
             surfaces.append([(False, -senses[i]), *stick, (False, senses[i])])
-    return [Regime(sliding, *zip(*choice, strict=True)) for sliding, *choice in product(contact, *surfaces)]
+    return [
+        Regime(sliding, *zip(*choice, strict=True))
+        for sliding, *choice in product(contact, *surfaces)
+    ]
 
 
 def _consistent(y, contact, regime, law, at_zero) -> bool:
-    """Tell whether the solved contact presses, stays in its cones and moves in the senses assumed."""
+    """Return True if a contact presses, keeps to its friction limits and has the assumed senses."""
     if not (contact.Phi > 0 and contact.inertia > 0):
         return False
     cone = law.mu_static * contact.Phi
@@ -134,11 +157,14 @@ def _consistent(y, contact, regime, law, at_zero) -> bool:
 
 
 def turning_rates(y, contact) -> tuple[float, float, float]:
-    """Return d(omega.a_i)/dtau, the turning of a_2 and a_3 about a_1 included."""
+    """Return d(omega.a_i)/dtau, including the rotation of a_2 and a_3 about a_1."""
     r = y[R]
-    sin_a, cos_a = math.cos(r * r), math.sin(r * r)
+    sin_a = math.cos(r * r)
+    cos_a = math.sin(r * r)
     turn1, turn2, turn3 = turnings(y)
-    w1, along2, along3 = r * turn1, r * turn2, r * turn3
+    w1 = r * turn1
+    along2 = r * turn2
+    along3 = r * turn3
     return (
         contact.domega1,
         contact.domega2 * cos_a - contact.domega3 * sin_a - w1 * along3,
@@ -149,27 +175,31 @@ def turning_rates(y, contact) -> tuple[float, float, float]:
 def _along(y, angle, regime, branch, law):
     """Solve the balance laws for a contact that is about to slide along `angle` (2.7)."""
     slip = (y[R] * y[V1], y[R] * y[V2])
-    return FLOAT.contact_along(y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law)
+    return FLOAT.contact_along(
+        y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law
+    )
 
 
 def _slip_directions(y, regime, branch, law):
     """Yield the angles nu with udot(nu) x s = 0 and udot(nu) . s not negative.
 
-    The first is next to the friction that holds no longer; only where that one will not do are the others looked for,
-    on the whole circle and fastest first.
-    """
+    The first is next to the friction that holds no longer; only where that one will not do are the
+    others looked for, on the whole circle and fastest first."""
     push = slip_push(y, branch, regime.senses, law)
     if push.is_solvable:
         held = FLOAT.contact(y, branch._replace(sliding=False), regime.senses, law)
-        near = push.own_near(math.atan2(-held.F2, -held.F1))
-        if near is not None and push.along(near, near) > -ROUND_OFF:
+        near = push.aligned_direction_near(math.atan2(-held.F2, -held.F1))
+        if near is not None and push.acceleration_along(near, near) > -ROUND_OFF:
             yield near
-    speeds = sorted(((push.along(nu, nu), nu) for nu in push.own()), reverse=True)
+    speeds = sorted(
+        ((push.acceleration_along(nu, nu), nu) for nu in push.aligned_directions()), reverse=True
+    )
     yield from (nu for speed, nu in speeds if speed > -ROUND_OFF)
 
 
 def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | None:
-    """Take the first step of a slide in the limit of no start-up speed, or None where `regime` contradicts itself."""
+    """Take the first step of a slide in the limit of no start-up speed, or None where `regime`
+    contradicts itself."""
     for nu in _slip_directions(y, regime, branch, law):
         first = _along(y, nu, regime, branch, law)
         if _consistent(y, first, regime, law, at_zero):
@@ -184,16 +214,17 @@ def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | Non
 
 
 def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
-    """Take one implicit trapezoidal step of START r, whose unknown is the slip direction at its end.
+    """Take one implicit trapezoidal step of START r, whose unknown is the slip direction at its
+    end.
 
-    That direction is the direction of the mean slip acceleration. Raises StalledError where none is within a radian.
-    """
+    That direction is the direction of the mean slip acceleration. Raises StalledError where none is
+    within a radian."""
     slope = FLOAT.rates(y, first, branch, law)
     dt = _short(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
 
     ahead_push = slip_push(ahead, branch, regime.senses, law)
-    direction = ahead_push.plus(complex(first.du1, first.du2)).own_near(nu)
+    direction = ahead_push.with_added_rate(complex(first.du1, first.du2)).aligned_direction_near(nu)
     if direction is None:
         raise StalledError(f"{describe(y)}: the slide that starts here has no direction")
     last = _along(ahead, direction, regime, branch, law)
@@ -201,12 +232,14 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
 
 
 def _short(y, slope) -> float:
-    """Return the length of a step of START r, or of less where a state y changes faster at its rates `slope`."""
+    """Return the length of a step of START r, or of less where a state y changes faster at its
+    rates `slope`."""
     return START / max(1 / y[R], *(abs(b) / (1 + abs(a)) for a, b in zip(y, slope, strict=True)))
 
 
 def _step_off(y, first, regime, branch, law, length=None) -> Step:
-    """Take one step of Heun: a turning that stops sticking starts at its guard's zero, without push."""
+    """Take one step of Heun: a turning that stops sticking starts at its guard's zero, without
+    push."""
     slope = FLOAT.rates(y, first, branch, law)
     dt = length or _short(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
@@ -215,22 +248,38 @@ def _step_off(y, first, regime, branch, law, length=None) -> Step:
 
 
 def _parabola(regime, dt, y, slope, after) -> Step:
-    return Step(regime, dt, np.array([y, slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]]))
+    return Step(
+        regime,
+        dt,
+        np.array([y, slope, [(b - a) / (2 * dt) for a, b in zip(slope, after, strict=True)]]),
+    )
 
 
 def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
-    """Take the last step of a slide: to rest under the friction, of a direction in between, that stops it exactly.
+    """Take the last step of a slide: to rest under the friction, of a direction in between, that
+    stops it exactly.
 
-    So the balance laws hold for the whole step, and what it leaves out is of the second order in the slip speed. Where
-    none of the accelerations points against the slip it passes by rest, by a small step that is returned with False.
-    """
-    branch, speed = Branch.of(regime, law, loads), math.hypot(y[V1], y[V2])
+    So the balance laws hold for the whole step, and what it leaves out is of the second order in
+    the slip speed. Where none of the accelerations points against the slip it passes by rest, by a
+    small step that is returned with False."""
+    branch = Branch.of(regime, law, loads)
+    speed = math.hypot(y[V1], y[V2])
     along = math.atan2(y[V2], y[V1])
-    push = slip_push(y, branch, regime.senses, law).plus(y[W1] / 2 * complex(y[V1], y[V2]))
-    stopping = [angle for angle in push.against(along) if push.along(angle, along) < 0]
+    push = slip_push(y, branch, regime.senses, law).with_added_rate(
+        y[W1] / 2 * complex(y[V1], y[V2])
+    )
+    stopping = [
+        angle
+        for angle in push.directions_parallel_to(along)
+        if push.acceleration_along(angle, along) < 0
+    ]
     if stopping:
         angle = min(stopping, key=lambda a: abs(a - along))
         slope = FLOAT.rates(y, _along(y, angle, regime, branch, law), branch, law)
-        return Step(regime, -speed * y[R] / push.along(angle, along), np.array([y, slope])), True
+        return Step(
+            regime, -speed * y[R] / push.acceleration_along(angle, along), np.array([y, slope])
+        ), True
     here = FLOAT.contact(y, branch, regime.senses, law)
-    return _step_off(y, here, regime, branch, law, PASSING * speed * y[R] / (law.mu_dynamic * here.Phi)), False
+    return _step_off(
+        y, here, regime, branch, law, PASSING * speed * y[R] / (law.mu_dynamic * here.Phi)
+    ), False

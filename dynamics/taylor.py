@@ -1,4 +1,5 @@
-"""The flow by heyoka's adaptive Taylor integrator: steps of high order, and every root of every guard within a step."""
+"""The flow by heyoka's adaptive Taylor integrator: steps of high order, and every root of every
+guard within a step."""
 
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
@@ -7,19 +8,20 @@ from functools import lru_cache
 import heyoka
 import numpy as np
 
-from .dissipation import Resistance
-from .equations import Law
-from .film.law import Film, film_in
-from .guards import Guard
-from .hybrid import Arc
-from .regime import Branch, Flow, Regime
-from .rolling import restarted
-from .switching import reversal
-from .symbolic import formulas, prepared, shape
+from dynamics.dissipation import Resistance
+from dynamics.equations import Law
+from dynamics.film.wedge import Film, find_film
+from dynamics.guards import Guard
+from dynamics.hybrid import Arc
+from dynamics.integrators.branch_formulas import formulas, prepared, shape
+from dynamics.regime import Branch, Flow, Regime
+from dynamics.rolling import restarted
+from dynamics.switching import reversal
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
 STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
-heyoka.set_logger_level_error()  # it writes warnings to standard output, which is for results; the checks judge a run
+# it writes warnings to standard output, which is for results; the checks judge a run
+heyoka.set_logger_level_error()
 SUCCESS, NOT_FINITE = heyoka.taylor_outcome.success, heyoka.taylor_outcome.err_nf_state
 MOST_STEPS = 1000
 MOST_COMPILED = 64
@@ -27,25 +29,31 @@ MOST_COMPILED = 64
 SHORT = 1e-11
 """Tolerance down to which a series has at most 14 terms."""
 LIFT = 1e-300
-"""Added to every guard: of one that is exactly zero where a step starts, heyoka finds that root and misses the next."""
+"""Added to every guard: of one that is exactly zero where a step starts, heyoka finds that root and
+misses the next."""
 
 
 class Compiled:
-    """The integrator of one branch. It holds the state of a run, so that each run borrows a copy of its own.
+    """The integrator of one branch. It holds the state of a run, so that each run borrows a copy of
+    its own.
 
-    heyoka keeps what it has compiled on disk, so the branches in which most motions spend their time, rolling in a
-    vacuum and all in a film of air, are compiled for speed. Slides in a vacuum, branches in which something sticks and
-    those which another law alone resists are compiled in compact mode, ready six times sooner and half as fast; but
-    slides not where the tolerance is not below SHORT: series of few terms are soon ready.
-    """
+    heyoka keeps what it has compiled on disk, so the branches in which most motions spend their
+    time, rolling in a vacuum and all in a film of air, are compiled for speed. Slides in a vacuum,
+    branches in which something sticks and those which another law alone resists are compiled in
+    compact mode, ready six times sooner and half as fast; but slides not where the tolerance is not
+    below SHORT: series of few terms are soon ready."""
 
     def __init__(self, branch: Branch, tolerance: float):
         y = heyoka.make_vars(*STATE)
         rates, guards = formulas(SYMBOLIC, y, branch, lambda i: heyoka.par[i])
         falling = heyoka.event_direction.negative
-        self.guards, self._idle = tuple(guards), []
+        self.guards = tuple(guards)
+        self._idle = []
         self._integrator = heyoka.taylor_adaptive(
-            [(a, heyoka.expression(b) if isinstance(b, float) else b) for a, b in zip(y, rates, strict=True)],
+            [
+                (a, heyoka.expression(b) if isinstance(b, float) else b)
+                for a, b in zip(y, rates, strict=True)
+            ],
             [1.0] * len(y),
             tol=tolerance,
             compact_mode=any(branch.stuck)
@@ -56,7 +64,8 @@ class Compiled:
         )
 
     def borrow(self):
-        """Return an integrator that nobody else uses, with views of its parameters, state and last Taylor series."""
+        """Return an integrator that nobody else uses, with views of its parameters, state and last
+        Taylor series."""
         try:
             return self._idle.pop()
         except IndexError:
@@ -64,7 +73,8 @@ class Compiled:
             return own, own.pars, own.state, own.tc
 
     def guard(self, outcome) -> Guard | None:
-        """Return the guard that ended a run: heyoka tells number i as -i - 1, all else by numbers up to a success."""
+        """Return the guard that ended a run: heyoka tells number i as -i - 1, all else by numbers
+        up to a success."""
         return self.guards[-int(outcome) - 1] if int(outcome) > int(SUCCESS) else None
 
     def give_back(self, borrowed) -> None:
@@ -73,9 +83,12 @@ class Compiled:
 
 
 def is_common(loads) -> bool:
-    """Return whether most motions have such loads: none, or a film of air, alone or beside a scene's own resistance."""
+    """Return whether most motions have such loads: none, or a film of air, alone or beside a
+    scene's own resistance."""
     laws = getattr(loads, "laws", (loads,))
-    return loads is None or (bool(film_in(loads)) and all(isinstance(law, Film | Resistance) for law in laws))
+    return loads is None or (
+        bool(find_film(loads)) and all(isinstance(law, Film | Resistance) for law in laws)
+    )
 
 
 _compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")
@@ -83,33 +96,44 @@ _compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")
 
 @lru_cache(MOST_COMPILED)
 def compiled(branch: Branch, tolerance: float):
-    """Return the future of a `Compiled`: heyoka compiles beside other work, for it lets go of Python's lock."""
+    """Return the future of a `Compiled`: heyoka compiles beside other work, for it lets go of
+    Python's lock."""
     return _compilers.submit(Compiled, branch, tolerance)
 
 
-def prepare(regime: Regime, law: Law, loads, tolerance: float) -> None:
+def compile_in_background(regime: Regime, law: Law, loads, tolerance: float) -> None:
     """Begin to compile the flow of a regime."""
     compiled(shape(regime, law, loads), tolerance)
 
 
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
-    """Integrate from y within `regime` until a guard falls through zero, for `span`, or for MOST_STEPS steps.
+    """Integrate from y within `regime` until a guard falls through zero, for `span`, or for
+    MOST_STEPS steps.
 
-    While the disk rolls it goes on through turnings that only reverse. Where a law is not analytic, as a power of a
-    precession that rests, the steps are those of DOP853. Safe to call from several threads at once. Raises StalledError
-    where those are too short.
-    """
+    While the disk rolls it goes on through turnings that only reverse. Where a law is not analytic,
+    as a power of a precession that rests, the steps are those of DOP853. Safe to call from several
+    threads at once. Raises StalledError where those are too short."""
     future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
     flow = future.result()
     integrator, pars, state, series = borrowed = flow.borrow()
-    pars[:], state[:], start = parameters, y, y
+    pars[:] = parameters
+    state[:] = y
+    start = y
     integrator.time = 0.0
     integrator.reset_cooldowns()
-    branch, now, guard, step, t = Branch.of(regime, law, loads), regime, None, integrator.step, 0.0
-    times, kept, passed, lost = [], [], [], [[0.0] * len(STATE)]
+    branch = Branch.of(regime, law, loads)
+    now = regime
+    guard = None
+    step = integrator.step
+    t = 0.0
+    times = []
+    kept = []
+    passed = []
+    lost = [[0.0] * len(STATE)]
     for _ in range(MOST_STEPS):
         outcome, _ = step(span - t, True)
-        since, t = t, integrator.time
+        since = t
+        t = integrator.time
         times.append(t)
         kept.append(series.tobytes())  # faster than into an array
         if outcome == SUCCESS:
@@ -127,13 +151,14 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         guard = None
     coefficients = np.frombuffer(bytearray().join(kept)).reshape(-1, *series.shape).swapaxes(1, 2)
     if passed:
-        origins, pieces = np.cumsum(lost, axis=0), np.diff([0, *(n for n, *_ in passed), len(times)])
+        origins = np.cumsum(lost, axis=0)
+        pieces = np.diff([0, *(n for n, *_ in passed), len(times)])
         coefficients[:, 0] += np.repeat(origins, pieces, axis=0)
         state += origins[-1]
     end = state.tolist()
     flow.give_back(borrowed)
     if outcome == NOT_FINITE:
-        from . import dop853  # numba loads slowly
+        from dynamics.integrators import dop853  # numba loads slowly
 
         return dop853.advance(start, regime, law, loads, r_end, span, tolerance)
     return Arc(np.array(times), coefficients, end, guard, tuple(passed))

@@ -1,5 +1,6 @@
-"""The elastic modes of the disk: `eigenmodes(scene)` gives `Modes`."""
+"""The elastic modes of disks and tables: `eigenmodes(scene)`, `surface_modes(scene)`."""
 
 from lazy_loader import attach_stub
 
-__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)  # of __init__.pyi, when first asked for
+# imports what __init__.pyi lists, on first use
+__getattr__, __dir__, __all__ = attach_stub(__name__, __file__)

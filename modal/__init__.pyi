@@ -1,4 +1,4 @@
-from .elements.given_mesh import mesh_modes as mesh_modes
+from .elements.user_mesh import mesh_modes as mesh_modes
 from .export import as_faust as as_faust
 from .export import as_faust_library as as_faust_library
 from .export import as_json as as_json
@@ -14,8 +14,8 @@ from .radiation import with_radiation as with_radiation
 from .solve import eigenmodes as eigenmodes
 from .spectral.axisymmetric import plate_modes as plate_modes
 from .spectral.basis import Plate as Plate
-from .surface import surface_modes as surface_modes
-from .synthesis.patches import FreeDisk as FreeDisk
-from .synthesis.regular import Edge as Edge
-from .synthesis.regular import yielding_edge as yielding_edge
-from .table import SurfaceModes as SurfaceModes
+from .synthesis.free_disk import FreeDisk as FreeDisk
+from .synthesis.residual_flexibility import Edge as Edge
+from .synthesis.residual_flexibility import yielding_edge as yielding_edge
+from .tabletop.record import SurfaceModes as SurfaceModes
+from .tabletop.solve import surface_modes as surface_modes

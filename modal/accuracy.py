@@ -1,52 +1,58 @@
-"""The one table of what an accuracy means for modes; for motion and sound it is that of `dynamics.numerics`."""
+"""What the accuracies draft, standard and reference mean for modes; `dynamics.solver_settings` has
+motion and sound."""
 
 from dataclasses import replace
 from math import pi
 from typing import Any, NamedTuple
 
-from modal.mesh.half_disk import Blocks
+from modal.mesh.half_disk import MeshSize
 
-COARSE = Blocks(width=pi / 4, depth=0.5, rings=1, lead=0.25, legs=1)
-WIDE = Blocks(width=pi / 5, depth=0.5, rings=1, lead=0.4)
-ROUGH = Blocks(width=pi / 6, depth=0.45, rings=2)
-MIDDLE = Blocks(width=pi / 8, depth=0.38, rings=2)
-NARROW = Blocks(width=pi / 10, depth=0.32, rings=4, ratio=0.5)
-FINE = Blocks(width=pi / 8, depth=0.38, rings=3, split=2)
+COARSE_MESH = MeshSize(width=pi / 4, depth=0.5, rings=1, lead_ratio=0.25, leg_blocks=1)
+WIDE_MESH = MeshSize(width=pi / 5, depth=0.5, rings=1, lead_ratio=0.4)
+ROUGH_MESH = MeshSize(width=pi / 6, depth=0.45, rings=2)
+MIDDLE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=2)
+NARROW_MESH = MeshSize(width=pi / 10, depth=0.32, rings=4, ring_ratio=0.5)
+FINE_MESH = MeshSize(width=pi / 8, depth=0.38, rings=3, split=2)
 
 
-class Level(NamedTuple):
-    """What one of draft, standard, reference buys.
+class AccuracyLevel(NamedTuple):
+    """Settings of the modal solvers at one accuracy."""
 
-    free     -- estimated relative error of the frequencies of a free disk; the true one is several times smaller.
-    meshes   -- of a held one the mesh whose modes are given, and the coarser one that estimates their errors.
-    part     -- the same for a patch over part of the thickness, which needs many more cells.
-    richness -- in what synthesis differs from its standard `Richness`, at least.
-    table    -- how many unknowns a symmetry class of a meshed table may have, once every cell is cut in eight.
-    """
-
-    free: float
-    meshes: tuple[Blocks, Blocks]
-    part: tuple[Blocks, Blocks]
+    free_error: float
+    """Estimated relative error of the frequencies of a free disk; the true error is several times
+    smaller."""
+    patch_meshes: tuple[MeshSize, MeshSize]
+    """For a disk on a patch: the mesh of the modes, and the coarser mesh for their errors."""
+    low_patch_meshes: tuple[MeshSize, MeshSize]
+    """The same for a patch that is lower than the disk, which needs many more cells."""
     richness: dict[str, Any]
-    table: int
+    """Fields in which the synthesis differs from the default `Richness`."""
+    max_table_unknowns: int
+    """Largest number of unknowns in a symmetry class of a table with every cell divided into
+    eight."""
 
 
-LEVELS = {
-    "draft": Level(
-        free=1e-4,
-        meshes=(ROUGH, COARSE),
-        part=(replace(ROUGH, rings=1), replace(COARSE, rings=0)),
+ACCURACY_LEVELS = {
+    "draft": AccuracyLevel(
+        free_error=1e-4,
+        patch_meshes=(ROUGH_MESH, COARSE_MESH),
+        low_patch_meshes=(replace(ROUGH_MESH, rings=1), replace(COARSE_MESH, rings=0)),
         richness={"size": (9, 6), "around": 4, "through": 3},
-        table=20_000,
+        max_table_unknowns=20_000,
     ),
-    "standard": Level(
-        free=3e-6, meshes=(NARROW, WIDE), part=(MIDDLE, replace(COARSE, lead=0.15)), richness={}, table=60_000
+    "standard": AccuracyLevel(
+        free_error=3e-6,
+        patch_meshes=(NARROW_MESH, WIDE_MESH),
+        low_patch_meshes=(MIDDLE_MESH, replace(COARSE_MESH, lead_ratio=0.15)),
+        richness={},
+        max_table_unknowns=60_000,
     ),
-    "reference": Level(
-        free=1e-8,
-        meshes=(FINE, MIDDLE),
-        part=(FINE, MIDDLE),
+    "reference": AccuracyLevel(
+        free_error=1e-8,
+        patch_meshes=(FINE_MESH, MIDDLE_MESH),
+        low_patch_meshes=(FINE_MESH, MIDDLE_MESH),
         richness={"size": (12, 8), "around": 9, "through": 6},
-        table=250_000,
+        max_table_unknowns=250_000,
     ),
 }
+"""Settings by accuracy."""

@@ -1,5 +1,6 @@
 """Modes as files that other programs read."""
 
+from math import degrees, pi
 from pathlib import Path
 
 import numpy as np
@@ -8,10 +9,11 @@ from modal.modes import Modes
 
 
 def as_json(modes: Modes) -> dict:
-    """The content of modes.json: how the modes were computed, and for each mode its numbers and its rim shape.
+    """The content of modes.json: how the modes were computed, and for each mode its numbers and its
+    rim shape.
 
-    The rim shape is given as the radial, tangential and axial displacement [kg^-1/2] of the bottom edge at `rim_angle`.
-    """
+    The rim shape is given as the radial, tangential and axial displacement [kg^-1/2] of the bottom
+    edge at `rim_angle`."""
     return {
         "method": modes.method,
         "unknowns": modes.unknowns,
@@ -41,83 +43,183 @@ def one(modes: Modes, i):
 
 
 def write_vtu(modes: Modes, path: str | Path) -> None:
-    """Write the whole disk [m] with one array of displacement vectors [kg^-1/2] per mode, quadratic cells kept."""
+    """Write the whole disk [m] with one array of displacement vectors [kg^-1/2] per mode, quadratic
+    cells kept."""
     import meshio
 
     body = modes.body
     names = [f"mode {i + 1:02d}: {f:.1f} Hz" for i, f in enumerate(modes.frequency)]
-    fields = {name: np.ascontiguousarray(u) for name, u in zip(names, body.displacement, strict=True)}
+    fields = {
+        name: np.ascontiguousarray(u) for name, u in zip(names, body.displacement, strict=True)
+    }
     mesh = meshio.Mesh(body.points, [(body.cell_type, body.cells)], point_data=fields)
     meshio.write(Path(path), mesh, file_format="vtu")
 
 
 def write_uff(modes: Modes, path: str | Path) -> None:
-    """Write the nodes (dataset 15) and one dataset 55, normal modes, per mode; needs the optional package pyuff."""
+    """Write the nodes (dataset 15) and one dataset 55, normal modes, per mode; needs the optional
+    package pyuff."""
     try:
         import pyuff
     except ModuleNotFoundError:
-        raise ModuleNotFoundError('uff needs pyuff: python -m pip install -e ".[uff]"', name="pyuff") from None
-    body, number = modes.body, np.arange(1, len(modes.body.points) + 1)
+        raise ModuleNotFoundError(
+            'uff needs pyuff: python -m pip install -e ".[uff]"', name="pyuff"
+        ) from None
+    body = modes.body
+    number = np.arange(1, len(modes.body.points) + 1)
     x, y, z = body.points.T
     same = np.ones(len(number), int)
     file = pyuff.UFF(str(path))
-    nodes = {"type": 15, "node_nums": number, "def_cs": same, "disp_cs": same, "color": same, "x": x, "y": y, "z": z}
+    nodes = {
+        "type": 15,
+        "node_nums": number,
+        "def_cs": same,
+        "disp_cs": same,
+        "color": same,
+        "x": x,
+        "y": y,
+        "z": z,
+    }
     file.write_sets(nodes, mode="overwrite")
     for i, u in enumerate(body.displacement):
         file.write_sets(dataset_55(modes, i, number, u), mode="add")
 
 
 def dataset_55(modes: Modes, i, number, u):
-    """Dataset 55 of mode i: structural, normal mode, three translations per node, displacement, real."""
+    """Dataset 55 of mode i: structural, normal mode, three translations per node, displacement,
+    real."""
     damping = modes.decay_rate[i] / (2 * np.pi * modes.frequency[i])
-    kind = {"type": 55, "model_type": 1, "analysis_type": 2, "data_ch": 2, "spec_data_type": 8, "data_type": 2}
+    kind = {
+        "type": 55,
+        "model_type": 1,
+        "analysis_type": 2,
+        "data_ch": 2,
+        "spec_data_type": 8,
+        "data_type": 2,
+    }
     place = {"n_data_per_node": 3, "load_case": 1, "mode_n": i + 1, "node_nums": number}
-    size = {"freq": modes.frequency[i], "modal_m": 1.0, "modal_damp_vis": damping, "modal_damp_his": 0.0}
-    text = {f"id{k}": line for k, line in enumerate(("modes", modes.method, modes.family[i], "SI", "NONE"), 1)}
+    size = {
+        "freq": modes.frequency[i],
+        "modal_m": 1.0,
+        "modal_damp_vis": damping,
+        "modal_damp_his": 0.0,
+    }
+    text = {
+        f"id{k}": line
+        for k, line in enumerate(("modes", modes.method, modes.family[i], "SI", "NONE"), 1)
+    }
     return kind | place | size | text | {"r1": u[:, 0], "r2": u[:, 1], "r3": u[:, 2]}
 
 
-def as_faust(modes: Modes, angle: float = 0.0, name: str = "disk") -> str:
-    """A Faust program: a force [N], axial at the bottom edge at `angle` [rad], in; velocity [m/s] there out.
+STRIKE_PEAK = 0.9
+"""The greatest sample of a Faust program after a unit strike, one sample of 1."""
+OPPOSITE = pi
+"""Angle [rad] of the rim opposite the contact, where a disk moves however it is held."""
 
-    The model is that of `as_faust_library`, with sliders for what it is scaled by. ValueError if there is no mode,
-    or an overdamped one.
-    """
+
+def as_faust(modes: Modes, angle: float = OPPOSITE, name: str = "disk") -> str:
+    """Return a Faust program that rings as a disk struck at one point of its bottom edge.
+
+    It is the function of `as_faust_library` with sliders for what it is scaled by. Parameters and
+    errors are those of `as_faust_library`."""
     return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
 
 
-def as_faust_library(modes: Modes, angle: float = 0.0, name: str = "disk") -> str:
-    """A Faust library with one function, name(gain, t60_scale, frequency_scale), from force to velocity as `as_faust`.
+def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") -> str:
+    """Return a Faust library with one function, name(gain, t60_scale, frequency_scale), from
+    strikes to velocity.
 
-    q'' + 2 d q' + w^2 q = phi F is stepped exactly for a force that is constant between samples: with the pole
-    exp(-d T), angle v T, v^2 = w^2 - d^2, each step of F adds the velocity phi^2 exp(-d t) sin(v t)/v in each mode.
-    Frequencies v are multiplied by frequency_scale, and modes beyond half the sample rate are silent; 1/d by t60_scale.
-    ValueError if there is no mode, or an overdamped one, d >= w, which has no v.
+    The disk is struck along its axis at the bottom edge; the velocity is that of the struck point
+    along the axis. A sample of x is a strike by an impulse of x. Each mode then moves the point at
+    g exp(-d t) (cos v t - d/v sin v t), v^2 = w^2 - d^2, exactly: g is the share of the mode in the
+    first sample, and all of them add up to STRIKE_PEAK, which no later sample exceeds. The file
+    states the velocity that this stands for.
+
+    Parameters
+    ----------
+    modes : Modes
+        The modes; frequencies v are multiplied by frequency_scale, and a mode beyond half the
+        sample rate is silent; the decay times 1/d are multiplied by t60_scale.
+    angle : float
+        Where the disk is struck and heard [rad], from the middle of the patch; the opposite rim
+        unless given.
+    name : str
+        Name of the function.
+
+    Returns
+    -------
+    str
+        The text of the library.
+
+    Raises
+    ------
+    ValueError
+        If there is no mode, if a mode is overdamped, d >= w, which has no v, or if the disk is held
+        at this angle.
     """
     if not len(modes):
         raise ValueError("there is no mode to write")
     for i in np.flatnonzero(modes.decay_rate >= 2 * np.pi * modes.frequency):
-        f, d = modes.frequency[i], modes.decay_rate[i]
-        raise ValueError(f"mode {i + 1} of {f:.1f} Hz does not oscillate: its decay rate of {d:.4g} 1/s is too large")
-    phi = modes.at_rim(angle)[:, 0, 2]
+        f = modes.frequency[i]
+        d = modes.decay_rate[i]
+        raise ValueError(
+            f"mode {i + 1} of {f:.1f} Hz does not oscillate: its decay rate of {d:.4g} 1/s is too "
+            f"large"
+        )
+    share, velocity = strike_shares(modes, angle)
     turn = np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2)
-    rows = zip(turn, modes.decay_rate, phi**2 / turn, strict=True)
+    rows = zip(turn, modes.decay_rate, STRIKE_PEAK * share, strict=True)
     bank = ",\n    ".join(f"mode({w:.15g}, {d:.15g}, {g:.15g})" for w, d, g in rows)
-    return FAUST_LIBRARY.format(name=name, count=len(modes), bank=bank)
+    return FAUST_LIBRARY.format(
+        name=name,
+        count=len(modes),
+        bank=bank,
+        strike=degrees(angle),
+        peak=STRIKE_PEAK,
+        velocity=velocity / STRIKE_PEAK,
+    )
+
+
+def strike_shares(modes: Modes, angle: float) -> tuple[np.ndarray, float]:
+    """Return the shares (m,) of the modes in the velocity of a point that is struck, and that
+    velocity [m/s] per N s.
+
+    The point lies on the bottom edge at an angle [rad]; of modal mass 1, a mode of axial shape phi
+    moves it at phi^2. Raises ValueError where the disk is held."""
+    if not np.isfinite(angle):
+        raise ValueError(f"strike at {angle} degrees: must be a finite angle")
+    mobility = modes.at_rim(angle)[:, 0, 2] ** 2
+    greatest = (modes.rim_shape[:, :, 2] ** 2).sum(axis=0).max()
+    if mobility.sum() <= 1e-4 * greatest:
+        raise ValueError(
+            f"strike at {degrees(angle):g} degrees: the disk is held there; strike where it can "
+            f"move"
+        )
+    share = mobility / mobility.sum()
+    share[share < np.finfo(float).eps] = 0.0  # nodes of a mode, which round-off makes move
+    return share, float(mobility.sum())
 
 
 FAUST_LIBRARY = """declare name "{name}";
+declare strike "axially at the bottom edge, {strike:.6g} degrees from the contact";
+declare peak "{peak:g} after a unit strike, which is one sample of 1";
+declare scale "1.0 = {velocity:.6g} m/s after a strike of 1 N s";
 import("stdfaust.lib");
-// {count} modes: angular rate [rad/s], decay rate [1/s], velocity [m/s] per newton stepped
-{name}(gain, t60_scale, frequency_scale) = _ <: (_, mem) : - <:
+// A disk of {count} modes, struck and heard axially at its bottom edge, {strike:.6g} degrees from the contact.
+// In: strikes, one sample each. Out: velocity of the struck point. A unit strike, one sample of 1, has the peak
+// {peak:g}, its first sample: where 1 stands for 1 N s, 1.0 stands for {velocity:.6g} m/s.
+// Of each mode: angular rate [rad/s], decay rate [1/s], gain, which is its part of that first sample.
+{name}(gain, t60_scale, frequency_scale) = _ <:
     {bank}
     :> *(gain)
 with {{
   T = 1.0 / ma.SR;
-  mode(rate, decay, g) = *(g / frequency_scale * (w * T < ma.PI) * r * sin(w * T)) : fi.tf2(0, 1, 0, a1, r * r)
+  mode(rate, decay, g) = *(g * (w * T < ma.PI)) : fi.tf2(1, b1, 0, a1, r * r)
   with {{
     w = rate * frequency_scale;
-    r = exp(0 - decay / t60_scale * T);
+    d = decay / t60_scale;
+    r = exp(0 - d * T);
+    b1 = 0 - r * (cos(w * T) + d / w * sin(w * T));
     a1 = -2 * r * cos(w * T);
   }};
 }};

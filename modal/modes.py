@@ -1,8 +1,8 @@
-"""The sections of a scene that the elastic modes read, and the record of the modes.
+"""The sections of a scene that describe the elastic disk, and the record of its modes.
 
-The frame of everything here is fixed in the disk: origin at its centre, z along its axis, x through the middle of the
-patch at the circumferential angle 0. In the paper's basis (2.1), with the contact at the patch, x, y, z = -e3, -e1, e2;
-the bottom face, which meets the table, is z = -thickness/2.
+The frame is fixed in the disk: the origin is its centre, z its axis, and x points to the middle of
+the patch, at the circumferential angle 0. In the paper's basis (2.1), with the contact at the
+patch, x, y, z = -e3, -e1, e2. The bottom face, z = -thickness/2, meets the table.
 """
 
 from collections.abc import Sequence
@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike
 
 
 class UnsolvableError(ArithmeticError, ValueError):
-    """Modes that cannot be sought: too many of them, or lost in round-off. The message is one line."""
+    """Raised when modes cannot be computed: there are too many, or round-off exceeds them. The
+    message is one line."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,40 +30,55 @@ class Material:
     poisson: Annotated[float, Gt(-1), Lt(0.5)]
     """Poisson's ratio."""
     loss_factor: Annotated[float, Ge(0), Le(1)] = 0.0
-    """Loss of energy per radian over the energy, the inverse of the quality factor."""
+    """Loss factor: energy lost per radian over the stored energy, the inverse of the quality
+    factor."""
     decay_rates: tuple[Annotated[float, Ge(0), Le(1e6)], ...] = ()
     """Measured decay rates of the first modes, in order of their frequencies [1/s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Support:
-    """How the disk is held; on patches below the bounds the lowest modes are lost in round-off."""
+    """The support of the disk. The lower bounds exclude patches so small that round-off exceeds the
+    lowest modes."""
 
     kind: Literal["patch", "free", "contact"] = "patch"
-    """By an arc of its lateral surface, centred at angle 0; not at all; or by the springs of its elastic contact."""
+    """Held on an arc of the lateral surface centred at angle 0, free, or on the springs of its
+    elastic contact."""
     inclination_deg: Annotated[float, Ge(1e-5), Lt(90)] | None = None
-    """Inclination at which the disk stands on its contact [degrees], that of the release unless given."""
+    """Inclination of the disk on its contact [degrees]; by default that of the release."""
     half_angle_deg: Annotated[float, Ge(0.01), Le(180)] = 5.0
-    """How far the patch reaches to either side [degrees]."""
+    """Half of the angle that the patch covers [degrees]."""
     height: Annotated[float, Ge(1e-5), Le(100)] | None = None
-    """How much of the thickness the patch takes [m], all of it unless given."""
+    """Height of the patch [m]; by default the thickness of the disk."""
     position: Literal["middle", "bottom"] = "middle"
-    """Where a lower patch sits: in the middle of the thickness, or from the bottom rim up."""
+    """Position of a patch that is lower than the disk: at mid-thickness, or from the bottom rim
+    up."""
     held: tuple[Literal["radial", "tangential", "axial"], ...] = ("radial", "tangential", "axial")
-    """The components of the displacement that vanish on the patch."""
+    """Components of the displacement that vanish on the patch."""
 
     def __post_init__(self):
         if not self.held or len(set(self.held)) < len(self.held):
-            raise ValueError("held names each held component once: radial, tangential, axial")
+            raise ValueError("held must name one or more of radial, tangential, axial, each once")
         if self.inclination_deg is not None and self.kind != "contact":
-            told = f"kind = 'contact' alone has one, and this is {self.kind!r}"
-            raise ValueError(f"inclination_deg = {self.inclination_deg:g}: {told}")
+            requirement = f"allowed only with kind = 'contact', not {self.kind!r}"
+            raise ValueError(f"inclination_deg = {self.inclination_deg:g}: {requirement}")
 
 
 @dataclass(frozen=True, kw_only=True)
 class Body:
-    """The mode shapes on a mesh of the whole disk: `points` (p, 3) [m], `cells` (c, nodes) in VTK order of the meshio
-    type `cell_type`, `displacement` (m, p, 3) [kg^-1/2]."""
+    """Mode shapes on a mesh of the whole disk.
+
+    Attributes
+    ----------
+    points : ndarray, shape (p, 3)
+        Nodes [m].
+    cells : ndarray of int, shape (c, nodes)
+        Nodes of each cell in VTK's order.
+    cell_type : str
+        meshio's name of the cell type.
+    displacement : ndarray, shape (m, p, 3)
+        Displacement of the nodes along x, y, z in each mode [kg^-1/2].
+    """
 
     points: np.ndarray
     cells: np.ndarray
@@ -70,24 +86,35 @@ class Body:
     displacement: np.ndarray
 
 
-OF_A_MODE: tuple[str, ...] = ("frequency", "decay_rate", "order", "partner", "participation", "rim_shape", "face_shape")
-OF_A_MODE += ("residual", "error")
-"""The arrays of `Modes` that have a row for every mode."""
+PER_MODE_ARRAYS = (
+    "frequency",
+    "decay_rate",
+    "order",
+    "partner",
+    "participation",
+    "rim_shape",
+    "face_shape",
+    "residual",
+    "error",
+)
+"""Fields of `Modes` that are arrays with one row per mode."""
 
 
-def around(values, angle):
-    """Fourier's sum (..., k) at angles (k,) [rad] of values (..., n) at n even angles, of the orders they contain."""
+def fourier_interpolation(values, angle):
+    """Interpolate values (..., n) at n even angles by their Fourier sum at angles (k,) [rad]: (...,
+    k)."""
     n = values.shape[-1]
-    wave = np.fft.rfft(values) / n
-    wave[..., 1 : (n + 1) // 2] *= 2
-    size = np.abs(wave).max(axis=tuple(range(wave.ndim - 1)), initial=0.0)
-    order = np.flatnonzero(size > np.finfo(float).eps * size.max())
-    turn = np.outer(order, angle)
-    return wave.real[..., order] @ np.cos(turn) - wave.imag[..., order] @ np.sin(turn)
+    coefficients = np.fft.rfft(values) / n
+    coefficients[..., 1 : (n + 1) // 2] *= 2
+    magnitude = np.abs(coefficients).max(axis=tuple(range(coefficients.ndim - 1)), initial=0.0)
+    order = np.flatnonzero(magnitude > np.finfo(float).eps * magnitude.max())
+    phase = np.outer(order, angle)
+    kept = coefficients[..., order]
+    return kept.real @ np.cos(phase) - kept.imag @ np.sin(phase)
 
 
 class ModeList:
-    """What the records of modes have in common: arrays that are finite and cannot be changed, and a length."""
+    """Base of the records of modes: finite, read-only arrays, and the number of modes as length."""
 
     frequency: np.ndarray
     method: str
@@ -97,41 +124,68 @@ class ModeList:
         for name, value in vars(self).items():
             if isinstance(value, np.ndarray):
                 if not np.isfinite(value).all():
-                    raise ArithmeticError(f"{type(self).__name__}: {name} has values that are not finite")
+                    raise ArithmeticError(f"{type(self).__name__}: {name} has non-finite values")
                 value.flags.writeable = False
 
     def __len__(self):
         return len(self.frequency)
 
     def __repr__(self):
-        """In one line."""
+        """Return one line: number of modes, range of frequencies, method, unknowns."""
         span = f", {self.frequency[0]:.6g} to {self.frequency[-1]:.6g} Hz" if len(self) else ""
         return f"{type(self).__name__}({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
 
-    def numbers(self, indices: Sequence[int] | np.ndarray) -> np.ndarray:
-        """The numbers (k,) of modes that are given by indices (k,), or by a mask (m,)."""
-        return np.arange(len(self))[np.asarray(indices, dtype=None if len(indices) else int)]
+    def as_indices(self, selection: Sequence[int] | np.ndarray) -> np.ndarray:
+        """Return the indices (k,) of the modes that indices (k,) or a mask (m,) select."""
+        return np.arange(len(self))[np.asarray(selection, dtype=None if len(selection) else int)]
 
 
 @dataclass(frozen=True, kw_only=True, repr=False)
 class Modes(ModeList):
-    """m elastic modes, ascending, rigid-body modes not among them, of modal mass 1: phi^T M phi = 1, phi in [kg^-1/2].
+    """The m elastic modes of a disk in ascending order of frequency, without rigid-body modes.
 
-    frequency, decay_rate (m,) -- [Hz] and [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency t).
-    order (m,)          -- number of waves around the circumference; of a held disk the strongest one.
-    family (m,)         -- "flexural" (axial motion), "extensional" (in the plane), "torsional" (order 0 of a disk
-                           that is not held, u_theta alone).
-    parity (m,)         -- "even": symmetric about the plane y = 0, u_r, u_z ~ cos n theta; "odd": the sine partner.
-    partner (m,)        -- index of the other mode of a degenerate pair of an axisymmetric disk; -1 if there is none.
-    participation (m, 6) -- phi^T M r for the translations along x, y, z [kg^1/2] and the rotations about x, y, z
-                           through the centre [kg^1/2 m]; a base that accelerates as r drives q'' with -participation.
-    rim_angle (k,), rim_shape (m, k, 3) -- radial, tangential, axial displacement of the bottom edge at k even angles.
-    face_radius (a,), face_weight (a,), face_angle (b,), face_shape (m, 2, a, b) -- axial displacement of the bottom (0)
-                           and top (1) face at Gauss points in the radius and even angles: the integral over a face is
-                           sum(face_weight[:, None] * w) * 2 pi / b, in m^2; face_weight includes the radius.
-    residual (m,)       -- |phi - w^2 K^-1 M phi| / |phi| of the computed pair, K shifted where the body is free.
-    error (m,)          -- estimated relative error of the frequency.
-    mass                -- mass of the discrete model [kg].  method, unknowns -- how it was computed, and how large.
+    The modal mass is 1: phi^T M phi = 1, with phi in kg^-1/2.
+
+    Attributes
+    ----------
+    frequency, decay_rate : ndarray, shape (m,)
+        Frequency [Hz] and decay rate [1/s]: a mode rings as exp(-decay_rate t) sin(2 pi frequency
+        t).
+    order : ndarray of int, shape (m,)
+        Number of waves around the circumference; of a held disk the strongest order.
+    family : tuple of str, length m
+        "flexural" (axial motion), "extensional" (in-plane motion), or "torsional" (order 0 of a
+        disk that is not held, u_theta alone).
+    parity : tuple of str, length m
+        "even": symmetric about the plane y = 0, u_r and u_z ~ cos n theta. "odd": the sine partner.
+    partner : ndarray of int, shape (m,)
+        Index of the other mode of a degenerate pair of an axisymmetric disk; -1 without one.
+    participation : ndarray, shape (m, 6)
+        phi^T M r for the translations r along x, y, z [kg^1/2] and the rotations about x, y, z
+        through the centre [kg^1/2 m]. A base that accelerates as r drives q'' with -participation.
+    rim_angle : ndarray, shape (k,)
+        Even angles [rad] at the bottom edge.
+    rim_shape : ndarray, shape (m, k, 3)
+        Radial, tangential and axial displacement of the bottom edge at `rim_angle` [kg^-1/2].
+    face_radius, face_weight : ndarray, shape (a,)
+        Gauss radii [m] and weights [m^2] of the faces. The weights include the radius: the integral
+        of w over a face is ``sum(face_weight[:, None] * w) * 2 * pi / b`` [m^2].
+    face_angle : ndarray, shape (b,)
+        Even angles [rad] on the faces.
+    face_shape : ndarray, shape (m, 2, a, b)
+        Axial displacement of the bottom (0) and top (1) face [kg^-1/2].
+    residual : ndarray, shape (m,)
+        |phi - w^2 K^-1 M phi| / |phi| of the computed pair, with K shifted if the body is free.
+    error : ndarray, shape (m,)
+        Estimated relative error of the frequency.
+    mass : float
+        Mass of the discrete model [kg].
+    method : str
+        Method of computation.
+    unknowns : int
+        Size of the discrete model.
+    body : Body
+        The shapes on a mesh of the whole disk.
     """
 
     frequency: np.ndarray
@@ -156,50 +210,105 @@ class Modes(ModeList):
 
     @property
     def decay_time(self) -> np.ndarray:
-        """T60 (m,) [s]: time in which a mode falls by 60 dB; infinite without losses."""
+        """Time T60 (m,) [s] in which a mode decays by 60 dB; infinite without losses."""
         with np.errstate(divide="ignore"):
             return 3 * log(10) / self.decay_rate
 
     @property
     def quality(self) -> np.ndarray:
-        """Q = pi f / d (m,); infinite without losses."""
+        """Quality factor (m,), Q = pi f / d; infinite without losses."""
         with np.errstate(divide="ignore"):
             return pi * self.frequency / self.decay_rate
 
     @property
     def effective_mass(self) -> np.ndarray:
-        """participation^2 (m, 6) [kg, kg m^2]; the columns of a held disk add up to its mass and inertia."""
+        """Effective mass participation^2 (m, 6) [kg, kg m^2]; the sums over all modes of a held
+        disk are its mass and inertia."""
         return self.participation**2
 
     def select(self, indices: Sequence[int] | np.ndarray) -> "Modes":
-        """The modes of these indices (k,), or a mask (m,), in that order; `partner` is renumbered, -1 if left out."""
-        kept = self.numbers(indices)
-        place = np.full(len(self) + 1, -1)
-        place[kept] = np.arange(len(kept))
-        of_a_mode = {name: getattr(self, name)[kept] for name in OF_A_MODE}
-        of_a_mode["partner"] = place[of_a_mode["partner"]]
-        family, parity = (tuple(names[i] for i in kept) for names in (self.family, self.parity))
+        """Return some of the modes.
+
+        Parameters
+        ----------
+        indices : sequence of int, shape (k,), or ndarray of bool, shape (m,)
+            Indices in the order wanted, or a mask.
+
+        Returns
+        -------
+        Modes
+            The selected modes. `partner` is renumbered; it is -1 where the partner was not
+            selected.
+        """
+        kept = self.as_indices(indices)
+        new_index = np.full(len(self) + 1, -1)
+        new_index[kept] = np.arange(len(kept))
+        arrays = {name: getattr(self, name)[kept] for name in PER_MODE_ARRAYS}
+        arrays["partner"] = new_index[arrays["partner"]]
+        family = tuple(self.family[i] for i in kept)
+        parity = tuple(self.parity[i] for i in kept)
         body = replace(self.body, displacement=self.body.displacement[kept])
-        return replace(self, family=family, parity=parity, body=body, **of_a_mode)
+        return replace(self, family=family, parity=parity, body=body, **arrays)
 
     def at_rim(self, angle: ArrayLike) -> np.ndarray:
-        """Radial, tangential, axial displacement (m, k, 3) [kg^-1/2] of the bottom edge at angles (k,) [rad]."""
-        shape = around(self.rim_shape.transpose(0, 2, 1), np.atleast_1d(angle))
+        """Return the mode shapes at points of the bottom edge.
+
+        Parameters
+        ----------
+        angle : array_like, shape (k,)
+            Circumferential angles [rad].
+
+        Returns
+        -------
+        ndarray, shape (m, k, 3)
+            Radial, tangential and axial displacement [kg^-1/2], from the Fourier sum of
+            `rim_shape`.
+        """
+        shape = fourier_interpolation(self.rim_shape.transpose(0, 2, 1), np.atleast_1d(angle))
         return np.ascontiguousarray(shape.transpose(0, 2, 1))
 
     def at_face(self, radius: ArrayLike, angle: ArrayLike) -> np.ndarray:
-        """Axial displacement (m, 2, k) [kg^-1/2] of the bottom (0) and top (1) face at radii [m], angles [rad], (k,).
+        """Return the axial displacement of the modes at points of both faces, up to the rim.
 
-        Fourier's sum of `face_shape` around, the polynomial through its Gauss points in the radius, up to the rim.
+        Parameters
+        ----------
+        radius, angle : array_like, shape (k,)
+            Polar coordinates of the points [m], [rad].
+
+        Returns
+        -------
+        ndarray, shape (m, 2, k)
+            Axial displacement [kg^-1/2] of the bottom (0) and top (1) face: the Fourier sum of
+            `face_shape` in the angle, the polynomial through the Gauss points in the radius.
         """
         radius, angle = np.broadcast_arrays(np.atleast_1d(radius), angle)
-        nodes, degree = self.face_radius, len(self.face_radius) - 1
-        at, between = (legvander(2 * (r - nodes[0]) / np.ptp(nodes) - 1, degree) for r in (radius, nodes))
-        return np.einsum("mfrk,kr->mfk", around(self.face_shape, angle), at @ np.linalg.inv(between))
+        nodes = self.face_radius
+
+        def legendre_values(r):
+            return legvander(2 * (r - nodes[0]) / np.ptp(nodes) - 1, len(nodes) - 1)
+
+        to_points = legendre_values(radius) @ np.linalg.inv(legendre_values(nodes))
+        in_angle = fourier_interpolation(self.face_shape, angle)
+        return np.einsum("mfrk,kr->mfk", in_angle, to_points)
 
     def with_decay(self, decay_rate: ArrayLike) -> "Modes":
-        """The same modes with other decay rates (m,) or scalar [1/s], as measured on a real disk."""
+        """Return the same modes with other decay rates, for example measured ones.
+
+        Parameters
+        ----------
+        decay_rate : float or array_like, shape (m,)
+            Decay rates [1/s].
+
+        Returns
+        -------
+        Modes
+
+        Raises
+        ------
+        ValueError
+            If a decay rate is negative.
+        """
         decay_rate = np.broadcast_to(np.asarray(decay_rate, float), self.frequency.shape).copy()
         if (decay_rate < 0).any():
-            raise ValueError("a decay rate is not negative")
+            raise ValueError(f"decay_rate = {decay_rate.min():g}: must not be negative")
         return replace(self, decay_rate=decay_rate)

@@ -1,62 +1,74 @@
-"""DISK -> MODES: `eigenmodes(scene)`, which chooses the method that suits the support."""
+"""Elastic modes of a disk: `eigenmodes(scene)`, by the method that suits its support."""
 
 from math import pi, radians
 from typing import Any, Protocol
 
-from modal import held, on_contact
+from modal import patch, spring_supported
+from modal.blas_threads import one_blas_thread
 from modal.elements.elastic import mode_count
 from modal.mesh.sector import patch_edge
 from modal.mesh.symmetry import check_held
 from modal.modes import Material, Modes, Support, UnsolvableError
-from modal.one_thread import one_blas_thread
 from modal.spectral import axisymmetric
 from modal.spectral.basis import Plate
 
-BELOW = 24000.0
-"""Modes at or above this frequency [Hz] are left out unless asked for."""
-
-
-LONGEST = 50
-"""Thickness over radius beyond which a disk is a rod, for which these meshes and bases are not made."""
-MOST = 600
-"""Modes beyond which none are sought: they would take minutes to solve and hours to hear out."""
+DEFAULT_HIGHEST_FREQUENCY = 24000.0  # Hz
+"""Modes at or above this frequency are left out by default."""
+MAX_MODE_COUNT = 600
+"""Largest number of modes that are computed: more would take minutes to solve and hours to hear."""
 
 
 def density(disk: Any) -> float:
-    """Mass over volume of a disk [kg/m^3]; ValueError for a shell whose wall is not given."""
+    """Return mass over volume of a disk [kg/m^3]; ValueError for a shell without a wall."""
     return disk.mass / (pi * (disk.radius**2 - inner_radius(disk) ** 2) * disk.thickness)
 
 
 def inner_radius(disk: Any) -> float:
-    """Radius of the hole [m], 0 for a solid disk; ValueError for a shell whose wall is not given."""
+    """Return the radius of the hole [m], 0 for a solid disk; ValueError for a shell without a
+    wall."""
     if disk.shape == "solid":
         return 0.0
-    if not getattr(disk, "wall", None):
+    if not disk.wall:
         raise ValueError(
-            f"disk.shape = {disk.shape!r}: elastic modes need disk.wall, the thickness of its wall in the radius, "
-            "or disk.shape = 'solid'"
+            f"disk.shape = {disk.shape!r}: elastic modes need disk.wall, "
+            "the radial thickness of its wall, or disk.shape = 'solid'"
         )
     return disk.radius - disk.wall
 
 
-def check(disk: Any, support: Support):
-    """ValueError if the disk has no volume or is a rod, if the patch does not fit on it or leaves a rigid body free to
-    move, or if it is a shell that is not to be free."""
+def check_solvable(disk: Any, support: Support, max_aspect: float = 50):
+    """Raise ValueError unless the solvers can treat the disk on this support.
+
+    Reasons: a shell without a wall; a thickness above `max_aspect` times the radius, where the disk
+    is a rod; a shell that is not free; a patch taller than the disk; held components that leave a
+    rigid-body motion free.
+    """
     inner_radius(disk)
-    if disk.thickness > LONGEST * disk.radius:
-        raise ValueError(f"disk.thickness = {disk.thickness:g} must not exceed {LONGEST} times disk.radius")
+    if disk.thickness > max_aspect * disk.radius:
+        raise ValueError(
+            f"disk.thickness = {disk.thickness:g} must not exceed {max_aspect} times disk.radius",
+        )
     if support.kind != "free" and disk.shape != "solid":
-        raise ValueError(f"support.kind = {support.kind!r}: a disk of disk.shape = {disk.shape!r} must be 'free'")
+        raise ValueError(
+            f"support.kind = {support.kind!r}: a disk of disk.shape = {disk.shape!r} must be "
+            f"'free'",
+        )
     if support.kind == "patch" and (support.height or 0) > disk.thickness:
-        raise ValueError(f"support.height = {support.height:g} must not exceed disk.thickness = {disk.thickness:g}")
+        raise ValueError(
+            f"support.height = {support.height:g} must not exceed disk.thickness = "
+            f"{disk.thickness:g}",
+        )
     if support.kind == "patch":
         check_held(patch_edge(disk.radius, disk.thickness, support), support.held)
 
 
 class ElasticScene(Protocol):
-    """What `eigenmodes` reads of a scene, besides its numerics.accuracy ("draft", "standard" or "reference") where it
-    has one, and of a disk on its contact the sections `contact` and `release`. The disk has radius, thickness [m], mass
-    [kg], shape and, of a shell, the wall [m]."""
+    """The sections of a scene that `eigenmodes` reads.
+
+    `disk` has radius, thickness [m], mass [kg], shape and, for a shell, wall [m]; `numerics` has
+    accuracy, which is "draft", "standard" or "reference". A disk on its contact also needs the
+    sections `contact` and `release`.
+    """
 
     @property
     def disk(self) -> Any: ...
@@ -64,46 +76,88 @@ class ElasticScene(Protocol):
     def material(self) -> Material: ...
     @property
     def support(self) -> Support: ...
+    @property
+    def numerics(self) -> Any: ...
 
 
 @one_blas_thread
-def eigenmodes(scene: ElasticScene, below: float = BELOW, support: Support | None = None) -> Modes:
-    """The elastic `Modes` below the frequency `below` [Hz] of the disk of a scene, on another `support` where one is
-    given: with Support(kind="free") those of the free disk, which a contact that moves along its rim drives.
+def eigenmodes(
+    scene: ElasticScene,
+    below: float = DEFAULT_HIGHEST_FREQUENCY,
+    support: Support | None = None,
+) -> Modes:
+    """Compute the elastic modes of the disk of a scene.
 
-    Raises ValueError if the patch is taller than the disk or leaves a rigid body free to move, if a shell has no wall
-    or is held, or if `below` is not positive; UnsolvableError if there are more than about MOST modes, if the patch is
-    lost in round-off, or if the disk has no elastic contact to stand on.
+    Parameters
+    ----------
+    scene : ElasticScene
+        Its sections disk, material, support and numerics are read.
+    below : float, optional
+        Highest frequency [Hz], excluded.
+    support : Support, optional
+        Replaces the support of the scene. ``Support(kind="free")`` gives the modes of the free
+        disk, which a contact moving along its rim excites.
+
+    Returns
+    -------
+    Modes
+        In ascending order of frequency, without rigid-body modes.
+
+    Raises
+    ------
+    ValueError
+        If the patch is taller than the disk or leaves a rigid-body motion free, if a shell has no
+        wall or is not free, or if `below` is not positive.
+    UnsolvableError
+        If there are more than about 600 modes, if round-off exceeds the modes on a small patch, or
+        if the disk has no elastic contact to support it.
+
+    Examples
+    --------
+    >>> from sonify import load_scene
+    >>> scene = load_scene("published").replace("support.kind=free", "numerics.accuracy=draft")
+    >>> eigenmodes(scene, below=15e3).order.tolist()
+    [2, 2]
     """
     support = support or scene.support
     if not below > 0:
         raise ValueError(f"below = {below:g} must be a frequency above 0 Hz")
-    check(scene.disk, support)
-    plate, sought = free_plate(scene), below * (on_contact.APART if support.kind == "contact" else 1.0)
-    count = mode_count(plate, sought)
-    if count > MOST:
+    check_solvable(scene.disk, support)
+    plate = free_plate(scene)
+    highest = below * (
+        spring_supported.FREE_MODE_FREQUENCY_RATIO if support.kind == "contact" else 1.0
+    )
+    count = mode_count(plate, highest)
+    if count > MAX_MODE_COUNT:
         raise UnsolvableError(
-            f"disk, material: so soft or so large a disk has some {count:.0f} modes or more below {sought:g} Hz; "
-            f"no more than {MOST} can be sought: take a stiffer or smaller disk, or lower audio.sample_rate"
+            f"disk, material: so soft or so large a disk has some {count:.0f} modes or more "
+            f"below {highest:g} Hz; no more than {MAX_MODE_COUNT} can be computed: "
+            "make it stiffer or smaller, or lower audio.sample_rate"
         )
-    accuracy = getattr(getattr(scene, "numerics", None), "accuracy", "standard")
+    accuracy = scene.numerics.accuracy
     if support.kind == "free":
         return axisymmetric.plate_modes(plate, below, accuracy)
     if support.kind == "contact":
-        inclination, suspension = standing(scene, support)
-        return on_contact.contact_modes(plate, suspension, inclination, below, accuracy)
-    return held.held_modes(plate, support, below, accuracy)
+        inclination, springs = contact_springs(scene, support)
+        return spring_supported.contact_modes(plate, springs, inclination, below, accuracy)
+    return patch.held_modes(plate, support, below, accuracy)
 
 
 def free_plate(scene: ElasticScene) -> Plate:
-    """The disk of a scene, its edge free."""
+    """Return the disk of a scene as a `Plate` with a free edge."""
     disk = scene.disk
-    size = {"radius": disk.radius, "thickness": disk.thickness, "inner_radius": inner_radius(disk)}
-    return Plate(**size, material=scene.material, density=density(disk))
+    return Plate(
+        radius=disk.radius,
+        thickness=disk.thickness,
+        inner_radius=inner_radius(disk),
+        material=scene.material,
+        density=density(disk),
+    )
 
 
-def standing(scene: Any, support: Support) -> tuple[float, Any]:
-    """The inclination [rad] at which a disk stands on its contact, and the springs there. UnsolvableError if none."""
+def contact_springs(scene: Any, support: Support) -> tuple[float, Any]:
+    """Return the inclination [rad] of a disk on its contact, and the springs there; UnsolvableError
+    without any."""
     inclination = radians(support.inclination_deg or scene.release.inclination_deg)
     try:
         return inclination, scene.contact.suspension(scene, inclination)

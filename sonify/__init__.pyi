@@ -1,6 +1,6 @@
 __version__: str
 
-from .doors import run as run
+from .entry_points import run as run
 from .fitting.result import Fits as Fits
 from .fitting.result import fit as fit
 from .hearing.recording import Heard as Heard

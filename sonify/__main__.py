@@ -2,34 +2,61 @@
 
 import errno
 import os
+import re
 import sys
+from shutil import get_terminal_size
 from signal import SIGINT
 from tempfile import gettempdir
 
 import click
 
 from sonify import __version__
-from sonify.charts import CHARTS
-from sonify.process import BrokenOffError, well_behaved
+from sonify.chart_command import CHART_NAMES, load_chart_files
+from sonify.runtime.signals import BrokenOffError, well_behaved
 
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # the matrices are small: more threads only wait for each other
+os.environ.setdefault(
+    "OPENBLAS_NUM_THREADS", "1"
+)  # the matrices are small: more threads only wait for each other
 
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
-REFUSED = {errno.EACCES, errno.EPERM, errno.EROFS, errno.EISDIR, errno.ENOTDIR, errno.ENAMETOOLONG, errno.ELOOP}
+REFUSED = {
+    errno.EACCES,
+    errno.EPERM,
+    errno.EROFS,
+    errno.EISDIR,
+    errno.ENOTDIR,
+    errno.ENAMETOOLONG,
+    errno.ELOOP,
+}
+ASSIGNMENT = re.compile(r"[A-Za-z_][\w.]*\s*=")
 ACCURACIES = ("draft", "standard", "reference")
 
 
-class OneLine(click.Group):
-    """Turns what is expected to go wrong into one line on standard error and the exit status of the contract."""
+class FullHelp(click.Group):
+    """Lists every command with the whole of its summary, in lines of the width of the terminal."""
+
+    def format_commands(self, context, formatter):
+        """Write the commands and their summaries, however long these are."""
+        commands = {name: self.get_command(context, name) for name in self.list_commands(context)}
+        summaries = [(name, " ".join(one.help.split())) for name, one in commands.items()]
+        with formatter.section("Commands"):
+            formatter.write_dl(summaries)
+
+
+class OneLine(FullHelp):
+    """Turns what is expected to go wrong into one line on standard error and the exit status of the
+    contract."""
 
     def main(self, *arguments, **options):
-        """Run the command line; a reader who leaves early, as `head` does, changes neither files nor exit status."""
+        """Run the command line; a reader who leaves early, as `head` does, changes neither files
+        nor exit status."""
         with well_behaved():
             return super().main(*arguments, **options)
 
     def invoke(self, context):
-        """Run the command. Exit status: 1 full disk, broken off, 2 wrong input or output, 128 + number of a signal."""
-        from sonify.files import OutputError
+        """Run the command. Exit status: 1 full disk, broken off, 2 wrong input or output, 128 +
+        number of a signal."""
+        from sonify.runtime.files import OutputError
         from sonify.scene_errors import InputError
 
         try:
@@ -49,8 +76,34 @@ class OneLine(click.Group):
             _stop(f"{where}: {error.strerror}", 1 if error.errno in FULL else 2)
 
 
+class WithAssignments(click.Command):
+    """Takes several assignments after one --set, as in `--set a=1 b=2`."""
+
+    def parse_args(self, context, arguments):
+        """Parse the arguments, with --set before each assignment that follows another."""
+        return super().parse_args(context, list(_set_before_each(arguments)))
+
+
+def _set_before_each(arguments):
+    """Yield the arguments, with --set before each assignment that follows another one."""
+    role = "other"
+    for argument in arguments:
+        if role == "option":
+            role = "assignment"
+        elif argument == "--set":
+            role = "option"
+        elif argument.startswith("--set="):
+            role = "assignment"
+        elif role == "assignment" and ASSIGNMENT.match(argument):
+            yield "--set"
+        else:
+            role = "other"
+        yield argument
+
+
 class Given(click.ParamType):
-    """A text that says something: an empty one, as of a variable that is not set, is not taken for the default."""
+    """A text that says something: an empty one, as of a variable that is not set, is not taken for
+    the default."""
 
     def __init__(self, name):
         self.name = name
@@ -78,18 +131,27 @@ def main():
     """Euler's disk, heard: from a scene to its sound."""
 
 
-@main.command()
+@main.command(cls=WithAssignments)
 @click.argument("scene", default="published", type=TEXT)
 @click.option("--out", type=PATH, help="Folder for the files; default outputs/<scene name>.")
 @click.option("--accuracy", type=click.Choice(ACCURACIES), help="Instead of the scene's.")
 @click.option(
-    "--set", "assignments", multiple=True, metavar="KEY=VALUE", help="Replace a value, as friction.mu_static=0.3."
+    "--set",
+    "assignments",
+    multiple=True,
+    metavar="KEY=VALUE ...",
+    help="Replace values, as friction.mu_static=0.3 audio.distance=1.0.",
 )
-@click.option("--animation", is_flag=True, help="Film the last seconds, too (needs the extra `animation`).")
+@click.option(
+    "--animation", is_flag=True, help="Film the last seconds, too (needs the extra `animation`)."
+)
 def run(scene, out, accuracy, assignments, animation):
-    """Solve SCENE, a shipped name, a TOML file or the run.json of a run; write sound, pictures and report."""
+    """Solve SCENE, a shipped name, a TOML file or the run.json of a run; write sound, pictures and
+    report."""
     from sonify.scene import load_scene
 
+    if ASSIGNMENT.match(scene) and not os.path.exists(scene):
+        raise click.UsageError(f"scene = {scene!r}: no scene; write --set {scene}")
     scene = load_scene(scene).replace(*assignments)
     if animation:
         from sonify.report.animation import animate, require_encoder
@@ -98,37 +160,59 @@ def run(scene, out, accuracy, assignments, animation):
     from sonify.console import Console
 
     with Console() as stages:
-        from sonify.doors import run as solve
+        from sonify.entry_points import run as solve
 
         result = solve(scene, out, accuracy, stages)
         if animation:
             with stages.stage("animation") as watch:
                 animate(result, watch)
-    click.echo(str(result.out))
+    from sonify.claims.surface_summary import ANSWERS, in_short
+
+    for name in ("sound.wav", "spectrogram.png", "report.html"):
+        click.echo(str(result.out / name))
+    answers = in_short(result.findings)
+    for question in ANSWERS:
+        click.echo(f"{question}: {answers.get(question, 'not judged in this run')}")
     sys.exit(0 if result.passed else 1)
 
 
 @main.command()
 @click.argument("recording", type=PATH)
-@click.option("--out", type=PATH, help="Folder for picture and numbers; default outputs/listen/<name of the file>.")
-@click.option("--scene", type=TEXT, help="Whose resonances the carriers are matched to: a name or a file.")
+@click.option(
+    "--out",
+    type=PATH,
+    help="Folder for picture and numbers; default outputs/listen/<name of the file>.",
+)
+@click.option(
+    "--scene", type=TEXT, help="Whose resonances the carriers are matched to: a name or a file."
+)
 def listen(recording, out, scene):
-    """Seek the rising tone, its end and exponent, and the carriers in RECORDING, a sound file of your own."""
+    """Seek the rising tone, its end and exponent, and the carriers in RECORDING, a sound file of
+    your own."""
     from sonify.report.recording import tell
 
-    for line in tell(recording, out, scene):
+    for line in tell(recording, out, scene, warn=lambda line: click.echo(line, err=True)):
         click.echo(line)
 
 
 @main.command()
 @click.argument("recordings", nargs=-1, required=True, type=PATH)
 @click.option(
-    "--scene", type=TEXT, default="toy", show_default=True, help="Whose radius, thickness and air: a name or a file."
+    "--scene",
+    type=TEXT,
+    default="toy",
+    show_default=True,
+    help="Whose radius, thickness and air: a name or a file.",
 )
-@click.option("--out", type=PATH, help="Folder for the files; default outputs/fit/<name of the first file>.")
-@click.option("--like", type=click.Choice(["fu-berlin"]), help="Also the exponents of a published chain.")
+@click.option(
+    "--out", type=PATH, help="Folder for the files; default outputs/fit/<name of the first file>."
+)
+@click.option(
+    "--like", type=click.Choice(["fu-berlin"]), help="Also the exponents of a published chain."
+)
 def fit(recordings, scene, out, like):
-    """Find what slowed the disk in RECORDINGS: sound files, exports of phyphox, or folders of takes."""
+    """Find what slowed the disk in RECORDINGS: sound files, exports of phyphox, or folders of
+    takes."""
     from sonify.console import Console
 
     with Console() as stages:
@@ -137,63 +221,97 @@ def fit(recordings, scene, out, like):
 
         with stages.stage("recordings") as watch:
             fits = fit(recordings, scene, like, watch)
+        for one in fits.files:
+            if one.truncation:
+                stages.notice(f"{one.file}: {one.truncation}")
         for line in sentences(fits):
             click.echo(line)
         click.echo(str(write_fits(fits, out)))
 
 
 @main.command()
-@click.option("--keys", is_flag=True, help="List every key of a scene instead: unit, range, default, meaning.")
-@click.option("--schema", is_flag=True, help="Print the JSON schema of a scene instead, for editors that complete.")
+@click.option(
+    "--keys", is_flag=True, help="List every key of a scene instead: unit, range, default, meaning."
+)
+@click.option(
+    "--schema",
+    is_flag=True,
+    help="Print the JSON schema of a scene instead, for editors that complete.",
+)
 def scenes(keys, schema):
     """List the shipped scenes."""
     from sonify.scene import shipped_scenes
-    from sonify.scene_keys import as_json, as_table
+    from sonify.scene_keys import as_json, as_lines, as_table
 
-    if keys or schema:
-        click.echo(as_json() if schema else as_table())
+    if schema:
+        click.echo(as_json())
+        return
+    if keys:
+        in_terminal = sys.stdout.isatty()
+        click.echo(as_lines(get_terminal_size().columns) if in_terminal else as_table())
         return
     for name, summary in shipped_scenes().items():
         click.echo(f"{name:16} {summary}")
 
 
 @main.command()
-@click.argument("name", type=click.Choice([*(c.replace("_", "-") for c in CHARTS), "all"]), default="all")
+@click.argument("name", type=click.Choice([*CHART_NAMES, "all"]), default="all")
 @click.option("--quick", is_flag=True, help="Fewer settings of every method, in under two minutes.")
-@click.option("--out", type=PATH, default="outputs/charts", show_default=True, help="Folder for the files.")
-@click.option("--redraw", is_flag=True, help="Measure nothing: make pictures and pages from the tables in the folder.")
+@click.option(
+    "--out", type=PATH, default="outputs/charts", show_default=True, help="Folder for the files."
+)
+@click.option(
+    "--redraw",
+    is_flag=True,
+    help="Measure nothing: make pictures and pages from the tables in the folder.",
+)
 def chart(name, quick, out, redraw):
-    """Measure speed against accuracy, and where methods fail; write a table, a picture and a page."""
+    """Measure speed against accuracy, and where methods fail; write a table, a picture and a
+    page."""
+    chart_files = load_chart_files()
     from sonify.console import Console
 
     with Console() as stages:
-        from sonify.charts.command import make
-
-        for one in CHARTS if name == "all" else [name.replace("-", "_")]:
-            make(one, quick, out, stages, redraw)
-            click.echo(f"{out}/{one}.md")
+        for one in CHART_NAMES if name == "all" else [name]:
+            page = chart_files.write_chart(one.replace("-", "_"), quick, out, stages, redraw)
+            click.echo(page)
 
 
 @main.command()
 @click.argument("what", type=click.Choice(["modes"]))
 @click.argument("scene", default="published", type=TEXT)
-@click.option("--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="Kind of file.")
-@click.option("--out", type=PATH, help="The file; default <scene name> with the suffix of its kind.")
-def export(what, scene, form, out):
-    """Write the modes of SCENE for Faust, for modal analysis (universal file, extra `uff`) or for ParaView."""
+@click.option(
+    "--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="Kind of file."
+)
+@click.option(
+    "--strike",
+    type=float,
+    metavar="ANGLE",
+    help="Where Faust strikes [degrees]; default: opposite, 180.",
+)
+@click.option(
+    "--out", type=PATH, help="The file; default <scene name> with the suffix of its kind."
+)
+def export(what, scene, form, strike, out):
+    """Write the modes of SCENE for Faust, for modal analysis (universal file, extra `uff`) or for
+    ParaView."""
     from sonify.export import export_modes
 
-    click.echo(str(export_modes(scene, form, out)))
+    click.echo(str(export_modes(scene, form, out, strike)))
 
 
 @main.command()
 @click.argument("folder", default="outputs", type=PATH)
 @click.option("--port", default=8000, show_default=True, help="Port; 0 is any that is free.")
 @click.option(
-    "--host", default="127.0.0.1", show_default=True, help="Address to listen on; by default this machine alone."
+    "--host",
+    default="127.0.0.1",
+    show_default=True,
+    help="Address to listen on; by default this machine alone.",
 )
 def serve(folder, port, host):
-    """Show the finished runs in FOLDER in a browser: a list, the page of each, two of them side by side."""
+    """Show the finished runs in FOLDER in a browser: a list, the page of each, two of them side by
+    side."""
     from sonify.serve import serve
 
     serve(folder, host, port, lambda address: click.echo(f"{address} (Ctrl-C ends it)"))
@@ -202,15 +320,26 @@ def serve(folder, port, host):
 @main.command()
 @click.argument("sweep", type=TEXT)
 @click.option(
-    "--scheduler", type=TEXT, metavar="ADDRESS", help="Of Dask, as tcp://10.0.0.1:8786, or local (extra `cluster`)."
+    "--scheduler",
+    type=TEXT,
+    metavar="ADDRESS",
+    help="Of Dask, as tcp://10.0.0.1:8786, or local (extra `cluster`).",
 )
-@click.option("--processes", type=click.IntRange(1), help="Processes of this machine; default: its cores.")
+@click.option(
+    "--processes", type=click.IntRange(1), help="Processes of this machine; default: its cores."
+)
 @click.option("--out", type=PATH, help="Folder for the table; default outputs/sweeps/<name>.")
-@click.option("--plan", "planned", is_flag=True, help="Only tell how many runs there are and how long they would take.")
+@click.option(
+    "--plan",
+    "planned",
+    is_flag=True,
+    help="Only tell how many runs there are and how long they would take.",
+)
 @click.option("--yes", is_flag=True, help="Begin even more than a million runs.")
 @click.option("--retry", is_flag=True, help="Solve runs with an error again.")
 def sweep(sweep, scheduler, processes, out, planned, yes, retry):
-    """Run the scenes of SWEEP, a shipped name or a TOML file, of which a table has no row yet; draw the table."""
+    """Run the scenes of SWEEP, a shipped name or a TOML file, of which a table has no row yet; draw
+    the table."""
     from sonify.console import Console
     from sonify.sweeps.command import plan, says
     from sonify.sweeps.command import sweep as run_all
@@ -233,7 +362,12 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
 @click.argument("table", type=PATH)
 @click.option("--x", type=TEXT, help="Column; default: the first axis.")
 @click.option("--y", type=TEXT, help="Column; default: the second axis, if --x is not given.")
-@click.option("--of", type=TEXT, required=True, help="Column of which a picture is drawn, as t_end or outcome.")
+@click.option(
+    "--of",
+    type=TEXT,
+    required=True,
+    help="Column of which a picture is drawn, as t_end or outcome.",
+)
 @click.option("--out", type=PATH, help="The picture; default <of>.png beside the table.")
 def draw(table, x, y, of, out):
     """Draw a column of TABLE, the runs.parquet of a sweep, over one or two of its axes."""
@@ -243,7 +377,8 @@ def draw(table, x, y, of, out):
 
 
 def start(name="sonify"):
-    """Run the command line as a program, which, once it has failed, waits for no thread that still compiles."""
+    """Run the command line as a program, which, once it has failed, waits for no thread that still
+    compiles."""
     try:
         main(prog_name=name)
     except SystemExit as end:

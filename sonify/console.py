@@ -1,60 +1,118 @@
 """Progress on standard error, results on standard output."""
 
 from contextlib import AbstractContextManager, contextmanager
+from threading import Event, Lock, Thread
+from time import perf_counter
 from typing import TYPE_CHECKING
 
 import click
 from rich.console import Console as RichConsole
-from rich.progress import BarColumn, Progress, TextColumn
+from rich.progress import BarColumn, Progress, TaskID, TextColumn
 
 from sonify.plan.plan import unsettled
-from sonify.progress import Stages
+from sonify.runtime.progress import StageProgress, Stages
 
 if TYPE_CHECKING:
     from sonify.result import Result
 
 
 class Console(Stages, AbstractContextManager):
-    """Shows every stage as a line on standard error, with a bar while it runs where there is a terminal."""
+    """Shows the stages on standard error: progress while they run, then a line with their time.
 
-    def __init__(self):
+    In a terminal each has a bar; elsewhere one line tells of all of them every `interval` [s].
+    """
+
+    def __init__(self, interval: float = 10.0):
         super().__init__()
         self._shown = True
         self._console = RichConsole(stderr=True, highlight=False)
+        in_terminal = self._console.is_terminal
         self._bars = Progress(
+            BarColumn(bar_width=20),
             TextColumn("{task.description}"),
-            BarColumn(),
-            TextColumn("{task.fields[note]}"),
             console=self._console,
             transient=True,
-            disable=not self._console.is_terminal,
+            disable=not in_terminal,
         )
+        self._running: dict[TaskID, StageProgress] = {}
+        self._lock = Lock()
+        self._ended = Event()
+        show, period = (self._redraw, 0.25) if in_terminal else (self._print_progress, interval)
+        self._ticker = Thread(target=self._repeat, args=(show, period), daemon=True)
+
+    def __enter__(self):
+        self._ticker.start()
+        return self
 
     def __exit__(self, *_):
-        self._shown = False  # what still goes on in a thread says no more
+        self._shown = False  # a thread that still works prints nothing more
+        self._ended.set()
         if self._bars.live.is_started:
             self._bars.stop()
 
+    def progress_line(self) -> str:
+        """Return how far each stage is that runs now; empty if none does."""
+        now = perf_counter()
+        with self._lock:
+            return "; ".join(stage.line(now) for stage in self._running.values())
+
     @contextmanager
     def stage(self, name: str):
-        """Time the block as stage `name` and say how long it took."""
+        """Time the block as stage `name`, show how far it is and then how long it took."""
         self._bars.start()
-        task = self._bars.add_task(name, total=1.0, note="")
+        task = self._bars.add_task(name, total=None)
+        progress = StageProgress(name, perf_counter())
+        with self._lock:
+            self._running[task] = progress
+
+        def watch(share, note=""):
+            with self._lock:
+                progress.report(perf_counter(), share, note)
+
         try:
             with super().stage(name):
-                yield lambda share, note="": self._bars.update(task, completed=share, note=note)
+                yield watch
         finally:
+            with self._lock:
+                del self._running[task]
             self._bars.remove_task(task)
         if self._shown:
             self._console.print(f"{name:20} {self.seconds[name]:7.2f} s")
 
+    def notice(self, line: str):
+        """Print a line on standard error."""
+        self._console.print(line, markup=False, soft_wrap=True)
+
     def answer(self, result: "Result"):
         """Print checks and findings; the files follow."""
+        from sonify.claims.details import unit_and_details  # loads with the claims
+
         self._bars.stop()
         for c in result.checks:
             verdict = "ok    " if c.passed else "FAILED"
             click.echo(f"{verdict}  {c.name}: {c.value:.4g} (expected {c.expectation})")
         for f in result.findings:
-            click.echo(f"{f.answer:6}  {f.claim}: {f.measured} {f.unit} ({f.expectation})")
+            click.echo(
+                f"{f.answer:9}  {f.claim}: {f.measured} {unit_and_details(f)} ({f.expectation})"
+            )
         for line in unsettled(result.motion):
             click.echo(f"note    {line}")
+
+    def _repeat(self, show, period):
+        """Call `show` in even intervals until the context ends."""
+        while not self._ended.wait(period):
+            show()
+
+    def _print_progress(self):
+        """Print one line on all running stages."""
+        if line := self.progress_line():
+            self.notice(line)
+
+    def _redraw(self):
+        """Bring the bars of the terminal up to date."""
+        now = perf_counter()
+        with self._lock:
+            for task, stage in self._running.items():
+                total = None if stage.share is None else 1.0
+                done = stage.share or 0.0
+                self._bars.update(task, total=total, completed=done, description=stage.line(now))

@@ -1,31 +1,87 @@
 """SCENE -> FILE: the elastic modes for other programs."""
 
+from math import isfinite, radians
 from pathlib import Path
 
-from modal import as_faust, write_uff, write_vtu
-from sonify.files import whole
+from modal import Modes, as_faust, write_uff, write_vtu
 from sonify.pipeline import planned, solvable
+from sonify.runtime.files import whole
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
 
-FORMS = {
-    "faust": ("dsp", lambda modes, path: Path(path).write_text(as_faust(modes), "utf-8")),
-    "uff": ("uff", write_uff),
-    "vtu": ("vtu", write_vtu),
-}
-"""Name -> the suffix of its files, and what writes modes to a path."""
+SUFFIXES = {"faust": "dsp", "uff": "uff", "vtu": "vtu"}
+"""Form -> the suffix of its files."""
+OPPOSITE_DEG = 180.0
+"""Angle [degrees] of the rim opposite the contact, where a disk is struck unless told otherwise."""
 
 
-def export_modes(scene: Scene | str | Path, form: str, out: str | Path | None = None) -> Path:
-    """Write the modes that a run of the scene has, damped alike, in one of `FORMS`; return the path of the file, unless
-    given <scene name>.<suffix>. Raises InputError where the scene or the form cannot do it."""
+def export_modes(
+    scene: Scene | str | Path,
+    form: str,
+    out: str | Path | None = None,
+    strike_deg: float | None = None,
+) -> Path:
+    """Write the modes that a run of the scene has, with the same damping, for another program.
+
+    Parameters
+    ----------
+    scene : Scene, str or Path
+        A scene, a shipped name or a file.
+    form : str
+        One of SUFFIXES.
+    out : str or Path, optional
+        The file; <scene name>.<suffix> unless given.
+    strike_deg : float, optional
+        Where the Faust program is struck, from the middle of the contact [degrees]; OPPOSITE_DEG
+        unless given.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    InputError
+        If the scene cannot be solved or has no modes, if the form needs a missing package, or if
+        the disk cannot be struck at this angle.
+    """
     scene = solvable(scene, None)
-    suffix, write = FORMS[form]
+    _check_strike(scene, form, strike_deg)
     _, modes = planned(scene)
-    path = Path(out or f"{scene.name}.{suffix}")
+    path = Path(out or f"{scene.name}.{SUFFIXES[form]}")
     try:
         with whole(path) as temporary:
-            write(modes, temporary)
+            _write(modes, form, temporary, OPPOSITE_DEG if strike_deg is None else strike_deg)
     except (ValueError, ModuleNotFoundError) as error:
         raise InputError(str(error)) from None
     return path
+
+
+def _check_strike(scene: Scene, form: str, strike_deg: float | None):
+    """Raise InputError unless a disk that is held as in the scene can be struck at an angle
+    [degrees]."""
+    if strike_deg is None:
+        return
+    if form != "faust":
+        raise InputError(
+            f"--strike = {strike_deg:g}: --as = 'faust' alone is struck, and this is {form!r}"
+        )
+    if not isfinite(strike_deg) or abs(strike_deg) > 360:
+        raise InputError(f"--strike = {strike_deg:g}: must be from -360 to 360 degrees")
+    from_patch = abs((strike_deg + 180) % 360 - 180)
+    half = scene.support.half_angle_deg
+    if scene.support.kind == "patch" and from_patch <= half:
+        raise InputError(
+            f"--strike = {strike_deg:g}: must be more than {half:g} degrees from 0, where the "
+            f"patch holds"
+        )
+
+
+def _write(modes: Modes, form: str, path: Path, strike_deg: float):
+    if form == "faust":
+        path.write_text(as_faust(modes, radians(strike_deg)), "utf-8")
+    elif form == "uff":
+        write_uff(modes, path)
+    else:
+        write_vtu(modes, path)

@@ -1,4 +1,5 @@
-"""SCENE -> PLAN -> MODES and MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one screen."""
+"""SCENE -> PLAN -> MODES and MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one
+screen."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -6,28 +7,33 @@ from functools import lru_cache
 from pathlib import Path
 from types import SimpleNamespace
 
-from dynamics.simulation import prepare
+from dynamics.compliant.two_way_onset import takes_modes
+from dynamics.progress import MotionProgress
+from dynamics.simulation import compile_in_background
 from modal import Modes, SurfaceModes, eigenmodes
-from modal.one_thread import one_blas_thread
+from modal.blas_threads import one_blas_thread
+from modal.progress import portion, watched
 from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.literature import literature_findings
-from sonify.claims.motion import all_findings
+from sonify.claims.rigid_motion import all_findings
 from sonify.claims.sound import all_verdicts, hear
 from sonify.claims.table import table_findings
-from sonify.claims.two_ways import motion_findings as halt_findings
-from sonify.files import claimed
+from sonify.claims.two_way import motion_findings as halt_findings
 from sonify.plan.air import beyond_the_film, with_air
 from sonify.plan.plan import Plan, with_end
 from sonify.plan.predictions import SOUND
-from sonify.plan.solvable import planned, solvable, solve_motion
-from sonify.plan.table import acts_back, with_table
-from sonify.progress import Stages, beside
-from sonify.report.painter import painter
+from sonify.plan.preflight import planned, solvable, solve_motion
+from sonify.plan.table import with_table
+from sonify.plan.unused import unused_keys
 from sonify.report.pictures import Pictures
+from sonify.report.render_worker import painter
+from sonify.report.replaced import replaced_results
 from sonify.report.write import run_record, told_by_the_page, write_record
 from sonify.result import Result
+from sonify.runtime.files import claimed
+from sonify.runtime.progress import Stages, beside
 from sonify.scene import Scene
 from sonify.sound.oscillators import compile_oscillators
 from sonify.sound.radiation import listener_of
@@ -38,7 +44,8 @@ from sonify.sound.wav import write_sound
 MOST_KEPT = 2
 """So many disks are remembered with their modes, which may take a hundred megabytes."""
 RECORDS = ("run.json", "report.html")
-"""What speaks of the other files; that of an earlier run goes before the first of them is replaced."""
+"""What speaks of the other files; that of an earlier run goes before the first of them is
+replaced."""
 
 
 @one_blas_thread
@@ -49,41 +56,59 @@ def solve(
     eigenmodes: Callable[..., Modes] = eigenmodes,
     begin: Callable = lambda found: None,
 ) -> Result:
-    """Return everything that a run of a scene, or of what `load_scene` takes, finds; no file is written.
+    """Return everything that a run of a scene, or of what `load_scene` takes, finds; no file is
+    written.
 
-    `accuracy` (draft, standard, reference) replaces the scene's; `eigenmodes` finds the modes; `begin(found)` is called
-    after the motion and after the sound with what is known by then, attributes that a Result has. Raises SceneError
-    where the scene cannot be solved.
-    """
-    scene, stages = solvable(scene, accuracy), stages or Stages()
-    prepare(scene)
+    `accuracy` (draft, standard, reference) replaces the scene's; `eigenmodes` finds the modes;
+    `begin(found)` is called after the motion and after the sound with what is known by then,
+    attributes that a Result has. Raises SceneError where the scene cannot be solved."""
+    scene = solvable(scene, accuracy)
+    stages = stages or Stages()
+    compile_in_background(scene)
     elastic = beside(_elastic, scene, eigenmodes, stages)
     with stages.stage("motion") as watch:
+        progress = MotionProgress(scene)
 
-        def watched(t, inclination, doing):
-            watch(0.0, doing or f"t = {t:.2f} s, inclination {inclination:.2g}")
+        def show(t, inclination, doing):
+            note = doing or f"t = {t:.2f} s, inclination {inclination:.2g} rad"
+            watch(progress.share(t, inclination), note)
             if elastic.done():
                 elastic.result()  # says what is wrong with the modes
 
-        motion = solve_motion(scene, watched, elastic.result()[2] if acts_back(scene) else None)
+        motion = solve_motion(scene, show, elastic.result()[2] if takes_modes(scene) else None)
         plan, modes, table = elastic.result()
     begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion))
-    halt = beside(halt_findings, scene, motion)  # solves the end of a motion on a table that acts back anew
+    halt = beside(
+        halt_findings, scene, motion
+    )  # solves the end of a motion on a table that acts back anew
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
-    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion, sound=sound))
+    begin(
+        SimpleNamespace(
+            scene=scene, plan=plan, modes=modes, table=table, motion=motion, sound=sound
+        )
+    )
     with stages.stage("findings"):
         hearing = beside(hear, sound)
-        checks, findings = all_checks(scene, motion, modes, sound), all_findings(motion, modes)
+        checks = all_checks(scene, motion, modes, sound)
+        findings = all_findings(motion, modes)
         heard, silence = hearing.result()
         findings += all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
         findings += halt.result()
-        findings += table_findings(scene, motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND))
+        findings += table_findings(
+            scene, motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND)
+        )
         on_contact, several = contact_findings(scene, motion, sound, heard)
-        findings += air_findings(scene, motion, sound) + on_contact + literature_findings(scene, motion, modes, sound)
+        findings += (
+            air_findings(scene, motion, sound)
+            + on_contact
+            + literature_findings(scene, motion, modes, sound)
+        )
     return Result(
         scene=scene,
-        plan=with_end(plan, motion, [*beyond_the_film(scene, motion), *silence, *several]),
+        plan=with_end(
+            plan, motion, sound.ringing, [*beyond_the_film(scene, motion), *silence, *several]
+        ),
         motion=motion,
         modes=modes,
         table=table,
@@ -95,11 +120,16 @@ def solve(
     )
 
 
-def _elastic(scene: Scene, eigenmodes: Callable[..., Modes], stages: Stages) -> tuple[Plan, Modes, SurfaceModes | None]:
+def _elastic(
+    scene: Scene, eigenmodes: Callable[..., Modes], stages: Stages
+) -> tuple[Plan, Modes, SurfaceModes | None]:
     """What is to be computed, the modes of the disk and those of the table."""
-    with stages.stage("modes"):
-        plan, modes = planned(scene, eigenmodes)
-        found = with_table(with_air(plan, scene), scene)
+    of_the_disk = 1.0 if scene.surface.kind == "rigid" else 0.5
+    with stages.stage("modes") as watch, watched(watch):
+        with portion(0.0, of_the_disk):
+            plan, modes = planned(scene, eigenmodes)
+        with portion(of_the_disk, 1.0):
+            found = with_table(with_air(plan, scene), scene)
     compile_oscillators()
     compile_radiators()
     return found[0], modes, found[1]
@@ -107,19 +137,22 @@ def _elastic(scene: Scene, eigenmodes: Callable[..., Modes], stages: Stages) -> 
 
 @one_blas_thread
 def write(
-    result: Result, out: str | Path | None = None, stages: Stages | None = None, pictures: Pictures | None = None
+    result: Result,
+    out: str | Path | None = None,
+    stages: Stages | None = None,
+    pictures: Pictures | None = None,
 ) -> Result:
-    """Write sound, pictures and report into `out` (default outputs/<scene name>), return the result that knows it;
-    `pictures` have been begun.
+    """Write sound, pictures and report into `out` (default outputs/<scene name>), return the result
+    that knows it; `pictures` have been begun.
 
-    Raises OutputError when `out` cannot be written, and OSError when the disk is full. No file is ever left half
-    written.
-    """
+    Raises OutputError when `out` cannot be written, and OSError when the disk is full. No file is
+    ever left half written."""
     stages = stages or Stages(dict(result.seconds))
     with claimed(out or Path("outputs") / result.scene.name) as folder:
         for stale in RECORDS:
             (folder / stale).unlink(missing_ok=True)
-        result, pictures = replace(result, out=folder, seconds=stages.seconds), pictures or Pictures()
+        result = replace(result, out=folder, seconds=stages.seconds)
+        pictures = pictures or Pictures()
         pictures.begin(result)
         told = beside(run_record, result), beside(told_by_the_page, result, pictures)
         with stages.stage("sound files") as watch:
@@ -135,12 +168,18 @@ def run(
     accuracy: str | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Solve `scene` and write the result into `out`, which is known to be writable before any work: `solve`, `write`.
+    """Solve `scene` and write the result into `out`, which is known to be writable before any work:
+    `solve`, `write`.
 
     Raises what these do.
     """
-    scene, stages = solvable(scene, accuracy), stages or Stages()
+    scene = solvable(scene, accuracy)
+    stages = stages or Stages()
     with claimed(out or Path("outputs") / scene.name) as folder:
+        if notice := replaced_results(scene, folder):
+            stages.notice(notice)
+        if unused := unused_keys(scene):
+            stages.notice(f"unused: {', '.join(unused)} (no effect on this run)")
         pictures = Pictures()
         result = solve(scene, stages=stages, eigenmodes=_known_modes, begin=pictures.begin)
         stages.answer(result)
@@ -148,7 +187,8 @@ def run(
 
 
 def _known_modes(scene: Scene, below: float) -> Modes:
-    """`eigenmodes`; but for a disk on its contact, they are the same whatever friction, release and air are."""
+    """`eigenmodes`; but for a disk on its contact, they are the same whatever friction, release and
+    air are."""
     if scene.support.kind == "contact":
         return painter().call(eigenmodes, scene, below=below)
     return _modes(scene.disk, scene.material, scene.support, scene.numerics, below)

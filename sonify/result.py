@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dynamics import Motion
 from modal import Modes, SurfaceModes
 from sonify.claims.checks import Check
-from sonify.claims.motion import Finding
+from sonify.claims.finding import Finding
 from sonify.hearing.recording import Heard
 from sonify.plan.plan import Plan
 from sonify.scene import Scene
@@ -42,7 +42,8 @@ class Result:
         return all(check.passed for check in self.checks)
 
     def plot(self, name: str = "spectrogram") -> "Image":
-        """Return the picture of that name (spectrogram, stems, motion, modes), which a notebook shows; a PIL image."""
+        """Return the picture of that name (spectrogram, stems, motion, modes), which a notebook
+        shows; a PIL image."""
         from sonify.report.pictures import picture  # drawing loads slowly
 
         return picture(self, name)

@@ -12,19 +12,26 @@ from typing import Annotated, Any
 from annotated_types import Ge, Gt, Le, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from dynamics.air import Air, dry
-from dynamics.coupled.sections import Contact, Imperfection, Roughness
+from dynamics.air import Air, dry_air_density
+from dynamics.compliant.law.sections import Contact, Imperfection, Roughness
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
-from dynamics.numerics import Numerics
+from dynamics.solver_settings import Numerics
 from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.modes import Material, Support
-from sonify.documents import named, read, shipped
-from sonify.scene_errors import SceneError, explain
+from sonify.runtime.toml_files import named, read, shipped
+from sonify.scene_errors import (
+    ContradictionError,
+    SceneError,
+    explain,
+    is_contradiction,
+    with_whole_numbers,
+)
 
 SCENES = Path(__file__).parent / "scenes"
 MAY_BE_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
-"""Infinite friction is physics: the contact never slips. Nothing else in a scene may be infinite."""
+"""Infinite friction is physics: the contact never slips. Nothing else in a scene may be
+infinite."""
 
 
 Distance = Annotated[float, Gt(0), Le(1000)]
@@ -54,12 +61,14 @@ class Audio:
     elevation_deg: Elevation = 45.0
     """Elevation of the listener above the table [degrees]."""
     listeners: Annotated[tuple[Ear, ...], MaxLen(16)] = ()
-    """Several listeners in place of that one, each a channel of the files: distance, elevation_deg, azimuth_deg."""
+    """Several listeners in place of that one, each a channel of the files: distance, elevation_deg,
+    azimuth_deg."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Scene:
-    """Everything a run depends on. A section that is not given has its defaults; SI units unless a key says `_deg`."""
+    """Everything a run depends on. A section that is not given has its defaults; SI units unless a
+    key says `_deg`."""
 
     __pydantic_config__ = ConfigDict(extra="forbid", strict=True, use_attribute_docstrings=True)
 
@@ -81,36 +90,50 @@ class Scene:
 
     def __post_init__(self):
         distances = {"audio": self.audio.distance}
-        distances |= {f"audio.listeners.{i}": ear.distance for i, ear in enumerate(self.audio.listeners)}
+        distances |= {
+            f"audio.listeners.{i}": ear.distance for i, ear in enumerate(self.audio.listeners)
+        }
         for key, distance in distances.items():
             if distance <= self.disk.radius:
                 raise ValueError(f"{key}.distance = {distance:g}: must be greater than disk.radius")
         for key in ("arm_nutation", "arm_rolling", "arm_pivoting"):
             if (arm := getattr(self.friction, key)) > self.disk.radius:
-                raise ValueError(f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}")
+                raise ValueError(
+                    f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}"
+                )
         if self.contact.law == "elastic":
-            from dynamics.coupled.from_scene import check  # SciPy, which a rigid contact does not need
+            from dynamics.compliant.model_inputs import (
+                check_contact,  # SciPy, which a rigid contact does not need
+            )
 
-            check(self)
+            check_contact(self)
         elif self.roughness is not None:
-            from dynamics.coupled.roughness import check as check_roughness
+            from dynamics.compliant.law.roughness import check_roughness
 
             check_roughness(self.roughness, self.disk.radius)
         plate = self.surface
         if isinstance(plate, PlateSurface) and plate.radius < self.disk.radius:
             raise ValueError(f"surface.radius = {plate.radius:g}: must be at least disk.radius")
-        if isinstance(plate, PlateSurface) and hypot(*plate.place) + self.disk.radius > plate.radius:
+        if (
+            isinstance(plate, PlateSurface)
+            and hypot(*plate.place) + self.disk.radius > plate.radius
+        ):
             most = plate.radius - self.disk.radius
-            raise ValueError(f"surface.place = {list(plate.place)}: must not be beyond {most:g} m from the middle")
+            raise ValueError(
+                f"surface.place = {list(plate.place)}: must not be beyond {most:g} m from the "
+                f"middle"
+            )
 
     @property
     def document(self) -> dict:
-        """The TOML document that this scene came from, or would come from, as nested plain values (a copy)."""
+        """The TOML document that this scene came from, or would come from, as nested plain values
+        (a copy)."""
         return deepcopy(self._document) if hasattr(self, "_document") else _document(asdict(self))
 
     @cached_property
     def edge(self) -> Any:
-        """What the disk yields as a body at its edge (`modal.Edge`); None for a shell, of which it is not known."""
+        """What the disk yields as a body at its edge (`modal.Edge`); None for a shell, of which it
+        is not known."""
         if self.disk.shape != "solid":
             return None
         from modal import yielding_edge
@@ -119,7 +142,8 @@ class Scene:
         return yielding_edge(free_plate(self))
 
     def replace(self, *assignments: str) -> "Scene":
-        """Return this scene with `section.key=value` applied in turn; values are TOML, a bare word is a string.
+        """Return this scene with `section.key=value` applied in turn; values are TOML, a bare word
+        is a string.
 
         Raises SceneError as `load_scene` does. Shown by tests/test_scene.py.
         """
@@ -136,12 +160,20 @@ def adapter() -> TypeAdapter:
 
 
 def from_document(document: dict) -> Scene:
-    """Return the scene of a TOML document given as nested plain values. Raises SceneError."""
+    """Return the scene of a TOML document given as nested plain values.
+
+    Raises SceneError, and its subclass ContradictionError where only the combination of values is
+    impossible.
+    """
     _refuse_non_finite(document)
     try:
         scene = adapter().validate_json(json.dumps(document, default=str))
     except ValidationError as error:
-        raise SceneError(explain(error, Scene)) from None
+        corrected = with_whole_numbers(document, error, Scene)
+        if corrected is not None:
+            return from_document(corrected)
+        kind = ContradictionError if is_contradiction(error) else SceneError
+        raise kind(explain(error, Scene)) from None
     object.__setattr__(scene, "_document", deepcopy(document))
     return scene
 
@@ -149,9 +181,8 @@ def from_document(document: dict) -> Scene:
 def load_scene(source: str | Path = "published") -> Scene:
     """Return the scene of a shipped name, of a TOML file, or of the run.json of an earlier run.
 
-    Raises SceneError if there is no such scene, if the file cannot be read or is not TOML, and if a key is unknown or
-    missing or has a value that is not allowed.
-    """
+    Raises SceneError if there is no such scene, if the file cannot be read or is not TOML, and if a
+    key is unknown or missing or has a value that is not allowed."""
     file = named(source, SCENES, "scene", SceneError)
     document = read(file, SceneError)
     if file.suffix == ".json":
@@ -172,7 +203,8 @@ def _with_mesh(document, folder):
 
 
 def scene_of(scene: Scene | str | Path, accuracy: str | None = None) -> Scene:
-    """Return a scene, or what `load_scene` makes of its name or path, with that accuracy where one is given."""
+    """Return a scene, or what `load_scene` makes of its name or path, with that accuracy where one
+    is given."""
     scene = scene if isinstance(scene, Scene) else load_scene(scene)
     return scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
 
@@ -184,12 +216,13 @@ def shipped_scenes() -> dict[str, str]:
 
 
 def _document(sections):
-    """The document of a scene that was not read from one but is given by its sections: every key that has a value."""
+    """The document of a scene that was not read from one but is given by its sections: every key
+    that has a value."""
     document = _given(sections)
     if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
     air = document.get("air", {})
-    if "density" in air and air["density"] == dry(air["pressure"], air["temperature"]):
+    if "density" in air and air["density"] == dry_air_density(air["pressure"], air["temperature"]):
         del air["density"]  # it follows from pressure and temperature
     return document
 
@@ -227,7 +260,8 @@ def _assign(document, assignment):
 
 
 def _value(path, text):
-    """The value that a TOML text gives; text that is neither TOML nor means to be is a bare word."""
+    """The value that a TOML text gives; text that is neither TOML nor means to be is a bare
+    word."""
     try:
         value, *more = tomllib.loads(f"value = {text}").values()
     except (ValueError, RecursionError) as error:
@@ -255,5 +289,9 @@ def _refuse_non_finite(value, path=""):
     elif isinstance(value, list):
         for item in value:
             _refuse_non_finite(item, path)
-    elif isinstance(value, float) and not isfinite(value) and not (path in MAY_BE_INFINITE and value > 0):
+    elif (
+        isinstance(value, float)
+        and not isfinite(value)
+        and not (path in MAY_BE_INFINITE and value > 0)
+    ):
         raise SceneError(f"{path} = {value}: must be finite")

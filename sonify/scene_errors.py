@@ -1,8 +1,12 @@
 """What is wrong with a scene, said in one line."""
 
+from copy import deepcopy
 from dataclasses import fields, is_dataclass
+from difflib import get_close_matches
 from types import UnionType
 from typing import Annotated, get_args, get_origin
+
+from sonify.suggestions import did_you_mean, question
 
 UNKNOWN = {"unexpected_keyword_argument", "extra_forbidden"}
 SENTENCES = {
@@ -18,14 +22,16 @@ SENTENCES = {
     "float_type": "must be a valid number",
     "int_type": "must be a whole number",
     "string_type": "must be text in quotes",
-    "string_pattern_mismatch": "must be made of letters, digits, '.', '_' and '-', and begin with a letter or a digit",
+    "string_pattern_mismatch": "must be made of letters, digits, '.', '_' and '-', and begin with "
+    "a letter or a digit",
     "literal_error": "must be {expected}",
     "greater_than": "must be greater than {gt:g}",
     "greater_than_equal": "must be greater than or equal to {ge:g}",
     "less_than": "must be less than {lt:g}",
     "less_than_equal": "must be less than or equal to {le:g}",
 }
-"""What is said of each kind of fault that pydantic finds in a scene; tests/test_scene.py seeks all that there are."""
+"""What is said of each kind of fault that pydantic finds in a scene; tests/test_scene.py seeks all
+that there are."""
 
 
 class InputError(ValueError):
@@ -36,30 +42,103 @@ class SceneError(InputError):
     """The scene is wrong; the message is one line naming the key, its value and what is allowed."""
 
 
+class ContradictionError(SceneError):
+    """Two keys of a scene contradict each other, though each has an allowed value."""
+
+
+def is_contradiction(error) -> bool:
+    """Return True if a pydantic ValidationError has no fault but values that exclude each other."""
+    return all(fault["type"] == "value_error" for fault in error.errors(include_url=False))
+
+
+def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
+    """Return a copy of a document with 44.1e3 as 44100 where a key is to be whole; None if none is.
+
+    `error` is the ValidationError of the document.
+    """
+    exact = 2.0**53  # beyond, not every whole number is a float
+    given = deepcopy(document)
+    changed = False
+    for fault in error.errors(include_url=False):
+        value = fault["input"]
+        whole = isinstance(value, float) and value.is_integer() and abs(value) <= exact
+        if fault["type"] == "int_type" and whole:
+            *sections, key = _walked(schema, fault["loc"])[0]
+            section = given
+            for step in sections:
+                section = section[step]
+            section[key] = int(value)
+            changed = True
+    return given if changed else None
+
+
 def explain(error, schema: type) -> str:
-    """Return one line on the first fault of a pydantic ValidationError; an unknown key comes before what it caused."""
+    """Return one line on the first fault of a pydantic ValidationError; an unknown key comes before
+    what it caused."""
     faults = sorted(error.errors(include_url=False), key=lambda fault: fault["type"] not in UNKNOWN)
-    fault, context = faults[0], faults[0].get("ctx", {})
+    fault = faults[0]
+    context = faults[0].get("ctx", {})
     steps, sections = _walked(schema, fault["loc"])
-    value, kind = fault["input"], "discriminator" in context
+    value = fault["input"]
+    kind = "discriminator" in context
     if kind:
-        steps, value = [*steps, context["discriminator"].strip("'")], context.get("tag")
+        steps = [*steps, context["discriminator"].strip("'")]
+        value = context.get("tag")
     path = ".".join(map(str, steps))
     if fault["type"] in UNKNOWN:
-        return f"{path}: unknown key; known: {', '.join(f.name for f in fields(sections_of(sections[-2])[0]))}"
+        siblings = [f.name for f in fields(sections_of(sections[-2])[0])]
+        known = ", ".join(siblings)
+        return f"{path}: unknown key; known: {known}{_meant_key(path, siblings, schema)}"
     sentence = SENTENCES.get(fault["type"], fault["msg"]).format(**context)
     if fault["type"] in {"missing", "value_error", "union_tag_not_found"}:
         return f"{path}: {sentence}".removeprefix(": ")
     return f"{path} = {value!r}: {sentence}"
 
 
+def _meant_key(path, siblings, schema):
+    """The question whether a similar key, or one of that name in another section, was meant."""
+    keys = key_paths(schema)
+    section, _, name = path.rpartition(".")
+    if path in keys:  # of a section of another kind
+        return ""
+    if namesakes := [key for key in keys if key.rpartition(".")[2] == name]:
+        return question(namesakes[:3])
+    own = [f"{section}.{sibling}" if section else sibling for sibling in siblings]
+    return did_you_mean(path, own) or did_you_mean(path, keys) or _meant_name(name, keys)
+
+
+def _meant_name(name, keys):
+    """The question whether a key was meant whose last word is similar, in whatever section."""
+    by_name = {key.rpartition(".")[2]: key for key in reversed(keys)}
+    closest = get_close_matches(name, by_name, n=1)
+    return question([by_name[found] for found in closest])
+
+
+def key_paths(schema: type) -> list[str]:
+    """Return the dotted path of every key of a scene; a list of sections counts as one key."""
+    paths = []
+    for key in fields(schema):
+        kind = get_args(key.type)[0] if get_origin(key.type) is Annotated else key.type
+        options = [] if get_origin(kind) is tuple else sections_of(kind)
+        for option in options:
+            paths += [f"{key.name}.{path}" for path in key_paths(option)]
+        if not options:
+            paths.append(key.name)
+    return list(dict.fromkeys(paths))
+
+
 def _walked(schema, location):
-    """The steps of a location without the tags of sections of several kinds, and the types that they lead to."""
-    steps, kinds = [], [schema]
+    """The steps of a location without the tags of sections of several kinds, and the types that
+    they lead to."""
+    steps = []
+    kinds = [schema]
     for step in location:
         options = sections_of(kinds[-1])
         if len(options) > 1:  # the step is the tag
-            kinds[-1] = next((o for o in options if step in get_args(o.__dataclass_fields__["kind"].type)), kinds[-1])
+            kinds[-1] = next(
+                (o for o in options if step in get_args(o.__dataclass_fields__["kind"].type)),
+                kinds[-1],
+            )
             continue
         inner = {f.name: f.type for f in fields(options[0])} if options else {}
         steps.append(step)

@@ -1,7 +1,9 @@
-"""Every key of a scene: its unit, range, default and meaning, as the types of the sections have them."""
+"""Every key of a scene: its unit, range, default and meaning, as the types of the sections have
+them."""
 
 import json
 import re
+from textwrap import wrap
 from typing import NamedTuple
 
 from sonify.scene import adapter
@@ -22,7 +24,8 @@ class Key(NamedTuple):
 
 
 def schema() -> dict:
-    """Return the JSON schema of a scene, with which editors complete and check a scene file while it is written."""
+    """Return the JSON schema of a scene, with which editors complete and check a scene file while
+    it is written."""
     whole = {"$schema": DIALECT} | adapter().json_schema()
     for section in (whole, *whole["$defs"].values()):
         section["additionalProperties"] = False
@@ -47,12 +50,31 @@ def as_table() -> str:
     return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
 
 
+def as_lines(width: int) -> str:
+    """Return the keys in lines of at most `width` characters, the meaning below the range."""
+    lines = []
+    for key in keys():
+        unit = "" if key.unit == "-" else f" [{key.unit}]"
+        default = {"required": "; required", "-": ""}.get(key.default, f"; default {key.default}")
+        lines += wrap(f"{key.name}{unit}  {key.range}{default}", width, subsequent_indent=8 * " ")
+        lines += wrap(key.meaning, width, initial_indent=4 * " ", subsequent_indent=4 * " ")
+    return "\n".join(lines)
+
+
 def _keys(section, sections, path):
     for name, key in section["properties"].items():
-        options = [option for option in key.get("anyOf") or key.get("oneOf", [key]) if option.get("type") != "null"]
-        inner = [sections[option["$ref"].rpartition("/")[2]] for option in options if "$ref" in option]
+        options = [
+            option
+            for option in key.get("anyOf") or key.get("oneOf", [key])
+            if option.get("type") != "null"
+        ]
+        inner = [
+            sections[option["$ref"].rpartition("/")[2]] for option in options if "$ref" in option
+        ]
         if inner:
-            yield from _of_all_kinds([list(_keys(own, sections, f"{path}{name}.")) for own in inner])
+            yield from _of_all_kinds(
+                [list(_keys(own, sections, f"{path}{name}.")) for own in inner]
+            )
         else:
             meaning, unit = _apart(" ".join(key["description"].split()))
             span = " or ".join(map(_range, options))
@@ -70,7 +92,13 @@ def _of_all_kinds(sections):
         for key in own[1:]
     }
     kind = sections[0][0]._replace(range=", ".join(kinds), default="required")
-    return [kind, *(key._replace(meaning=f"{key.meaning[:-1]} ({', '.join(of)}).") for key, of in holders.items())]
+    return [
+        kind,
+        *(
+            key._replace(meaning=f"{key.meaning[:-1]} ({', '.join(of)}).")
+            for key, of in holders.items()
+        ),
+    ]
 
 
 def _apart(description):
@@ -86,7 +114,8 @@ def _range(key):
     if "$ref" in key:
         return "sections"
     if key["type"] == "array":
-        parts, most = key.get("prefixItems") or [key["items"]], key.get("maxItems")
+        parts = key.get("prefixItems") or [key["items"]]
+        most = key.get("maxItems")
         length = len(parts) if "prefixItems" in key else f"at most {most}" if most else "any length"
         return f"list of {length}: {_range(parts[0])}"
     bounds = [f"{sign} {key[name]:g}" for name, sign in BOUNDS.items() if name in key]

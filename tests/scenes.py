@@ -1,4 +1,5 @@
-"""Scenes for the tests of the motion: the published one, with the changes a test asks for; and how a motion ends."""
+"""Scenes for the tests of the motion: the published one, with the changes a test asks for; and how
+a motion ends."""
 
 from dataclasses import dataclass
 from math import degrees, inf, pi, sin, sqrt
@@ -9,9 +10,9 @@ from dynamics import Outcome
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
-from dynamics.numerics import Numerics
 from dynamics.regime import FALLING
-from dynamics.steady import steady_precession
+from dynamics.solver_settings import Numerics
+from dynamics.steady_motion import steady_precession
 
 RADIUS = 0.03755
 
@@ -29,12 +30,15 @@ class Scene:
 
 
 def scene(numerics=None, disk=None, release=None, dissipation=None, air=None, **friction) -> Scene:
-    """Return the published scene (7.1), (7.3), (7.4) with changes; `k1`, `k2`, `k3` are arms over the radius."""
+    """Return the published scene (7.1), (7.3), (7.4) with changes; `k1`, `k2`, `k3` are arms over
+    the radius."""
     body = Disk(**{"radius": RADIUS, "thickness": 0.0128, "mass": 0.4387} | (disk or {}))
     law = {"mu_static": 0.5, "mu_dynamic": 0.3, "k1": 1e-4, "k2": 8e-4, "k3": 8e-3} | friction
     for arm, k in (("arm_nutation", "k1"), ("arm_rolling", "k2"), ("arm_pivoting", "k3")):
         law[arm] = law.pop(k) * body.radius
-    start = {"inclination_deg": 32.70422048691768, "omega": (0.0, 0.0, -1 / body.time_unit)} | (release or {})
+    start = {"inclination_deg": 32.70422048691768, "omega": (0.0, 0.0, -1 / body.time_unit)} | (
+        release or {}
+    )
     return Scene(
         disk=body,
         friction=Friction(**law),
@@ -51,17 +55,23 @@ def conservative(**changes) -> Scene:
 
 
 def whirling(inclination, disk=None, **changes) -> Scene:
-    """Return a disk released in the steady motion with a fixed centre at `inclination` [rad], without moments."""
+    """Return a disk released in the steady motion with a fixed centre at `inclination` [rad],
+    without moments."""
     body = conservative(disk=disk).disk
     rate = steady_precession(inclination, body.aspect, body.gyration) / body.time_unit
     in_plane = rate * sin(inclination)
-    release = {"inclination_deg": degrees(inclination), "omega": (0.0, body.aspect * in_plane, in_plane)}
+    release = {
+        "inclination_deg": degrees(inclination),
+        "omega": (0.0, body.aspect * in_plane, in_plane),
+    }
     return conservative(release=release, disk=disk, **changes)
 
 
 def proves_its_outcome(motion, limit) -> bool:
-    """Tell whether the last state is what the outcome says; KeyError where a motion ended for want of a solution."""
-    (_, beta, *_), nutation = motion.state[-1], motion.state[-1, 5] * motion.disk.time_unit
+    """Tell whether the last state is what the outcome says; KeyError where a motion ended for want
+    of a solution."""
+    (_, beta, *_) = motion.state[-1]
+    nutation = motion.state[-1, 5] * motion.disk.time_unit
     return {
         Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),
         Outcome.SETTLED: beta < 1e-8,

@@ -1,13 +1,18 @@
-"""What several files of tests on sweeps share: a sweep whose runs take a few hundredths of a second, and its truth."""
+"""What several files of tests on sweeps share: a sweep whose runs take a few hundredths of a
+second, and its truth."""
 
 import pyarrow as pa
 
-from sonify.sweeps.table import read_table
+from sonify.sweeps.store import read_table
 
 QUICK = {
     "name": "quick",
     "accuracy": "draft",
-    "set": ["release.inclination_deg=3", "release.omega=[0.0, 1.3, 7.4]", "friction.arm_nutation=0"],
+    "set": [
+        "release.inclination_deg=3",
+        "release.omega=[0.0, 1.3, 7.4]",
+        "friction.arm_nutation=0",
+    ],
     "find": ["motion"],
     "axes": {
         "friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 2},
@@ -15,7 +20,8 @@ QUICK = {
         "friction.mu_dynamic": [0.1, 0.3],
     },
 }
-"""The disk falls within a second; where mu_static = 0.2 is below mu_dynamic = 0.3, a run is refused."""
+"""The disk falls within a second; where mu_static = 0.2 is below mu_dynamic = 0.3, a run is
+refused."""
 
 
 def found(path) -> pa.Table:

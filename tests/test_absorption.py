@@ -1,7 +1,8 @@
-"""Claim: air takes of a sound on its way what the standard says, by a filter that shifts nothing, where that is heard.
+"""Claim: air takes of a sound on its way what the standard says, by a filter that shifts nothing,
+where that is heard.
 
-Source: ISO 9613-1, 20 degrees and 50 % humidity. Oracle: its table 1; the same sound without the filter, convolved.
-"""
+Source: ISO 9613-1, 20 degrees and 50 % humidity. Oracle: its table 1; the same sound without the
+filter, convolved."""
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from modal import eigenmodes
 from sonify import load_scene
 from sonify.plan.air import on_the_way
 from sonify.sound import absorption
-from sonify.sound.absorption import HALF, absorbed_db, absorbing, reach
+from sonify.sound.absorption import FILTER_HALF_LENGTH, absorbed_db, absorbing, absorption_latency
 from sonify.sound.render import Renderer
 
 RATE = 48000
@@ -27,10 +28,11 @@ def test_what_is_taken_at_8_khz(distance, taken):
 def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
     """Within a hundredth of itself and 0.02 dB, also over the border of two blocks."""
     n = np.arange(8000)
-    wave, advance = np.exp(2j * np.pi * frequency / RATE * n), absorbing(Air(), distance, RATE)
+    wave = np.exp(2j * np.pi * frequency / RATE * n)
+    advance = absorbing(Air(), distance, RATE)
     stems = np.column_stack([wave.real, wave.imag])
     out = np.vstack([advance(stems[:3001]), advance(stems[3001:])]) @ [1, 1j]
-    kept = (out[HALF:] / wave[:-HALF])[2 * HALF :]
+    kept = (out[FILTER_HALF_LENGTH:] / wave[:-FILTER_HALF_LENGTH])[2 * FILTER_HALF_LENGTH :]
     taken = absorbed_db(Air(), distance, frequency)
     assert np.abs(-20 * np.log10(np.abs(kept)) - taken).max() < 0.02 + 0.01 * taken
     assert np.abs(np.angle(kept)).max() < 1e-3
@@ -38,21 +40,24 @@ def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
 
 def test_near_by_nothing_is_filtered_and_the_plan_says_how_much_that_is():
     scene = load_scene("published")
-    assert reach(scene.air, 0.5) == 0
+    assert absorption_latency(scene.air, 0.5) == 0
     assert not on_the_way(scene)[0]
     assert "0.053 dB at 8 kHz" in on_the_way(scene)[1][0]
     far = scene.replace("audio.distance=10")
     assert "1.1 dB at 8 kHz" in on_the_way(far)[0][0]
     assert not on_the_way(far)[1]
-    assert reach(scene.replace("air.pressure=0", "air.density=0").air, 100.0) == 0
+    assert absorption_latency(scene.replace("air.pressure=0", "air.density=0").air, 100.0) == 0
 
 
 def test_a_listener_afar_hears_the_same_instant_through_more_air(monkeypatch):
     """What is rendered is what had been, through the filter, sample by sample."""
-    scene = load_scene("published").replace("audio.distance=10", "numerics.time_limit=0.5", "numerics.accuracy=draft")
-    motion, modes = simulate(scene), eigenmodes(scene, below=5000.0)
+    scene = load_scene("published").replace(
+        "audio.distance=10", "numerics.time_limit=0.5", "numerics.accuracy=draft"
+    )
+    motion = simulate(scene)
+    modes = eigenmodes(scene, below=5000.0)
     heard = np.vstack(list(Renderer(scene, motion, modes).blocks(10000)))
-    monkeypatch.setattr(absorption, "AUDIBLE_DB", np.inf)
+    monkeypatch.setattr(absorption, "MIN_AUDIBLE_ABSORPTION_DB", np.inf)
     open_air = np.vstack(list(Renderer(scene, motion, modes).blocks(10000)))
     assert len(heard) == len(open_air)
     taps = absorbing_taps(scene)
@@ -66,7 +71,9 @@ def test_a_listener_afar_hears_the_same_instant_through_more_air(monkeypatch):
 def absorbing_taps(scene):
     """The answer of the filter to one sample."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(absorption, "AUDIBLE_DB", 0.0)
-        one = np.zeros((6 * HALF + 1, 1))
-        one[2 * HALF] = 1
-        return absorbing(scene.air, 10.0, RATE)(one)[2 * HALF : 4 * HALF + 1, 0]
+        patch.setattr(absorption, "MIN_AUDIBLE_ABSORPTION_DB", 0.0)
+        one = np.zeros((6 * FILTER_HALF_LENGTH + 1, 1))
+        one[2 * FILTER_HALF_LENGTH] = 1
+        return absorbing(scene.air, 10.0, RATE)(one)[
+            2 * FILTER_HALF_LENGTH : 4 * FILTER_HALF_LENGTH + 1, 0
+        ]

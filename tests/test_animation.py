@@ -1,8 +1,9 @@
-"""Claim: the film shows the solved motion, standing on the table, in step with its sound, in a common format.
+"""Claim: the film shows the solved motion, standing on the table, in step with its sound, in a
+common format.
 
-Source: the geometry of a cylinder on a plane, (2.1) to (2.3); H.264 in yuv420p with AAC. Oracle: the contact as the
-lowest point of the rim and at rest while the disk rolls; the film decoded again, its sound compared with sound.wav.
-"""
+Source: the geometry of a cylinder on a plane, (2.1) to (2.3); H.264 in yuv420p with AAC. Oracle:
+the contact as the lowest point of the rim and at rest while the disk rolls; the film decoded again,
+its sound compared with sound.wav."""
 
 import signal
 import subprocess
@@ -22,7 +23,7 @@ from modal import eigenmodes
 from sonify.__main__ import main
 from sonify.report import animation
 from sonify.report.animation import AFTER, FPS, SIZE, STAGE, STEEPEST, animate, camera_of, clip_of
-from sonify.report.view import TABLE, Camera, contact, exposed, rims, table
+from sonify.report.perspective import TABLE, Camera, contact, exposed, rims, table
 from sonify.sound.render import Renderer
 from sonify.sound.wav import write_sound
 
@@ -31,7 +32,8 @@ DELAY_S = 1e-3
 
 @pytest.fixture(scope="module")
 def result(scene, tmp_path_factory):
-    motion, out = simulate(scene.replace("numerics.time_limit=0.6")), tmp_path_factory.mktemp("film")
+    motion = simulate(scene.replace("numerics.time_limit=0.6"))
+    out = tmp_path_factory.mktemp("film")
     sound = Renderer(scene, motion, eigenmodes(scene, below=20e3)).sound()
     write_sound(sound, out)
     return SimpleNamespace(scene=scene, motion=motion, sound=sound, out=out)
@@ -39,19 +41,25 @@ def result(scene, tmp_path_factory):
 
 def test_the_disk_stands_on_the_table_where_the_contact_is(scene, motion):
     state = motion.at(np.linspace(0, 15, 50))
-    body, touching = rims(state, state[:, 1], scene.disk), contact(state, state[:, 1], scene.disk)
+    body = rims(state, state[:, 1], scene.disk)
+    touching = contact(state, state[:, 1], scene.disk)
     lowest = body[:, 0, :, 2].min(axis=1)
-    corner = scene.disk.radius * np.sin(state[:, 1]) * (1 - np.cos(np.pi / body.shape[2]))  # between two points
+    corner = (
+        scene.disk.radius * np.sin(state[:, 1]) * (1 - np.cos(np.pi / body.shape[2]))
+    )  # between two points
     slack = gamma(30) * scene.disk.radius
     assert np.all((lowest >= -slack) & (lowest <= corner + slack))
     apart = np.linalg.norm(body[:, 0] - touching[:, None], axis=2).min(axis=1)
     assert np.all(apart < scene.disk.radius * np.pi / body.shape[2])
-    assert np.linalg.norm(body[:, 1] - body[:, 0], axis=2) == pytest.approx(scene.disk.thickness, rel=1e-9)
+    assert np.linalg.norm(body[:, 1] - body[:, 0], axis=2) == pytest.approx(
+        scene.disk.thickness, rel=1e-9
+    )
 
 
 def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, motion):
     """v = 0 at the contact, from the drawn points of the body a moment before and after."""
-    t, h = np.array([1.0, 3.0, 6.0]), 1e-6
+    t = np.array([1.0, 3.0, 6.0])
+    h = 1e-6
     assert all(name.startswith("roll") for name in motion.regime(t))
     bodies = [rims(motion.at(t + e), motion.at(t + e)[:, 1], scene.disk)[:, 0] for e in (-h, h)]
     speed = np.linalg.norm(bodies[1] - bodies[0], axis=2) / (2 * h)
@@ -60,7 +68,9 @@ def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, 
 
 
 def test_the_camera_sees_its_target_in_the_middle_and_what_is_near_large():
-    camera = Camera(target=np.array([0.1, 0.2, 0.0]), distance=1.0, elevation=0.4, focal=100.0, size=(80, 60))
+    camera = Camera(
+        target=np.array([0.1, 0.2, 0.0]), distance=1.0, elevation=0.4, focal=100.0, size=(80, 60)
+    )
     assert camera.project(camera.target) == pytest.approx([40, 30])
     right, up = camera.target + camera.axes[:2] * 0.01
     assert camera.project(np.array([right, up])) == pytest.approx(np.array([[41, 30], [40, 29]]))
@@ -72,14 +82,17 @@ def test_the_camera_sees_its_target_in_the_middle_and_what_is_near_large():
 @pytest.fixture
 def late(scene, motion):
     return SimpleNamespace(
-        scene=scene, motion=motion, sound=SimpleNamespace(source_end=motion.t[-1], duration=motion.t[-1] + 9)
+        scene=scene,
+        motion=motion,
+        sound=SimpleNamespace(source_end=motion.t[-1], duration=motion.t[-1] + 9),
     )
 
 
 def test_the_disk_stays_in_the_picture(result, late):
     """At its greatest inclination and at the end; the margin is table and nothing else."""
     for clip in (clip_of(result), clip_of(late)):
-        camera, disk = camera_of(clip), clip.result.scene.disk
+        camera = camera_of(clip)
+        disk = clip.result.scene.disk
         state = clip.states(np.linspace(*clip.span, 200))
         bodies = rims(state, clip.inclination(state), disk)
         place = camera.project(bodies)
@@ -90,12 +103,15 @@ def test_the_disk_stays_in_the_picture(result, late):
 
 
 def test_a_small_inclination_is_drawn_larger_and_a_large_one_as_it_is(result, late):
-    early, clip = clip_of(result), clip_of(late)
+    early = clip_of(result)
+    clip = clip_of(late)
     state = early.states(np.linspace(*early.span, 500))
     assert early.inclination(state).max() == pytest.approx(state[:, 1].max(), rel=1e-3)
     end = late.motion.t[-1]
     assert clip.span == pytest.approx((end - 7, end + 1))
-    assert clip.inclination(clip.states(np.linspace(*clip.span, 2000))).max() == pytest.approx(STEEPEST)
+    assert clip.inclination(clip.states(np.linspace(*clip.span, 2000))).max() == pytest.approx(
+        STEEPEST
+    )
 
 
 def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
@@ -106,7 +122,9 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
     with closing(ffmpeg.read_frames(path)) as reader:  # read to its end it would leave pipes open
         about = next(reader)
     command = [ffmpeg.get_ffmpeg_exe(), "-v", "error", "-i", str(path)]
-    raw = subprocess.run([*command, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, stdout=subprocess.PIPE)
+    raw = subprocess.run(
+        [*command, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, stdout=subprocess.PIPE
+    )
     frames = np.frombuffer(raw.stdout, np.uint8).reshape(-1, SIZE[1], SIZE[0], 3)
     assert about["codec"] == "h264"
     assert about["pix_fmt"].startswith("yuv420p")
@@ -114,7 +132,9 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
     assert about["fps"] == FPS
     assert len(frames) == int((result.sound.source_end + AFTER) * FPS)
     changed = np.abs(frames[-1].astype(float) - frames[0]).mean(axis=2) > 20
-    assert changed[: STAGE[1], : STAGE[0]].mean() > 0.02  # the disk has moved, and so has the cursor
+    assert (
+        changed[: STAGE[1], : STAGE[0]].mean() > 0.02
+    )  # the disk has moved, and so has the cursor
     assert changed[STAGE[1] :].any(axis=0).sum() < 20
     heard = path.with_name("heard.wav")
     subprocess.run([*command, "-vn", str(heard)], check=True)
@@ -141,7 +161,9 @@ def test_a_full_disk_leaves_no_half_film(result, monkeypatch):
     assert list(result.out.glob("*.mp4")) + list(result.out.glob(".*")) == []
 
 
-def test_without_the_encoder_one_line_says_how_to_get_it_and_nothing_is_written(tmp_path, monkeypatch):
+def test_without_the_encoder_one_line_says_how_to_get_it_and_nothing_is_written(
+    tmp_path, monkeypatch
+):
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
     asked = CliRunner().invoke(main, ["run", "--animation", "--out", str(tmp_path / "out")])
     assert asked.exit_code == 2

@@ -1,27 +1,30 @@
-"""Claim: carriers are told with their drift, with errors that hold the truth, and apart from their sidebands.
+"""Claim: carriers are told with their drift, with errors that hold the truth, and apart from their
+sidebands.
 
-Source: least squares and the jackknife over parts. Oracle: tones and bands of noise of known course, and an amplitude
-that is modulated ever faster.
-"""
+Source: least squares and the jackknife over parts. Oracle: tones and bands of noise of known
+course, and an amplitude that is modulated ever faster."""
 
 import numpy as np
 import pytest
 from scipy.signal import butter, lfilter, sosfilt
 
 from sonify import load_scene
-from sonify.claims.carriers import matched, resonances
-from sonify.hearing.carriers import APART, _pairs, carriers
+from sonify.claims.resonance_matching import matched, resonances
+from sonify.hearing.spectral_lines import APART, _pairs, carriers
 
 RATE, LENGTH = 16000, 12.0
 TIME = np.arange(int(LENGTH * RATE)) / RATE
 
 
 def made(seed, drift, bandwidth):
-    """A carrier by chance, with noise: samples, its frequency in the middle [Hz] and its drift [cents/s]."""
+    """A carrier by chance, with noise: samples, its frequency in the middle [Hz] and its drift
+    [cents/s]."""
     random = np.random.default_rng(seed)
-    middle, drift = random.uniform(900, 5000), drift * random.uniform(-1, 1)
+    middle = random.uniform(900, 5000)
+    drift = drift * random.uniform(-1, 1)
     phase = 2 * np.pi * np.cumsum(middle * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
-    low, wide = butter(1, bandwidth or 1.0, fs=RATE, output="sos"), random.standard_normal((2, len(TIME)))
+    low = butter(1, bandwidth or 1.0, fs=RATE, output="sos")
+    wide = random.standard_normal((2, len(TIME)))
     shape = sosfilt(low, wide, axis=1) if bandwidth else np.ones((2, 1))
     sound = (shape * [np.cos(phase), np.sin(phase)]).sum(axis=0)
     noise = sound.std() * 10 ** random.uniform(-2, 0.15) * random.standard_normal(len(TIME))
@@ -30,13 +33,19 @@ def made(seed, drift, bandwidth):
 
 @pytest.mark.parametrize(("drift", "bandwidth"), [(0.0, 0.0), (25.0, 0.0), (25.0, 8.0)])
 def test_twice_the_errors_hold_the_truth(drift, bandwidth):
-    """In 95 % of the cases for a normal error; of 30, fewer than 25 would have a chance below 2 %."""
+    """In 95 % of the cases for a normal error; of 30, fewer than 25 would have a chance below 2
+    %."""
     inside = []
     for seed in range(30):
         samples, middle, rate = made(seed, drift, bandwidth)
         one = carriers(samples, RATE)[0]
         there = middle * 2 ** (rate * ((one.begin + one.end) / 2 - LENGTH / 2) / 1200)
-        inside.append((abs(one.frequency - there) < 2 * one.error, abs(one.drift - rate) < 2 * one.drift_error))
+        inside.append(
+            (
+                abs(one.frequency - there) < 2 * one.error,
+                abs(one.drift - rate) < 2 * one.drift_error,
+            )
+        )
     assert (np.sum(inside, axis=0) >= 25).all()
 
 
@@ -52,7 +61,10 @@ def test_sidebands_are_told_from_carriers():
     """A tone of 1500 Hz, modulated 60 to 96 times a second, and another of 2500 Hz that is not."""
     swing = 1 + 0.5 * np.cos(2 * np.pi * 60 * TIME * (1 + TIME / 40))
     noise = 0.01 * np.random.default_rng(0).standard_normal(len(TIME))
-    found = carriers(swing * np.cos(2 * np.pi * 1500 * TIME) + 0.3 * np.cos(2 * np.pi * 2500 * TIME) + noise, RATE)
+    found = carriers(
+        swing * np.cos(2 * np.pi * 1500 * TIME) + 0.3 * np.cos(2 * np.pi * 2500 * TIME) + noise,
+        RATE,
+    )
     assert [one.frequency for one in found] == pytest.approx([1500, 2500], rel=1e-5)
     assert found[0].sidebands == pytest.approx((78.0,), rel=0.02)
     assert found[1].sidebands == ()
@@ -66,8 +78,10 @@ def pair(low, high, seed=0):
 
 @pytest.mark.parametrize("exponent", [0.3, 0.5, 1.0])
 def test_a_silent_carrier_is_told_by_its_sidebands(exponent):
-    """As of a shape that is odd about the contact: its factor swings about zero. At last it rings by itself."""
-    swing, rolls = 120 * (LENGTH - TIME + 1) ** -exponent, TIME < LENGTH - 3
+    """As of a shape that is odd about the contact: its factor swings about zero. At last it rings
+    by itself."""
+    swing = 120 * (LENGTH - TIME + 1) ** -exponent
+    rolls = TIME < LENGTH - 3
     ringing = np.cos(2 * np.pi * 2261 * TIME)
     sound = np.where(rolls, pair(2261 - swing, 2261 + swing), ringing)
     one, other = sorted(carriers(sound, RATE), key=lambda carrier: carrier.begin)
@@ -91,19 +105,25 @@ def test_two_carriers_that_do_not_mirror_each_other_stay_two(falling):
 
 
 def test_of_many_peaks_as_speech_has_only_near_ones_are_compared():
-    """Of an hour's, all pairs would take hours: so near the work grows with their number, not with its square."""
+    """Of an hour's, all pairs would take hours: so near the work grows with their number, not with
+    its square."""
     few, many = (np.array([[0] * n, 60.0 * np.arange(n), [20] * n]) for n in (1000, 2000))
     assert 1900 < _pairs(many).shape[1] - _pairs(few).shape[1] <= 1000 * 2 * APART[1] / 60
 
 
 def band(drift, seed):
-    """Noise half of whose power is within some 80 cents of 1800 Hz, which drifts [cents/s], in white noise."""
+    """Noise half of whose power is within some 80 cents of 1800 Hz, which drifts [cents/s], in
+    white noise."""
     rng = np.random.default_rng(seed)
     keeps = np.exp(-2 * np.pi * 1800 * (2 ** (80 / 1200) - 1) / RATE)
     turns = np.cumsum(1800 * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
-    slow = lfilter([1.0], [1.0, -keeps], rng.standard_normal((2, len(TIME))) * np.sqrt(1 - keeps**2))
+    slow = lfilter(
+        [1.0], [1.0, -keeps], rng.standard_normal((2, len(TIME))) * np.sqrt(1 - keeps**2)
+    )
     return (
-        slow[0] * np.cos(2 * np.pi * turns) - slow[1] * np.sin(2 * np.pi * turns) + 0.3 * rng.standard_normal(len(TIME))
+        slow[0] * np.cos(2 * np.pi * turns)
+        - slow[1] * np.sin(2 * np.pi * turns)
+        + 0.3 * rng.standard_normal(len(TIME))
     )
 
 
@@ -118,9 +138,14 @@ def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
         assert all(40 < one.reach < 200 for one in bands)
         assert sum(one.end - one.begin for one in bands) > 0.7 * LENGTH
         middles = [(one.begin + one.end) / 2 - LENGTH / 2 for one in bands]
-        away = [1200 * np.log2(one.frequency / 1800) - drift * at for one, at in zip(bands, middles, strict=True)]
+        away = [
+            1200 * np.log2(one.frequency / 1800) - drift * at
+            for one, at in zip(bands, middles, strict=True)
+        ]
         missed += [(one.drift - drift) / one.drift_error for one in bands]
-        missed += [x / (1200 / np.log(2) * one.error / 1800) for x, one in zip(away, bands, strict=True)]
+        missed += [
+            x / (1200 / np.log(2) * one.error / 1800) for x, one in zip(away, bands, strict=True)
+        ]
     assert np.sqrt(np.mean(np.square(missed))) < 2  # of errors that seven degrees of freedom tell
     assert np.max(np.abs(missed)) < 6
 
@@ -130,13 +155,15 @@ def test_noise_has_no_carriers():
 
 
 def test_carriers_are_matched_to_modes_and_contact():
-    """The toy on granite: its first free mode lies at 10.6 kHz, its contact passes 2 kHz; 5.04 kHz, recorded, is
-    neither's."""
+    """The toy on granite: its first free mode lies at 10.6 kHz, its contact passes 2 kHz; 5.04 kHz,
+    recorded, is neither's."""
     known = resonances(load_scene("granite"))
     rate = 44100
     t = np.arange(4 * rate) / rate
     mode = next(f for of, f in known if of == "disk")
     sound = sum(np.cos(2 * np.pi * f * t) for f in (mode, 2000.0, 5040.0))
     found = carriers(sound + 0.01 * np.random.default_rng(0).standard_normal(len(t)), rate)
-    of = {round(one.frequency): match and match.of for one in found for match in [matched(one, known)]}
+    of = {
+        round(one.frequency): match and match.of for one in found for match in [matched(one, known)]
+    }
     assert of == {round(mode): "disk", 2000: "contact", 5040: None}

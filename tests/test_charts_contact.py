@@ -1,37 +1,46 @@
-"""Claim: the chart of the elastic contact compares methods that solve the same problem, and shows where each ends.
+"""Claim: the chart of the elastic contact compares methods that solve the same problem, and shows
+where each ends.
 
-Source: the closed forms of the impact; the filter and the full model of dynamics/coupled. Oracle: each other.
-"""
+Source: the closed forms of the impact; the filter and the full model of dynamics/coupled. Oracle:
+each other."""
 
 import numpy as np
 import pytest
 
-from sonify.charts import contact, contact_case
-from sonify.charts.records import Failure, Record, measure
+from benchmarks.cases import contact_case
+from benchmarks.charts import contact_chart
+from benchmarks.timed_runs import Failure, Record, measure
 
 
 def test_every_way_through_the_impact_tends_to_its_closed_form():
     for step, order in ((contact_case.leap_frog, 2), (contact_case.explicit_euler, 1)):
-        errors = [max(abs(v - 1) for v in contact_case.explicit_impact(step, rate).values) for rate in (1e6, 8e6)]
+        errors = [
+            max(abs(v - 1) for v in contact_case.explicit_impact(step, rate).values)
+            for rate in (1e6, 8e6)
+        ]
         assert np.log2(errors[0] / errors[1]) / 3 > 0.8 * order
     assert contact_case.explicit_impact(contact_case.explicit_euler, 1e6).values[1] > 1.001
-    depth, kept = contact_case.impact(8e5).values
-    half_step = contact_case.SPEED / 8e5 / 2 / contact_case.hertz()[1]  # the deepest row is no further from the depth
+    depth, kept = contact_case.full_model_impact(8e5).values
+    half_step = (
+        contact_case.IMPACT_SPEED / 8e5 / 2 / contact_case.hertz_impact()[1]
+    )  # the deepest row is no further from the depth
     assert depth == pytest.approx(1, abs=0.625 * half_step**2)
     assert kept == pytest.approx(1, abs=1e-12)
 
 
 def test_filter_and_full_model_hear_the_same_roughness():
-    assert contact_case.filtered(9.6e4).values[0] == pytest.approx(contact_case.full(2e5).values[0], rel=0.01)
+    assert contact_case.filter_rms(9.6e4).values[0] == pytest.approx(
+        contact_case.full_model_rms(2e5).values[0], rel=0.01
+    )
 
 
 def test_where_each_ends():
     with pytest.raises(Failure, match="too far in a step"):
-        contact_case.filtered(6e3)
+        contact_case.filter_rms(6e3)
     with pytest.raises(Failure, match="one ellipse"):
-        contact_case.flat(3e-8)
-    assert contact_case.shift(1e-6) == pytest.approx(100 * contact_case.shift(1e-8))
-    rigid = next(work for work in contact.works(quick=True) if work.family == "rigid")
+        contact_case.relative_energy(3e-8)
+    assert contact_case.contact_shift(1e-6) == pytest.approx(100 * contact_case.contact_shift(1e-8))
+    rigid = next(work for work in contact_chart.works(quick=True) if work.family == "rigid")
     assert measure(rigid).failure == "wrong by 1e+02 %"
 
 
@@ -40,12 +49,19 @@ def test_the_conclusion_names_what_its_records_hold():
     records = [
         Record(family=family, method="m", setting="9", case=case, error=error, **about)
         for family, case, error in (
-            ("full", contact.IMPACT, 1e-6), ("explicit", contact.IMPACT, 2e-3), ("full", contact.ROLLING, 3e-5),
-            ("filter", contact.ROLLING, 4e-4),
+            ("full", contact_chart.IMPACT, 1e-6), ("explicit", contact_chart.IMPACT, 2e-3),
+            ("full", contact_chart.ROLLING, 3e-5), ("filter", contact_chart.ROLLING, 4e-4),
         )
     ]  # fmt: skip
-    said = " ".join(contact.conclusion(records))
+    said = " ".join(contact_chart.conclusion(records))
     assert all(number in said for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04"))
     assert "fails" not in said
-    torn = Record(family="filter", method="m", setting="1.4", case=contact.SEVERAL, error=np.inf, failure="wrong")
-    assert "from rms(z'') R/beta = 1.4 on" in " ".join(contact.conclusion([*records, torn]))
+    torn = Record(
+        family="filter",
+        method="m",
+        setting="1.4",
+        case=contact_chart.SEVERAL_CONTACTS,
+        error=np.inf,
+        failure="wrong",
+    )
+    assert "from rms(z'') R/beta = 1.4 on" in " ".join(contact_chart.conclusion([*records, torn]))

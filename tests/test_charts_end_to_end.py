@@ -1,6 +1,7 @@
-"""Claim: the accuracies are points on a curve of audible error against seconds, and the plan foresees them.
+"""Claim: the accuracies are points on a curve of audible error against seconds, and the plan
+foresees them.
 
-Source: sonify/charts/end_to_end.py. Oracle: the rendering at accuracy "reference".
+Source: benchmarks/charts/end_to_end_chart.py. Oracle: the rendering at accuracy "reference".
 """
 
 import csv
@@ -8,9 +9,9 @@ import csv
 import pytest
 from click.testing import CliRunner
 
+from benchmarks.charts.end_to_end_chart import ACCURACY, CHOICE, PREDICTED, conclusion, decibel
+from benchmarks.timed_runs import Record
 from sonify.__main__ import main
-from sonify.charts.end_to_end import ACCURACY, CHOICE, PREDICTED, conclusion, decibel
-from sonify.charts.records import Record
 
 
 @pytest.fixture(scope="module")
@@ -25,7 +26,11 @@ def records(tmp_path_factory):
 
 
 def errors(records, family, case):
-    return {r["method"]: float(r["error"]) for r in records if r["family"] == family and r["case"] == case}
+    return {
+        r["method"]: float(r["error"])
+        for r in records
+        if r["family"] == family and r["case"] == case
+    }
 
 
 @pytest.mark.slow
@@ -47,7 +52,8 @@ def test_better_accuracies_of_the_free_disk_are_nearer_to_the_reference(records)
 @pytest.mark.parametrize("support", ["held", "free"])
 def test_the_plan_foresees_the_error(records, support):
     case = f"{support}: samples, A-weighted"
-    found, foreseen = errors(records, ACCURACY, case), errors(records, PREDICTED, case)
+    found = errors(records, ACCURACY, case)
+    foreseen = errors(records, PREDICTED, case)
     assert foreseen.keys() == {"draft", "standard"}
     assert all(found[name] / 3 < error < 3 * found[name] for name, error in foreseen.items())
 
@@ -60,7 +66,8 @@ def test_a_tolerance_that_is_too_coarse_is_heard(records):
 def test_the_conclusion_names_the_worst_choice():
     about = {"setting": "", "case": "held: samples, A-weighted", "seconds": 1.0, "repeats": 1}
     records = [
-        Record(family=CHOICE, method=name, error=error, **about) for name, error in [("a", 0.01), ("b", 0.1), ("c", 0)]
+        Record(family=CHOICE, method=name, error=error, **about)
+        for name, error in [("a", 0.01), ("b", 0.1), ("c", 0)]
     ]
     assert conclusion(records) == ["held: the worst single choice is b, -20 dB(A)."]
 

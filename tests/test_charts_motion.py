@@ -1,8 +1,9 @@
-"""Claim: the ways in which simpler methods fail on the rolling disk are real, and our own method shows none of them.
+"""Claim: the ways in which simpler methods fail on the rolling disk are real, and our own method
+shows none of them.
 
-Source: Kessler & O'Reilly (2002), section 6.2, for the slip tolerance; (3.3) read as Filippov's inclusion.
-Oracle: quadruple precision (published case), 80-bit arithmetic (sticking case). Speed is never asserted.
-"""
+Source: Kessler & O'Reilly (2002), section 6.2, for the slip tolerance; (3.3) read as Filippov's
+inclusion. Oracle: quadruple precision (published case), 80-bit arithmetic (sticking case). Speed is
+never asserted."""
 
 import csv
 import json
@@ -18,42 +19,59 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
+from benchmarks.cases.motion_case import conservative, published, references, sticking
+from benchmarks.charts import CHARTS, motion_chart
+from benchmarks.charts.chart_files import write_chart
+from benchmarks.charts.chart_page import environment, known_environment, write_page
+from benchmarks.charts.error_time_picture import family_colours
+from benchmarks.methods.event_driven import ours, with_solve_ivp
+from benchmarks.methods.moreau_time_stepping import moreau
+from benchmarks.methods.sign_friction import naive_sign
+from benchmarks.methods.slip_tolerance import slip_tolerance
+from benchmarks.methods.tanh_friction import tanh_regularised
+from benchmarks.timed_runs import (
+    MAX_ERROR,
+    MAX_TOTAL_SECONDS,
+    MIN_TIMING_SECONDS,
+    Answer,
+    Failure,
+    Record,
+    Work,
+    measured,
+)
 from sonify.__main__ import main
-from sonify.charts import CHARTS, motion
-from sonify.charts.chart import tones_of
-from sonify.charts.command import make
-from sonify.charts.event_driven import ours, with_solve_ivp
-from sonify.charts.moreau import moreau
-from sonify.charts.motion_case import conservative, published, references, sticking
-from sonify.charts.naive import naive_sign
-from sonify.charts.page import environment, known_environment, write_page
-from sonify.charts.records import CLOCK, PATIENCE, WRONG, Answer, Failure, Record, Work, measured
-from sonify.charts.regularised import tanh_regularised
-from sonify.charts.slip_tolerance import slip_tolerance
 
 SHOWN = Path(__file__).parent.parent / "outputs" / "shown" / "charts"
 OURS = [
-    pytest.param("taylor", 1e-16, marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")),
+    pytest.param(
+        "taylor",
+        1e-16,
+        marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed"),
+    ),
     ("dop853", 1e-12),
 ]
 
 
 def test_the_shipped_reference_is_that_of_the_tests():
-    samples = json.loads((Path(__file__).parent / "references" / "motion.json").read_text("utf-8"))["samples"]
+    samples = json.loads((Path(__file__).parent / "references" / "motion.json").read_text("utf-8"))[
+        "samples"
+    ]
     known = {f"{s['tau']:g}": [s["beta"], s["E"]] for s in samples}
     for span, values in references()["published"].items():
         assert values == known[span]
 
 
 @pytest.mark.parametrize(("name", "tolerance"), OURS)
-@pytest.mark.parametrize("case", [published(10.0), published(50.0), sticking(20.0), sticking(40.0)], ids=str)
+@pytest.mark.parametrize(
+    "case", [published(10.0), published(50.0), sticking(20.0), sticking(40.0)], ids=str
+)
 def test_ours_is_right_on_both_cases(name, tolerance, case):
     assert case.error(ours(case, name, tolerance).values) < 1e-10
 
 
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 def test_every_competitor_computes_the_same_motion_where_it_is_easy():
-    assert len(motion.prove()) == len(motion.proofs())
+    assert len(motion_chart.prove()) == len(motion_chart.proofs())
 
 
 @pytest.mark.parametrize("method", ["RK45", "DOP853", "LSODA"])
@@ -64,8 +82,9 @@ def test_naive_sign_chatters_to_a_stop_where_the_nutation_sticks(method):
 
 @pytest.mark.parametrize("method", ["Radau", "BDF"])
 def test_naive_sign_is_wrong_with_difference_quotients_of_its_jumps(method):
-    case, smooth = published(5.0), conservative(10.0)
-    assert case.error(naive_sign(case, method, 1e-8).values) > 5 * WRONG
+    case = published(5.0)
+    smooth = conservative(10.0)
+    assert case.error(naive_sign(case, method, 1e-8).values) > 5 * MAX_ERROR
     assert smooth.error(naive_sign(smooth, method, 1e-8).values) < 1e-5
 
 
@@ -82,12 +101,15 @@ def test_a_slip_tolerance_chatters_where_the_nutation_sticks():
 
 def test_a_wide_tanh_is_another_motion():
     case = published(10.0)
-    wide, narrow = (case.error(tanh_regularised(case, "LSODA", width, 1e-9).values) for width in (1e-2, 1e-5))
-    assert wide > WRONG > narrow
+    wide, narrow = (
+        case.error(tanh_regularised(case, "LSODA", width, 1e-9).values) for width in (1e-2, 1e-5)
+    )
+    assert wide > MAX_ERROR > narrow
 
 
 def test_moreau_is_of_first_order_through_slips():
-    case, steps = published(10.0), [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4]
+    case = published(10.0)
+    steps = [1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4]
     errors = [case.error(moreau(case, step).values) for step in steps]
     assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(1, abs=0.1)
 
@@ -112,7 +134,7 @@ def test_the_quick_charts_are_written(tmp_path):
 
 @pytest.mark.parametrize("name", CHARTS)
 def test_every_chart_has_its_module(name):
-    module = import_module(f"sonify.charts.{name}")
+    module = import_module(f"benchmarks.charts.{name}_chart")
     assert callable(module.run)
     assert callable(module.conclusion)
 
@@ -122,7 +144,8 @@ PAGE = SimpleNamespace(PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["On
 
 def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(monkeypatch):
     """By a clock of our own, which goes on in the calls alone."""
-    now, calls = 0.0, []
+    now = 0.0
+    calls = []
 
     def call(name, seconds):
         nonlocal now
@@ -130,9 +153,11 @@ def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(m
         calls.append(name)
         return Answer((), 1)
 
-    monkeypatch.setattr("sonify.charts.records.spent", lambda: now)
-    lasting = {"a": 0.3 * CLOCK, "b": 0.4 * PATIENCE}
-    works = [Work("f", a, "s", "c", partial(call, a, lasting[a]), lambda values: 0.0) for a in lasting]
+    monkeypatch.setattr("benchmarks.timed_runs.processor_seconds", lambda: now)
+    lasting = {"a": 0.3 * MIN_TIMING_SECONDS, "b": 0.4 * MAX_TOTAL_SECONDS}
+    works = [
+        Work("f", a, "s", "c", partial(call, a, lasting[a]), lambda values: 0.0) for a in lasting
+    ]
     short, long = measured(works)
     assert "".join(calls) == "ab" + "aaaaab" + 3 * "aaaaa"  # of each turn the first is not timed
     assert (short.repeats, long.repeats) == (5, 2)
@@ -143,9 +168,16 @@ def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(m
 
 
 def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
-    record = Record(family="f", method="m", setting="s", case="c", error=0.0, seconds=1.0, repeats=1)
-    for records, said in (([record], "None."), ([replace(record, failure="falls")], "| c | f: m | s | falls | 1 |")):
-        write_page("end_to_end", "Title", PAGE, records, ["a machine", "commit abc"], tmp_path / "page.md")
+    record = Record(
+        family="f", method="m", setting="s", case="c", error=0.0, seconds=1.0, repeats=1
+    )
+    for records, said in (
+        ([record], "None."),
+        ([replace(record, failure="falls")], "| c | f: m | s | falls | 1 |"),
+    ):
+        write_page(
+            "end_to_end", "Title", PAGE, records, ["a machine", "commit abc"], tmp_path / "page.md"
+        )
         page = (tmp_path / "page.md").read_text("utf-8")
         assert said in page
         assert "- One sentence." in page
@@ -158,11 +190,13 @@ def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
 
 
 @pytest.mark.parametrize("name", CHARTS)
-def test_the_shown_chart_is_what_its_records_make_and_says_the_problem_and_five_sentences_at_most(name, tmp_path):
+def test_the_shown_chart_is_what_its_records_make_and_says_the_problem_and_five_sentences_at_most(
+    name, tmp_path
+):
     """Drawn again from its table; nothing is measured."""
     for suffix in ("csv", "md"):
         shutil.copy(SHOWN / f"{name}.{suffix}", tmp_path)
-    make(name, False, tmp_path, None, redraw=True)
+    write_chart(name, False, tmp_path, None, redraw=True)
     page = (tmp_path / f"{name}.md").read_text("utf-8")
     assert page == (SHOWN / f"{name}.md").read_text("utf-8")
     assert "$" in page[: page.index("## Conclusion")]
@@ -171,7 +205,7 @@ def test_the_shown_chart_is_what_its_records_make_and_says_the_problem_and_five_
 
 
 def test_families_are_told_apart_in_a_grey_print():
-    lightness = np.array(list(tones_of("abcdef").values()))[:, :3] @ [0.2126, 0.7152, 0.0722]
+    lightness = np.array(list(family_colours("abcdef").values()))[:, :3] @ [0.2126, 0.7152, 0.0722]
     assert np.diff(lightness).min() > 0.05
 
 

@@ -1,8 +1,8 @@
-"""Claim: the chart of the table asks every method for the same case, whose closed form is right, and tells failures.
+"""Claim: the chart of the table asks every method for the same case, whose closed form is right,
+and tells failures.
 
-Source: the docstring of charts/table_case.py. Oracle: the equation of motion integrated from rest by DOP853; orders of
-the methods; engines that are not installed are skipped.
-"""
+Source: the docstring of benchmarks/cases/table_case.py. Oracle: the equation of motion integrated
+from rest by DOP853; orders of the methods; engines that are not installed are skipped."""
 
 from importlib.util import find_spec
 
@@ -10,60 +10,87 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from sonify.charts import table
-from sonify.charts import table_case as case
-from sonify.charts.records import LEFT_OUT, Failure, Record, from_one, measure
-from sonify.charts.steps import bilinear, semi_implicit_euler
+from benchmarks.cases import table_case as case
+from benchmarks.charts import table_chart
+from benchmarks.methods.oscillator_steps import bilinear, semi_implicit_euler
+from benchmarks.timed_runs import LEFT_OUT, Failure, Record, distance_from_one, measure
 
 
 def test_the_closed_form_is_where_a_mode_at_rest_comes_to():
     """After 0.9 s times zeta w = 3.1 1/s, twelve times over, what it began with is below 1e-6."""
-    end = 14 / (case.ZETA * case.W)
+    end = 14 / (case.DAMPING_RATIO * case.MODE_OMEGA)
 
     def rate(t, y):
-        force = -case.LOAD * case.GRAVITY / case.MASS * np.exp(1j * case.OMEGA * t)
-        return [y[1], force - 2 * case.ZETA * case.W * y[1] - case.W**2 * y[0]]
+        force = -case.LOAD * case.GRAVITY / case.MASS * np.exp(1j * case.CONTACT_OMEGA * t)
+        return [
+            y[1],
+            force - 2 * case.DAMPING_RATIO * case.MODE_OMEGA * y[1] - case.MODE_OMEGA**2 * y[0],
+        ]
 
     z = solve_ivp(rate, (0, end), [0j, 0j], "DOP853", rtol=1e-10, atol=1e-14).y[0, -1]
-    assert z * np.exp(-1j * case.OMEGA * end) / case.amplitude() == pytest.approx(1, abs=5e-6)
+    assert z * np.exp(-1j * case.CONTACT_OMEGA * end) / case.amplitude() == pytest.approx(
+        1, abs=5e-6
+    )
 
 
-@pytest.mark.parametrize(("method", "order"), [(case.exact_hold, 2), (semi_implicit_euler, 1), (bilinear, 2)])
+@pytest.mark.parametrize(
+    ("method", "order"), [(case.exact_hold, 2), (semi_implicit_euler, 1), (bilinear, 2)]
+)
 def test_our_steps_and_the_textbooks_have_their_orders(method, order):
     rates = (800, 1600, 3200)
-    answers = [method(r) if method is case.exact_hold else case.plain(method, r) for r in rates]
-    errors = [from_one(answer.values) for answer in answers]
+    answers = [
+        method(r) if method is case.exact_hold else case.textbook_steps(method, r) for r in rates
+    ]
+    errors = [distance_from_one(answer.values) for answer in answers]
     assert -np.polyfit(np.log(rates), np.log(errors), 1)[0] == pytest.approx(order, abs=0.1)
 
 
 def test_the_disk_on_the_mode_is_the_weight_of_the_closed_form():
-    """The disk begins in the steady motion of a rigid table and nutates a little: a part in a thousand."""
-    assert from_one(case.with_the_disk(8000).values) < 1e-3
+    """The disk begins in the steady motion of a rigid table and nutates a little: a part in a
+    thousand."""
+    assert distance_from_one(case.two_way_disk(8000).values) < 1e-3
 
 
-@pytest.mark.parametrize("method", [name for name in table.PEERS if "flexes" not in name and "areas" not in name])
+@pytest.mark.parametrize(
+    "method",
+    [name for name in table_chart.ENGINE_METHODS if "flexes" not in name and "areas" not in name],
+)
 def test_engines_converge_to_the_closed_form(method):
-    peer = table.PEERS[method]
+    peer = table_chart.ENGINE_METHODS[method]
     if not find_spec(peer.package):
         pytest.skip(f"{peer.package} is not installed")
-    coarse, fine = (from_one(peer.ask(*peer.first, rate).values) for rate in peer.last[:2])
+    coarse, fine = (
+        distance_from_one(peer.solve(*peer.fixed, rate).values) for rate in peer.values[:2]
+    )
     assert fine < 0.01
     assert coarse > 5 * fine
 
 
 def test_what_cannot_be_asked_is_a_row():
     with pytest.raises(Failure, match=LEFT_OUT):
-        table.PEERS["PyBullet"].missing()
+        table_chart.ENGINE_METHODS["PyBullet"].missing()
     if find_spec("mujoco"):
-        flexes = next(work for work in table.works(quick=True) if "flexes" in work.method)
+        flexes = next(work for work in table_chart.works(quick=True) if "flexes" in work.method)
         assert "no modes to be given" in measure(flexes).failure
 
 
 def test_the_conclusion_names_what_its_records_hold():
-    about = {"method": "m", "setting": "9 1/s", "case": table.CASE, "steps": 1, "seconds": 0.5, "repeats": 1}
-    families = {table.SOUND: 1e-6, table.MOTION: 2e-3, table.TEXTBOOK: 3e-5, table.ENGINE: 4e-4}
+    about = {
+        "method": "m",
+        "setting": "9 1/s",
+        "case": table_chart.CASE,
+        "steps": 1,
+        "seconds": 0.5,
+        "repeats": 1,
+    }
+    families = {
+        table_chart.ONE_WAY: 1e-6,
+        table_chart.TWO_WAY: 2e-3,
+        table_chart.TEXTBOOK: 3e-5,
+        table_chart.ENGINE: 4e-4,
+    }
     records = [Record(family=family, error=error, **about) for family, error in families.items()]
-    said = table.conclusion(records)
+    said = table_chart.conclusion(records)
     assert len(said) <= 5
     assert all(number in " ".join(said) for number in ("1.0e-06", "2.0e-03", "3.0e-05", "4.0e-04"))
-    assert len(table.conclusion(records[:3])) == 3
+    assert len(table_chart.conclusion(records[:3])) == 3

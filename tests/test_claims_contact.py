@@ -1,8 +1,8 @@
-"""Claim: the findings on an elastic contact come from the sound alone, hold where they should, and can say no.
+"""Claim: the findings on an elastic contact come from the sound alone, hold where they should, and
+can say no.
 
-Source: noise bands drawn here; the linear contact of the scene. Oracle: their own frequencies, another stiffness, the
-force stepped in time, proportionality.
-"""
+Source: noise bands drawn here; the linear contact of the scene. Oracle: their own frequencies,
+another stiffness, the force stepped in time, proportionality."""
 
 from types import SimpleNamespace
 
@@ -12,11 +12,11 @@ from contact_scenes import granite, steady_speed
 from scipy.signal import butter, sosfilt
 
 from dynamics import simulate
-from dynamics.coupled.filter import Along, predicted_power, respond
-from dynamics.coupled.profile import SMOOTH, heights
-from dynamics.coupled.roughness import table_profile
-from dynamics.coupled.sections import Roughness
-from dynamics.coupled.table import LawTable
+from dynamics.compliant.law.height_profile import SMOOTH, mean_heights
+from dynamics.compliant.law.linear_response import MotionBlock, contact_response, predicted_power
+from dynamics.compliant.law.roughness import table_profile
+from dynamics.compliant.law.sections import Roughness
+from dynamics.compliant.law.tabulated import LawTable
 from sonify import load_scene
 from sonify.claims import contact
 from sonify.claims.contact import (
@@ -34,7 +34,7 @@ from sonify.claims.contact import (
     vibration,
 )
 from sonify.hearing.noise_band import NoiseBand, noise_band
-from sonify.plan.solvable import planned
+from sonify.plan.preflight import planned
 from sonify.sound.pressure import Track
 from sonify.sound.render import Renderer
 
@@ -47,17 +47,34 @@ def track(samples):
 
 
 def test_a_band_that_rises_is_found_among_lines_and_none_in_white_noise():
-    draw, middles = np.random.default_rng(3), 1500 * 1.15 ** np.arange(8)
+    draw = np.random.default_rng(3)
+    middles = 1500 * 1.15 ** np.arange(8)
     parts = [
-        sosfilt(butter(2, [0.97 * f, 1.03 * f], "bandpass", fs=RATE, output="sos"), draw.normal(size=RATE))
+        sosfilt(
+            butter(2, [0.97 * f, 1.03 * f], "bandpass", fs=RATE, output="sos"),
+            draw.normal(size=RATE),
+        )
         for f in middles
     ]
     t = np.arange(8 * RATE) / RATE
     lines = 0.3 * np.sin(2 * np.pi * 6e3 * t) + np.sin(2 * np.pi * 10603 * t)
-    found = noise_band(track(np.concatenate(parts) + lines + 1e-3 * draw.normal(size=len(t))), 0.0, 8.0, 1.0)
+    found = noise_band(
+        track(np.concatenate(parts) + lines + 1e-3 * draw.normal(size=len(t))), 0.0, 8.0, 1.0
+    )
     assert found.frequency == pytest.approx(middles, rel=0.02)
     assert np.isnan(noise_band(track(draw.normal(size=8 * RATE)), 0.0, 8.0, 1.0).frequency).all()
-    assert noise_band(track(draw.normal(size=RATE)), 0.1, 0.9, 1.0).frequency.shape == (0,)  # shorter than a stretch
+    assert noise_band(track(draw.normal(size=RATE)), 0.1, 0.9, 1.0).frequency.shape == (
+        0,
+    )  # shorter than a stretch
+
+
+@pytest.mark.parametrize("begins", [8.0, 4.0])
+def test_digital_silence_has_no_band(begins):
+    samples = np.random.default_rng(1).normal(size=8 * RATE)
+    samples[: int(begins * RATE)] = 0.0
+    found = noise_band(track(samples), 0.0, 8.0, 1.0)
+    assert np.isnan(found.frequency).all()
+    assert np.isfinite(found.above).all()
 
 
 def test_a_carrier_that_stays_does_not_rise():
@@ -75,68 +92,104 @@ def still(rms, load=TABLE.law.disk.weight):
     )  # fmt: skip
 
 
+def still_motion(contact_losses=(), solves_contact=False):
+    return SimpleNamespace(
+        t=np.array([0.0, 10.0]), contact_losses=contact_losses, solves_contact=solves_contact
+    )
+
+
 def test_contact_is_lost_as_a_gaussian_vibration_loses_it_and_where_it_is_solved():
     """At 3.09 standard deviations once in a thousand."""
-    weight, kept = TABLE.law.disk.weight, SimpleNamespace(contact_losses=(), t=np.array([0.0, 10.0]))
+    weight = TABLE.law.disk.weight
+    kept = still_motion()
     assert contact_is_lost(kept, still(weight / 3.0902)).value == pytest.approx(1e-3, rel=1e-3)
     assert not contact_is_lost(kept, still(weight / 6)).holds
-    solved = SimpleNamespace(contact_losses=(), t=kept.t, lost=None)
+    solved = still_motion(solves_contact=True)
     assert contact_is_lost(solved, still(weight / 3)).value == 0
-    flights = [SimpleNamespace(t=2.0, duration=0.004, height=1e-7), SimpleNamespace(t=3.0, duration=0.001, height=1e-8)]
-    broken = SimpleNamespace(contact_losses=flights, t=kept.t)
+    flights = [
+        SimpleNamespace(t=2.0, duration=0.004, height=1e-7),
+        SimpleNamespace(t=3.0, duration=0.001, height=1e-8),
+    ]
+    broken = still_motion(contact_losses=flights)
     assert contact_is_lost(broken, still(0.0)).value == pytest.approx(5e-4)
     assert loss_begins_at(1e-8, still(0.1 * weight)).value == pytest.approx(3e-8)
 
 
 def test_several_contacts_are_marked_from_when_on():
-    assert several_contacts(np.arange(5.0), np.array([0.2, 0.9, 1.1, 2.0, 3.0]))[0].startswith("From t = 2 s on")
+    assert several_contacts(np.arange(5.0), np.array([0.2, 0.9, 1.1, 2.0, 3.0]))[0].startswith(
+        "From t = 2 s on"
+    )
     assert several_contacts(np.arange(5.0), np.full(5, 0.9)) == []
 
 
 def test_the_power_that_roughness_takes_is_force_times_rise():
-    """Stepped in time over a table alone, in steady motion; the mean of N' z' against its spectrum."""
-    rough, rate, seconds, beta = Roughness(rms=1e-8, rms_edge=0.0), 192e3, 6.0, 0.03
-    speed, t = steady_speed(TABLE.law.disk, beta), np.arange(0, seconds, 16 / rate)
-    one, profile = np.ones(len(t)), table_profile(rough)
+    """Stepped in time over a table alone, in steady motion; the mean of N' z' against its
+    spectrum."""
+    rough = Roughness(rms=1e-8, rms_edge=0.0)
+    rate = 192e3
+    seconds = 6.0
+    beta = 0.03
+    speed = steady_speed(TABLE.law.disk, beta)
+    t = np.arange(0, seconds, 16 / rate)
+    one = np.ones(len(t))
+    profile = table_profile(rough)
     weight = TABLE.law.disk.weight
-    course = Along(t, beta * one, weight * one, one > 0, speed * t, speed * t, np.zeros((len(t), 2)))
-    force = np.concatenate(list(respond(TABLE, [course], rate, (profile, SMOOTH))))[:, 1]
+    course = MotionBlock(
+        t, beta * one, weight * one, one > 0, speed * t, speed * t, np.zeros((len(t), 2))
+    )
+    force = np.concatenate(list(contact_response(TABLE, [course], rate, (profile, SMOOTH))))[:, 1]
     path = speed * np.arange(len(force) + 1) / rate
-    rise = np.diff(heights(profile, path, np.full(len(path), TABLE.law.semi_axes(beta, weight)[0]))) * rate
+    rise = (
+        np.diff(
+            mean_heights(profile, path, np.full(len(path), TABLE.law.semi_axes(beta, weight)[0]))
+        )
+        * rate
+    )
     power = np.mean(((force[1:] + force[:-1]) / 2 * rise[1:])[int(rate) :])
     assert predicted_power(TABLE, rough, beta, weight, speed) == pytest.approx([power], rel=0.15)
 
 
 class Resounding:
-    """A disk whose air is loud at 3.6 kHz alone, on a contact whose force, solved, has two bands."""
+    """A disk whose air is loud at 3.6 kHz alone, on a contact whose force, solved, has two
+    bands."""
 
-    disk, t, lost, contact_losses = TABLE.law.disk, np.array([0.0, 8.0]), None, ()
+    disk, t, solves_contact, contact_losses = TABLE.law.disk, np.array([0.0, 8.0]), True, ()
     steady_load = staticmethod(lambda t: TABLE.law.disk.weight + 0 * t)
     regime = staticmethod(lambda t: np.full(len(t), "roll"))
 
     def __init__(self, *described):
-        draw, rate = np.random.default_rng(7).normal(size=8 * 96000), 96000
+        draw = np.random.default_rng(7).normal(size=8 * 96000)
+        rate = 96000
         cuts = ((0.98 * f, 1.02 * f) for f in (1850.0, 3600.0))
-        low, high = (sosfilt(butter(2, cut, "bandpass", fs=rate, output="sos"), draw) for cut in cuts)
+        low, high = (
+            sosfilt(butter(2, cut, "bandpass", fs=rate, output="sos"), draw) for cut in cuts
+        )
         self._force = low + 0.3 * high
 
     def at(self, t):
         state = np.zeros((len(t), 11))
-        state[:, 1], state[:, 6], state[:, 7] = 0.2, -30.0, 8.0
+        state[:, 1] = 0.2
+        state[:, 6] = -30.0
+        state[:, 7] = 8.0
         return state
 
     def force(self, t):
-        return np.column_stack([0 * t, 0 * t, self._force[np.minimum((t * 96000).astype(int), len(self._force) - 1)]])
+        return np.column_stack(
+            [0 * t, 0 * t, self._force[np.minimum((t * 96000).astype(int), len(self._force) - 1)]]
+        )
 
-    def loudness(self, inclination, f):
+    def mean_square_pressure(self, inclination, f):
         return 1 / (1e-3 + ((f / 3600) ** 2 - 1) ** 2)
 
 
 @pytest.mark.parametrize(("hertz", "moved"), [(3600.0, True), (1850.0, False)])
 def test_a_band_that_the_air_moves_is_told_from_the_contacts(monkeypatch, hertz, moved):
-    """Loud air on the second harmonic of a force: 26 dB there, of 10 that the force has less, make it the band."""
+    """Loud air on the second harmonic of a force: 26 dB there, of 10 that the force has less, make
+    it the band."""
     monkeypatch.setattr(contact, "VibratingDisk", Resounding)
-    scene, motion, t = load_scene("granite"), Resounding(), np.arange(1.0, 7.0)
+    scene = load_scene("granite")
+    motion = Resounding()
+    t = np.arange(1.0, 7.0)
     expected = still(1.0)
     found = bands(scene, motion, expected, NoiseBand(t, np.full(6, hertz), t))
     assert found.force == pytest.approx(1850.0, rel=0.02)
@@ -147,7 +200,8 @@ def test_a_band_that_the_air_moves_is_told_from_the_contacts(monkeypatch, hertz,
 
 @pytest.mark.slow
 def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_table():
-    """Three surfaces, over the run of `granite`, each within 2 %; held against a softer table the answer is no."""
+    """Three surfaces, over the run of `granite`, each within 2 %; held against a softer table the
+    answer is no."""
     for seed in range(3):
         scene = load_scene("granite").replace(f"roughness.seed={seed}", "numerics.accuracy=draft")
         plan, modes = planned(scene)
@@ -155,10 +209,13 @@ def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_tab
         sound = Renderer(scene, motion, modes, plan.sounding, plan.calm).sound()
         found = {finding.key: finding for finding in contact_findings(scene, motion, sound)[0]}
         assert found["carrier_is_contact"].value == pytest.approx(1.0, abs=0.02)
-        assert found["carrier_rises"].holds
+        assert 1.2 < found["carrier_rises"].value < 1.8
+        assert found["carrier_rises"].verdict != "no"  # its margin may reach the threshold
     softer = scene.replace("contact.young=20e9")
     expected = vibration(softer, motion)
-    judged = carrier_is_contact(bands(softer, motion, expected, carrier_heard(sound, motion, expected)))
+    judged = carrier_is_contact(
+        bands(softer, motion, expected, carrier_heard(sound, motion, expected))
+    )
     assert not judged.holds
     assert judged.value > 1.1
 

@@ -1,9 +1,9 @@
-"""Claim: the machine code of the portable integrator computes what the formulas say, in steps of DOP853, to its events.
+"""Claim: the machine code of the portable integrator computes what the formulas say, in steps of
+DOP853, to its events.
 
 Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, sections II.5, II.6.
-Oracle: the same formulas in 30 digits; scipy's DOP853 and its dense output; the order of the method. What rounding
-may do to them is derived from the formulas themselves: arithmetic.py.
-"""
+Oracle: the same formulas in 30 digits; scipy's DOP853 and its dense output; the order of the
+method. What rounding may do to them is derived from the formulas themselves: arithmetic.py."""
 
 import arithmetic
 import numpy as np
@@ -17,17 +17,20 @@ from scipy.optimize import brentq
 
 from dynamics.dissipation import Resistance
 from dynamics.equations import Law
+from dynamics.integrators.branch_formulas import constants, shape
+from dynamics.integrators.codegen import FLOW, ROW, compiled, machine
+from dynamics.integrators.runge_kutta import POWERS, STAGES, STEPS, at, integrate
 from dynamics.regime import FLOAT, Branch, Flow, Regime
-from dynamics.runge_kutta import POWERS, STAGES, STEPS, at, integrate
-from dynamics.symbolic import constants, shape
-from dynamics.trace import FLOW, ROW, compiled, machine
 
 LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 STATE = np.array([0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0])
 LOADS = [None, Resistance(((1e-3, 0.25), (1e-3, 1.0)), 1e-3, 2e-3, False)]
 SENSES, END = (1.0, -1.0, 1.0), 1e-5
 EXACT = {"flow": Flow(mp.sin, mp.cos, mp.sqrt, mp.power), "number": mp.mpf}
-BOUNDED = {"flow": Flow(arithmetic.sin, arithmetic.cos, arithmetic.sqrt, Rounded.__pow__), "number": rounded}
+BOUNDED = {
+    "flow": Flow(arithmetic.sin, arithmetic.cos, arithmetic.sqrt, Rounded.__pow__),
+    "number": rounded,
+}
 
 
 def flow_of(sliding, stuck=(False,) * 3, loads=None):
@@ -37,16 +40,23 @@ def flow_of(sliding, stuck=(False,) * 3, loads=None):
 
 
 def by_formula(y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT, number=float):
-    """Return the rates (11,) and the guards by name at y (11,), in numbers of a kind and the flow for them."""
-    y, law, senses = [number(x) for x in y], Law(*map(number, LAW)), [number(sense) for sense in SENSES]
+    """Return the rates (11,) and the guards by name at y (11,), in numbers of a kind and the flow
+    for them."""
+    y = [number(x) for x in y]
+    law = Law(*map(number, LAW))
+    senses = [number(sense) for sense in SENSES]
     branch = Branch.of(Regime(sliding, stuck, SENSES), LAW, loads)
     contact = flow.contact(y, branch, senses, law)
-    return np.array(flow.rates(y, contact, branch, law)), flow.guards(y, contact, branch, senses, law, number(END))
+    return np.array(flow.rates(y, contact, branch, law)), flow.guards(
+        y, contact, branch, senses, law, number(END)
+    )
 
 
 def bounded_step(y, h, sliding):
-    """Return the end (k,) of a step and its Taylor coefficients (8, k) on [0, 1], in bounded arithmetic."""
-    states, rates = [rounded(y)], np.empty((16, len(y)), dtype=object)
+    """Return the end (k,) of a step and its Taylor coefficients (8, k) on [0, 1], in bounded
+    arithmetic."""
+    states = [rounded(y)]
+    rates = np.empty((16, len(y)), dtype=object)
     for i in range(16):
         rates[i] = by_formula(states[i], sliding, **BOUNDED)[0]
         states.append(states[0] + h * (STAGES[min(i + 1, 15), : i + 1] @ rates[: i + 1]))
@@ -62,13 +72,16 @@ def ask(flow, y, numbers, rates, guards):
 
 def by_code(y, *case):
     flow, names, numbers = flow_of(*case)
-    rates, guards = np.empty(11), np.empty(16)
+    rates = np.empty(11)
+    guards = np.empty(16)
     machine(ask, VOID(FunctionType(FLOW), *[ROW] * 4))(flow, y, numbers, rates, guards)
     return rates, dict(zip(names, guards, strict=False))
 
 
 @pytest.mark.parametrize("loads", LOADS, ids=["no loads", "loads"])
-@pytest.mark.parametrize("stuck", [(False,) * 3, (True, False, False), (False, True, True)], ids=str)
+@pytest.mark.parametrize(
+    "stuck", [(False,) * 3, (True, False, False), (False, True, True)], ids=str
+)
 def test_rates_and_guards_are_those_of_the_formulas(stuck, loads):
     for sliding in (False, True):
         case = sliding, stuck, loads
@@ -87,19 +100,26 @@ def test_a_step_and_its_dense_output_are_those_of_scipy():
     flow, _, numbers = flow_of(sliding=True)
     times, c, end, fired = machine(integrate, STEPS)(flow, STATE, numbers, 0, 0.1, 1.0)
     assert (times.tolist(), fired) == ([0.1], -1)
-    scipys = DOP853(lambda _, y: by_formula(y, True)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1)
+    scipys = DOP853(
+        lambda _, y: by_formula(y, True)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1
+    )
     scipys.step()
-    curve, y, (bounded_end, bounded) = scipys.dense_output(), np.empty(11), bounded_step(STATE, 0.1, sliding=True)
+    curve = scipys.dense_output()
+    y = np.empty(11)
+    (bounded_end, bounded) = bounded_step(STATE, 0.1, sliding=True)
     assert (np.abs(end - scipys.y) <= 2 * errors(bounded_end)).all()
     for t in np.linspace(0, 0.1, 9):
         at(c[0], t, y)
         bar = 2 * errors(np.polynomial.polynomial.polyval(t / 0.1, bounded))
         assert (np.abs(y - curve(t)) <= bar).all()
-        assert bar.max() < 1e-8, "powers of x cancel, but what rounding does is far below what a wrong weight does"
+        assert bar.max() < 1e-8, (
+            "powers of x cancel, but what rounding does is far below what a wrong weight does"
+        )
 
 
 def test_the_error_falls_with_the_eighth_power_of_the_step():
-    (flow, _, numbers), span = flow_of(sliding=False), 1.0
+    (flow, _, numbers) = flow_of(sliding=False)
+    span = 1.0
 
     def end(steps):
         y = STATE
@@ -107,7 +127,8 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
             y = machine(integrate, STEPS)(flow, y, numbers, 0, span / steps, 1.0)[2]
         return y
 
-    exact, steps = end(256), [12, 14, 16, 18]
+    exact = end(256)
+    steps = [12, 14, 16, 18]
     errors = [np.abs(end(n) - exact).max() for n in steps]
     assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(-8, abs=0.1)
 
@@ -115,12 +136,15 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
 def test_it_stops_where_a_guard_falls_through_zero():
     """The nutation reverses: omega_1 is a guard, and zero where the integration stops."""
     flow, names, numbers = flow_of(sliding=False)
-    times, coefficients, end, fired = machine(integrate, STEPS)(flow, STATE, numbers, len(names), 10.0, 1e-13)
+    times, coefficients, end, fired = machine(integrate, STEPS)(
+        flow, STATE, numbers, len(names), 10.0, 1e-13
+    )
     assert names[fired] == "nutation reverses"
     assert abs(end[1]) <= gamma(20) * np.abs(coefficients[-1][:, 1]).max()
     free = machine(integrate, STEPS)(flow, STATE, numbers, 0, 10.0, 1e-13)
     piece = np.searchsorted(free[0], times[-1])
-    start, y = free[0][piece - 1], np.empty(11)
+    start = free[0][piece - 1]
+    y = np.empty(11)
 
     def swing(t):
         at(free[1][piece], t - start, y)

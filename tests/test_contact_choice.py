@@ -1,15 +1,21 @@
-"""Claim: the model of an elastic contact follows from what the scene lets expect, before anything is solved.
+"""Claim: the model of an elastic contact follows from what the scene lets expect, before anything
+is solved.
 
-Source: contact is lost from an rms of N' of 0.3 of the weight on; the filter errs most in slides. Oracle: the force
-that the event-driven motion has at its release; the proportionality of a linear contact to its roughness.
-"""
+Source: contact is lost from an rms of N' of 0.3 of the weight on; the filter errs most in slides.
+Oracle: the force that the event-driven motion has at its release; the proportionality of a linear
+contact to its roughness."""
 
 import numpy as np
 import pytest
 
 from dynamics import simulate
-from dynamics.coupled.choice import choice, first_force, roughness_takes, shaken
-from dynamics.film.acting import carried_below
+from dynamics.compliant.model_selection import (
+    choose_contact_model,
+    predicted_vibration,
+    release_force,
+    roughness_energy_share,
+)
+from dynamics.film.activation import airborne_inclination
 from sonify import load_scene
 
 GENTLE = ("release.inclination_deg=3", "release.omega=[0.0, 0.0, 7.0]", "friction.mu_static=2.0")
@@ -22,63 +28,84 @@ def elastic():
 
 @pytest.mark.parametrize("scene", ["published", "hoop", "viscous"])
 def test_first_force_is_that_of_the_rigid_motion(scene):
-    """Also where the disk slides at once, but for the first short step of a slide, after which it is read."""
+    """Also where the disk slides at once, but for the first short step of a slide, after which it
+    is read."""
     read = load_scene(scene)
-    for given, error in ((read, 1e-9), (read.replace("friction.mu_static=0.1", "friction.mu_dynamic=0.05"), 1e-5)):
+    for given, error in (
+        (read, 1e-9),
+        (read.replace("friction.mu_static=0.1", "friction.mu_dynamic=0.05"), 1e-5),
+    ):
         motion = simulate(given.replace("numerics.time_limit=1e-3"))
         expected = motion.force([0.0])[0]
-        assert first_force(given) == pytest.approx(expected, rel=error, abs=error * given.disk.weight)
+        assert release_force(given) == pytest.approx(
+            expected, rel=error, abs=error * given.disk.weight
+        )
 
 
 def test_rough_scenes_are_solved_in_full_from_where_contact_is_lost(elastic):
     gentle = elastic.replace(*GENTLE)
-    beta, share = shaken(gentle.replace("roughness.rms=1e-8"))
-    assert shaken(gentle.replace("roughness.rms=3e-8"))[1] == pytest.approx(3 * share)
+    beta, share = predicted_vibration(gentle.replace("roughness.rms=1e-8"))
+    assert predicted_vibration(gentle.replace("roughness.rms=3e-8"))[1] == pytest.approx(3 * share)
     rms = 0.3e-8 / share.max()
     for factor, kind in ((0.99, "filter"), (1.01, "full")):
-        chosen = choice(gentle.replace(f"roughness.rms={factor * rms}"))
+        chosen = choose_contact_model(gentle.replace(f"roughness.rms={factor * rms}"))
         assert (chosen.kind, chosen.predicted) == (kind, pytest.approx(0.3 * factor))
         assert chosen.lost_below == (beta[np.argmax(share)] if factor > 1 else 0.0)
         assert "0.3 " in chosen.reason
 
 
 def test_a_disk_that_the_air_carries_does_not_break_its_contact_below(elastic):
-    """The inclination is that where the solved motion is AIRBORNE; on the way down to it the filter is enough."""
+    """The inclination is that where the solved motion is AIRBORNE; on the way down to it the filter
+    is enough."""
     fine = elastic.replace(
-        *GENTLE, "release.inclination_deg=12", "release.omega=[0.0, 2.0, 14.0]", "roughness.rms=3e-8"
+        *GENTLE,
+        "release.inclination_deg=12",
+        "release.omega=[0.0, 2.0, 14.0]",
+        "roughness.rms=3e-8",
     )
-    blown = fine.replace("air.film=acts", "friction.arm_rolling=0.0", "dissipation.contour_moment=1e-4")
-    assert choice(fine).kind == "full"
-    assert (choice(blown).kind, choice(blown).predicted < 0.3) == ("filter", True)
+    blown = fine.replace(
+        "air.film=acts", "friction.arm_rolling=0.0", "dissipation.contour_moment=1e-4"
+    )
+    assert choose_contact_model(fine).kind == "full"
+    assert (choose_contact_model(blown).kind, choose_contact_model(blown).predicted < 0.3) == (
+        "filter",
+        True,
+    )
     flown = simulate(blown.replace("contact.law=rigid"))
     assert flown.outcome.name == "AIRBORNE"
-    assert carried_below(blown) == pytest.approx(flown.state[-1, 1], rel=0.2)
-    assert carried_below(fine) == 0.0
+    assert airborne_inclination(blown) == pytest.approx(flown.state[-1, 1], rel=0.2)
+    assert airborne_inclination(fine) == 0.0
 
 
 def test_slides_and_what_is_asked_for(elastic):
-    assert choice(elastic.replace("contact.law=rigid")).kind == "rigid"
-    assert "91% of the static friction" in choice(elastic).reason
-    assert choice(elastic).kind == "full"
-    assert choice(elastic.replace(*GENTLE)).kind == "filter"
+    assert choose_contact_model(elastic.replace("contact.law=rigid")).kind == "rigid"
+    assert "91% of the static friction" in choose_contact_model(elastic).reason
+    assert choose_contact_model(elastic).kind == "full"
+    assert choose_contact_model(elastic.replace(*GENTLE)).kind == "filter"
     for asked in ("filter", "full"):
-        assert choice(elastic.replace(f"numerics.contact={asked}")).kind == asked
+        assert choose_contact_model(elastic.replace(f"numerics.contact={asked}")).kind == asked
 
 
 def test_what_roughness_takes_besides_friction_acts_on_the_motion(elastic):
-    """Of a disk that hardly anything else slows; a friction that was fitted to such a surface holds it.
+    """Of a disk that hardly anything else slows; a friction that was fitted to such a surface holds
+    it.
 
-    The power goes with the square of the heights: the odds of roughness against friction do at every inclination.
-    """
-    free = "friction.arm_rolling=0", "friction.arm_pivoting=0", "friction.arm_nutation=0", "air.film=none"
+    The power goes with the square of the heights: the odds of roughness against friction do at
+    every inclination."""
+    free = (
+        "friction.arm_rolling=0",
+        "friction.arm_pivoting=0",
+        "friction.arm_nutation=0",
+        "air.film=none",
+    )
     slow = elastic.replace(*GENTLE, *free, "dissipation.contour_moment=5e-8", "roughness.rms=1e-8")
-    chosen = choice(slow)
-    assert roughness_takes(slow) > 0.05
+    chosen = choose_contact_model(slow)
+    assert roughness_energy_share(slow) > 0.05
     assert chosen.kind == "full"
     assert "besides friction" in chosen.reason
-    assert choice(slow.replace("roughness.loss=fitted")).kind == "filter"
+    assert choose_contact_model(slow.replace("roughness.loss=fitted")).kind == "filter"
     little = slow.replace("dissipation.contour_moment=1e-3")
-    assert choice(little).kind == "filter"
-    assert roughness_takes(little.replace("roughness.rms=5e-9")) == pytest.approx(
-        0.25 * roughness_takes(little), rel=0.01
+    assert choose_contact_model(little).kind == "filter"
+    assert roughness_energy_share(little.replace("roughness.rms=5e-9")) == pytest.approx(
+        0.25 * roughness_energy_share(little), rel=0.01
     )

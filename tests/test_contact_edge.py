@@ -1,25 +1,27 @@
-"""Claim: a disk that bends lowers the carrier of its contact, and filter and full motion have it as its modes do.
+"""Claim: a disk that bends lowers the carrier of its contact, and filter and full motion have it as
+its modes do.
 
 Source: series of the springs of the contact and of the disk at the frequency of the carrier.
-Oracle: the modes of the elastic disk on its contact, which know no such series (modal/on_contact.py); a rigid disk.
-"""
+Oracle: the modes of the elastic disk on its contact, which know no such series
+(modal/spring_supported.py); a rigid disk."""
 
 import numpy as np
 import pytest
 from contact_scenes import steady_speed
 
-from dynamics.coupled.from_scene import law_table
-from dynamics.coupled.resonance import suspension
-from dynamics.coupled.table import InSeries, LawTable
-from modal.on_contact import contact_modes
+from dynamics.compliant.law.linearised import suspension
+from dynamics.compliant.law.tabulated import LawTable, SeriesLawTable
+from dynamics.compliant.model_inputs import law_table
 from modal.solve import free_plate
+from modal.spring_supported import contact_modes
 from sonify import load_scene
 
 INCLINATIONS = 0.57, 0.1, 0.01, 1e-3, 1e-4
 
 
 def ringing(scene, beta):
-    """Return frequency [Hz] and loss factor of the mode below the first free one that rings longest."""
+    """Return frequency [Hz] and loss factor of the mode below the first free one that rings
+    longest."""
     table = law_table(scene)
     modes = contact_modes(free_plate(scene), suspension(table.law, beta), beta, 24e3, "standard")
     loss = 2 * modes.decay_rate / np.hypot(2 * np.pi * modes.frequency, modes.decay_rate)
@@ -28,50 +30,66 @@ def ringing(scene, beta):
     return modes.frequency[i], loss[i]
 
 
-@pytest.mark.parametrize(("name", "angles"), [("granite", INCLINATIONS), ("coin", INCLINATIONS[:3])])
+@pytest.mark.parametrize(
+    ("name", "angles"), [("granite", INCLINATIONS), ("coin", INCLINATIONS[:3])]
+)
 def test_the_filter_rings_as_the_elastic_disk_does(name, angles):
-    """The series is exact at the carrier without losses: what is left is the order of the square of its loss factor."""
+    """The series is exact at the carrier without losses: what is left is the order of the square of
+    its loss factor."""
     scene = load_scene(name)
     table = law_table(scene)
     for beta in angles:
         found = table.carrier(np.array([beta]), scene.disk.weight, steady_speed(scene.disk, beta))
         frequency, loss = ringing(scene, beta)
         assert found.frequency[0] == pytest.approx(frequency, rel=1e-3 + loss**2 / 8)
-        energy = (2 * np.pi * frequency) ** 2 / table.edge.squared.min()  # of its body in motion, which a spring lacks
+        energy = (
+            2 * np.pi * frequency
+        ) ** 2 / table.edge.squared.min()  # of its body in motion, which a spring lacks
         assert found.loss_factor[0] == pytest.approx(loss, rel=0.02 + energy / 2)
 
 
 @pytest.mark.parametrize(
     ("name", "angles", "off"), [("granite", INCLINATIONS, 0.01), ("coin", INCLINATIONS[1:3], 0.02)]
 )
-def test_the_springs_of_the_full_motion_have_the_carrier_but_for_what_couples_them(name, angles, off):
+def test_the_springs_of_the_full_motion_have_the_carrier_but_for_what_couples_them(
+    name, angles, off
+):
     """What is left out is the flexibility between a_2 and a_3."""
     scene = load_scene(name)
     for beta in angles:
-        speed, (frequency, _) = steady_speed(scene.disk, beta), ringing(scene, beta)
-        found = law_table(scene, InSeries).carrier(np.array([beta]), scene.disk.weight, speed)
+        speed = steady_speed(scene.disk, beta)
+        (frequency, _) = ringing(scene, beta)
+        found = law_table(scene, SeriesLawTable).carrier(np.array([beta]), scene.disk.weight, speed)
         assert found.frequency[0] == pytest.approx(frequency, rel=off)
 
 
 def test_a_rigid_body_and_a_shell_have_hertz_springs_alone():
-    scene, beta = load_scene("granite"), np.array([0.1])
-    rigid, bends = (law_table(scene.replace(f"contact.body={body}")) for body in ("rigid", "elastic"))
+    scene = load_scene("granite")
+    beta = np.array([0.1])
+    rigid, bends = (
+        law_table(scene.replace(f"contact.body={body}")) for body in ("rigid", "elastic")
+    )
     assert rigid.edge is None
     assert load_scene("hoop").edge is None
     assert not rigid.flexibility(beta).any()
     assert bends.columns(beta) == pytest.approx(rigid.columns(beta), rel=1e-14)
-    hertz, series = (law_table(scene, kind).springs(beta, 4.0)[0] for kind in (LawTable, InSeries))
+    hertz, series = (
+        law_table(scene, kind).springs(beta, 4.0)[0] for kind in (LawTable, SeriesLawTable)
+    )
     creep = [s.k2 / s.length2**-1 for s in (hertz, series)]
     assert creep[0] == pytest.approx(creep[1], rel=1e-12)
 
 
 def test_a_sharp_edge_bends_the_disk_as_a_round_one_does():
-    """Its softer springs yield more, the body the same: its part of the whole falls as they do. The polynomials through
-    the thickness would not resolve a strip of 0.05 mm."""
-    shares, stiffness = [], []
+    """Its softer springs yield more, the body the same: its part of the whole falls as they do. The
+    polynomials through the thickness would not resolve a strip of 0.05 mm."""
+    shares = []
+    stiffness = []
     for fillet in (1.6e-3, 5e-5):
         scene = load_scene("granite").replace(f"contact.fillet={fillet}", "contact.body=rigid")
-        rigid, one, speed = law_table(scene), np.array([0.1]), steady_speed(scene.disk, 0.1)
+        rigid = law_table(scene)
+        one = np.array([0.1])
+        speed = steady_speed(scene.disk, 0.1)
         alone = rigid.carrier(one, scene.disk.weight, speed).frequency[0]
         shares.append(1 - ringing(scene, 0.1)[0] / alone)
         stiffness.append(rigid.springs(one, scene.disk.weight)[0].kn[0])

@@ -1,4 +1,5 @@
-"""Claim: the compliant motion keeps or loses energy exactly as its causes say, and meets the closed forms it has.
+"""Claim: the compliant motion keeps or loses energy exactly as its causes say, and meets the closed
+forms it has.
 
 Source: the docstrings of normal.py and tangential.py; Hertz's impact; Hunt and Crossley (1975).
 Oracle: energies of the states, closed forms, the rigid motion, spectra of linear systems, symmetry.
@@ -13,38 +14,62 @@ from contact_scenes import granite, steady_rate, steady_speed
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
-from dynamics.coupled.filter import Along, respond
-from dynamics.coupled.full import Compliant
-from dynamics.coupled.handover import columns, energy, inclination, release
-from dynamics.coupled.march import FLAT, GOES, UPRIGHT
-from dynamics.coupled.profile import SMOOTH, heights
-from dynamics.coupled.resonance import linear, mobility
-from dynamics.coupled.roughness import edge_profile, table_profile, window
-from dynamics.coupled.sections import Roughness
-from dynamics.coupled.state import FORCE, GAP, LOSSES, SLIDES, WEIGHT
-from dynamics.coupled.table import K1, K2, LENGTH1, LENGTH2, LOSS, K, LawTable
+from dynamics.compliant.law.height_profile import SMOOTH, mean_heights
+from dynamics.compliant.law.linear_response import MotionBlock, contact_response
+from dynamics.compliant.law.linearised import linear_contact, mobility
+from dynamics.compliant.law.roughness import edge_profile, ellipse_window, table_profile
+from dynamics.compliant.law.sections import Roughness
+from dynamics.compliant.law.tabulated import (
+    HERTZ_STIFFNESS,
+    LOSS_COEFFICIENT,
+    RELAXATION_LENGTH_1,
+    RELAXATION_LENGTH_2,
+    STIFFNESS_1,
+    STIFFNESS_2,
+    LawTable,
+)
+from dynamics.compliant.state_conversion import columns, energy, inclination, released_state
+from dynamics.compliant.stepping.model import CompliantModel
+from dynamics.compliant.stepping.state_layout import (
+    ENERGY_LOSSES,
+    GAP,
+    IS_SLIDING,
+    NORMAL_FORCE,
+    WEIGHT,
+)
+from dynamics.compliant.stepping.time_loop import CONTINUES, LIES_FLAT, STANDS_UPRIGHT
 from dynamics.disk import Friction
 
 LAW = granite()
 GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
-SLIPPERY, FRICTIONLESS = Friction(mu_static=0.3, mu_dynamic=0.2, arm_rolling=3e-5), Friction(mu_static=0, mu_dynamic=0)
+SLIPPERY, FRICTIONLESS = (
+    Friction(mu_static=0.3, mu_dynamic=0.2, arm_rolling=3e-5),
+    Friction(mu_static=0, mu_dynamic=0),
+)
 BOTH_SMOOTH = SMOOTH, SMOOTH
 ENERGY = 60
 """Operations on terms of the size of the energy: in a step, and in what adds the energy up."""
 
 
 def table(stiffer=1.0, creeps=True, damping=None):
-    """Return the law with every spring `stiffer` times as stiff at a given load, with creep or without."""
+    """Return the law with every spring `stiffer` times as stiff at a given load, with creep or
+    without."""
     out = LawTable(law=LAW, damping=damping)
     scale = np.ones(7)
-    scale[[K, K1, K2, LOSS]] = stiffer**1.5, stiffer, stiffer, stiffer**0.5
-    scale[[LENGTH1, LENGTH2]] = 1.0 if creeps else 1e9
+    scale[[HERTZ_STIFFNESS, STIFFNESS_1, STIFFNESS_2, LOSS_COEFFICIENT]] = (
+        stiffer**1.5,
+        stiffer,
+        stiffer,
+        stiffer**0.5,
+    )
+    scale[[RELAXATION_LENGTH_1, RELAXATION_LENGTH_2]] = 1.0 if creeps else 1e9
     out.__dict__["spline"] = CubicSpline(out.grid, out.spline(out.grid) * scale)
     return out
 
 
 def steady(beta, nutation=0.0):
-    """Return the columns of a steady motion with a fixed centre, with a nutation velocity [rad/s] added."""
+    """Return the columns of a steady motion with a fixed centre, with a nutation velocity [rad/s]
+    added."""
     w3 = steady_rate(LAW.disk, beta) * np.sin(beta)
     return np.array([0.0, beta, 0, 0, 0, nutation, LAW.disk.aspect * w3, w3, 0, 0, 0])
 
@@ -52,8 +77,11 @@ def steady(beta, nutation=0.0):
 def run(model, y, every, stop, **more):
     """Return times, states, forces, losses and slips of a run, and why it stopped."""
     pieces = list(model.run(y.copy(), every, stop, **more))
-    t, state, force = (np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state", "force"))
-    losses, slips = [loss for p in pieces for loss in p.losses], [slip for p in pieces for slip in p.slips.tolist()]
+    t, state, force = (
+        np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state", "force")
+    )
+    losses = [loss for p in pieces for loss in p.losses]
+    slips = [slip for p in pieces for slip in p.slips.tolist()]
     return t, state, force, losses, slips, pieces[-1].why
 
 
@@ -66,54 +94,65 @@ def rough(rms):
 
 def rise(model, y):
     """Return the velocity [m/s] with which the lowest point of the disk rises."""
-    beta, disk = inclination(y[None])[0], LAW.disk
+    beta = inclination(y[None])[0]
+    disk = LAW.disk
     lever = disk.radius * np.cos(beta) - disk.thickness / 2 * np.sin(beta)
     return y[5] + lever * columns(model, y[None])[0, 5]
 
 
 @pytest.mark.parametrize("loss", [0.0, 8.0])
 def test_impact(loss):
-    """Straight down at 0.02 m/s, without gravity and friction: Hertz's approach and duration, Hunt and Crossley's loss.
+    """Straight down at 0.02 m/s, without gravity and friction: Hertz's approach and duration, Hunt
+    and Crossley's loss.
 
-    With v dv/(1 + c v) = -(K/m) d^1.5 dd the greatest approach and the rebound follow, at an inclination that stands;
-    here it turns by 3e-4 rad meanwhile. Hertz's impact lasts 2.9432 d/v.
+    With v dv/(1 + c v) = -(K/m) d^1.5 dd the greatest approach and the rebound follow, at an
+    inclination that stands; here it turns by 3e-4 rad meanwhile. Hertz's impact lasts 2.9432 d/v.
     """
-    beta, v, rate = 0.3, 0.02, 1.6e6
-    model = Compliant(table=table(damping=loss * LAW.disk.weight), friction=FRICTIONLESS, rate=rate)
+    beta = 0.3
+    v = 0.02
+    rate = 1.6e6
+    model = CompliantModel(
+        table=table(damping=loss * LAW.disk.weight), friction=FRICTIONLESS, rate=rate
+    )
     model.constants[WEIGHT] = 0.0
     start = np.zeros(11)
     start[1] = beta
-    y = release(model, start, (0.0, 0.0, 1e-12))
+    y = released_state(model, start, (0.0, 0.0, 1e-12))
     y[5] = -v
     t, state, _, _, _, _ = run(model, y, 1, 4e-4)
-    last = np.flatnonzero(state[:, FORCE])[-1]
-    mass, K0 = 1 / mobility(LAW.disk, beta)[0, 2, 2], LAW.stiffness(np.array([beta]))[0]
+    last = np.flatnonzero(state[:, NORMAL_FORCE])[-1]
+    mass = 1 / mobility(LAW.disk, beta)[0, 2, 2]
+    K0 = LAW.stiffness(np.array([beta]))[0]
     spent = (lambda v: v / loss - np.log1p(loss * v) / loss**2) if loss else (lambda v: v * v / 2)
     deepest = (2.5 * mass / K0 * spent(v)) ** 0.4
     assert -state[:, GAP].min() == pytest.approx(deepest, rel=1e-4)
     rebound = v if not loss else brentq(lambda u: spent(v) - spent(-u), 0.5 * v, v)
     assert rise(model, state[last]) == pytest.approx(rebound, rel=5e-4)
-    held = t[state[:, FORCE] > 0]
+    held = t[state[:, NORMAL_FORCE] > 0]
     if not loss:
         assert deepest == pytest.approx(1.894264e-6, rel=2e-6)
         assert held[-1] - held[0] == pytest.approx(278.767e-6, abs=2 / rate)
-    kept = energy(model, state) + state[:, LOSSES : LOSSES + 5].sum(axis=1)
+    kept = energy(model, state) + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
     assert np.ptp(kept) < walk(ENERGY * len(kept)) * kept[0]
 
 
 def test_explicit_steps_gain_what_these_keep():
-    """Beside it the explicit leap-frog of the same one-dimensional impact: 1e-5 of its energy, at 100 kHz as here."""
-    model = Compliant(table=table(damping=0.0), friction=FRICTIONLESS, rate=1e5)
-    y = release(model, steady(0.3))
+    """Beside it the explicit leap-frog of the same one-dimensional impact: 1e-5 of its energy, at
+    100 kHz as here."""
+    model = CompliantModel(table=table(damping=0.0), friction=FRICTIONLESS, rate=1e5)
+    y = released_state(model, steady(0.3))
     y[5] -= 0.02
     y[9] = 0.0
     _, state, _, losses, _, _ = run(model, y, 1, 0.05)
     kept = energy(model, state)
     assert losses
-    total = kept + state[:, LOSSES : LOSSES + 5].sum(axis=1)
+    total = kept + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
     assert np.ptp(total) < walk(ENERGY * len(total)) * kept[0]
-    mass, K0, h = 1 / mobility(LAW.disk, 0.3)[0, 2, 2], LAW.stiffness(np.array([0.3]))[0], 1e-5
-    depth, v = 0.0, 0.02
+    mass = 1 / mobility(LAW.disk, 0.3)[0, 2, 2]
+    K0 = LAW.stiffness(np.array([0.3]))[0]
+    h = 1e-5
+    depth = 0.0
+    v = 0.02
     while depth >= 0:
         v -= h / 2 * K0 / mass * depth**1.5
         depth += h * v
@@ -123,32 +162,39 @@ def test_explicit_steps_gain_what_these_keep():
 
 @pytest.mark.parametrize("profiles", [BOTH_SMOOTH, rough(1e-7)], ids=["smooth", "rough"])
 def test_energy_never_rises_and_every_loss_has_its_cause(profiles):
-    """Slips, creep, flights, moments and a table that yields, at steps so long that a resonance turns by 0.15 rad."""
-    friction = Friction(mu_static=0.06, mu_dynamic=0.03, arm_nutation=1e-5, arm_rolling=3e-5, arm_pivoting=3e-4)
+    """Slips, creep, flights, moments and a table that yields, at steps so long that a resonance
+    turns by 0.15 rad."""
+    friction = Friction(
+        mu_static=0.06, mu_dynamic=0.03, arm_nutation=1e-5, arm_rolling=3e-5, arm_pivoting=3e-4
+    )
     more = {"powers": ((1e-4, 1.0), (1e-9, 4.0)), "impedance": 26456.0, "rate": 1e5}
-    model = Compliant(table=table(), friction=friction, profiles=profiles, **more)
-    y = release(model, steady(0.2, nutation=2.0))
+    model = CompliantModel(table=table(), friction=friction, profiles=profiles, **more)
+    y = released_state(model, steady(0.2, nutation=2.0))
     before = energy(model, y[None])[0]
     _, state, _, _, _, _ = run(model, y, 1, 0.1)
-    now, lost = energy(model, state), state[:, LOSSES : LOSSES + 5]
+    now = energy(model, state)
+    lost = state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5]
     assert np.diff(np.append(before, now)).max() < 1e-15 * before * 4
     assert np.abs(now + lost.sum(axis=1) - before).max() < walk(ENERGY * len(now)) * before
     assert (np.diff(lost, axis=0) > -1e-16 * before).all()
     assert (lost[-1] > 1e-9 * before).all()
-    assert state[:, SLIDES].any()
+    assert state[:, IS_SLIDING].any()
 
 
 def test_steady_precession_is_kept():
-    """Without creep and loss the energy stays for 2 s; halving the step quarters the error of a nutation."""
-    model = Compliant(table=table(creeps=False, damping=0.0), friction=GRIPS, rate=1e5)
-    y = release(model, steady(0.1))
+    """Without creep and loss the energy stays for 2 s; halving the step quarters the error of a
+    nutation."""
+    model = CompliantModel(table=table(creeps=False, damping=0.0), friction=GRIPS, rate=1e5)
+    y = released_state(model, steady(0.1))
     _, state, _, _, _, _ = run(model, y, 50, 2.0)
     assert np.ptp(energy(model, state)) < 1e-11
     assert np.ptp(inclination(state)) < 1e-5
     ends = []
     for rate in (2.5e4, 5e4, 1e5, 8e5):
-        model = Compliant(table=table(), friction=GRIPS, rate=rate)
-        _, state, _, _, _, _ = run(model, release(model, steady(0.1, nutation=0.3)), int(rate // 1000), 0.1)
+        model = CompliantModel(table=table(), friction=GRIPS, rate=rate)
+        _, state, _, _, _, _ = run(
+            model, released_state(model, steady(0.1, nutation=0.3)), int(rate // 1000), 0.1
+        )
         ends.append(inclination(state))
     errors = [np.abs(end - ends[-1]).max() for end in ends[:-1]]
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.2)
@@ -157,61 +203,81 @@ def test_steady_precession_is_kept():
 
 def test_rigid_limit(scene, motion):
     """Before the first slip the difference from the rigid motion falls as 1/k over two decades."""
-    start, force = motion.at([0.0])[0], motion.force([0.0])[0]
+    start = motion.at([0.0])[0]
+    force = motion.force([0.0])[0]
     difference = []
     for stiffer in (1.0, 10.0, 100.0):
-        model = Compliant(table=table(stiffer), friction=scene.friction, rate=8e5)
-        t, state, _, _, slips, _ = run(model, release(model, start, force), 400, 0.25)
+        model = CompliantModel(table=table(stiffer), friction=scene.friction, rate=8e5)
+        t, state, _, _, slips, _ = run(model, released_state(model, start, force), 400, 0.25)
         assert not slips
         difference.append(np.abs(inclination(state) - motion.at(t)[:, 1]).max())
     assert np.diff(np.log10(difference)) == pytest.approx([-1, -1], abs=0.05)
 
 
 def test_first_slip_is_that_of_the_rigid_disk(scene, motion):
-    """Without creep the elastic contact of granite slips and grips again within 0.1 ms of the rigid one."""
-    model = Compliant(table=table(creeps=False), friction=scene.friction)
-    y = release(model, motion.at([0.0])[0], motion.force([0.0])[0])
+    """Without creep the elastic contact of granite slips and grips again within 0.1 ms of the rigid
+    one."""
+    model = CompliantModel(table=table(creeps=False), friction=scene.friction)
+    y = released_state(model, motion.at([0.0])[0], motion.force([0.0])[0])
     _, _, _, _, slips, _ = run(model, y, 400, 0.4)
-    slides = [e.t for e in motion.transitions if e.after.startswith("slide") != e.before.startswith("slide")]
+    slides = [
+        e.t
+        for e in motion.transitions
+        if e.after.startswith("slide") != e.before.startswith("slide")
+    ]
     assert slips == [pytest.approx(slides[:2], abs=1e-4)]
 
 
 @pytest.mark.parametrize("beta", [0.4, 0.02])
 def test_filter_and_full_model_agree_wave_by_wave(beta):
-    """In steady precession on 10 nm both read the same heights, and give the same force to a tenth of it.
+    """In steady precession on 10 nm both read the same heights, and give the same force to a tenth
+    of it.
 
     A row of the full model is the mean of 10 us, as is the mean of two samples of the filter.
     """
     profiles = rough(1e-8)
-    model = Compliant(table=table(), friction=GRIPS, profiles=profiles)
-    _, _, force, _, _, _ = run(model, release(model, steady(beta)), 4, 0.0496)
+    model = CompliantModel(table=table(), friction=GRIPS, profiles=profiles)
+    _, _, force, _, _, _ = run(model, released_state(model, steady(beta)), 4, 0.0496)
     t = np.arange(0, 0.0497, 16e-5)
-    path, one = steady_speed(LAW.disk, beta) * t, np.ones(len(t))
-    motion = Along(t, beta * one, LAW.disk.weight * one, one > 0, path, path, np.zeros((len(t), 2)))
-    filtered = next(respond(model.table, [motion], 1e5, profiles))[:, 1]
+    path = steady_speed(LAW.disk, beta) * t
+    one = np.ones(len(t))
+    motion = MotionBlock(
+        t, beta * one, LAW.disk.weight * one, one > 0, path, path, np.zeros((len(t), 2))
+    )
+    filtered = next(contact_response(model.table, [motion], 1e5, profiles))[:, 1]
     whole = force[1 : len(filtered), 2] - LAW.disk.weight
-    assert np.std(whole - (filtered[1 : len(force)] + filtered[: len(force) - 1]) / 2) < 0.1 * np.std(whole)
+    assert np.std(
+        whole - (filtered[1 : len(force)] + filtered[: len(force) - 1]) / 2
+    ) < 0.1 * np.std(whole)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("beta", [0.4, 0.02])
 def test_steady_rough_precession(beta):
-    """Above 200 Hz the force has the sum over the waves of table and edge of |gain|^2, here within 6 %."""
+    """Above 200 Hz the force has the sum over the waves of table and edge of |gain|^2, here within
+    6 %."""
     profiles = rough(1e-9)
-    model = Compliant(table=table(), friction=GRIPS, profiles=profiles, rate=2e5)
-    _, _, force, losses, _, _ = run(model, release(model, steady(beta)), 4, 0.6)
-    power = np.abs(np.fft.rfft(force[5000:, 2] - force[5000:, 2].mean())) ** 2 / len(force[5000:]) ** 2
+    model = CompliantModel(table=table(), friction=GRIPS, profiles=profiles, rate=2e5)
+    _, _, force, losses, _, _ = run(model, released_state(model, steady(beta)), 4, 0.6)
+    power = (
+        np.abs(np.fft.rfft(force[5000:, 2] - force[5000:, 2].mean())) ** 2 / len(force[5000:]) ** 2
+    )
     found = 2 * power[np.fft.rfftfreq(len(force) - 5000, 4 / model.rate) > 200].sum()
-    weight, speed = np.array([LAW.disk.weight]), steady_speed(LAW.disk, beta)
+    weight = np.array([LAW.disk.weight])
+    speed = steady_speed(LAW.disk, beta)
     springs, a, c = model.table.springs(np.array([beta]), weight)
-    system = linear(LAW.disk, beta, springs, np.array([speed]), c)
+    system = linear_contact(LAW.disk, beta, springs, np.array([speed]), c)
     expected = 0.0
     for profile in profiles:
-        k, wave = waves(profile, profile.period if profile is profiles[1] else 0.55 * speed, 5e-5, speed * 0.05)
+        k, wave = waves(
+            profile, profile.period if profile is profiles[1] else 0.55 * speed, 5e-5, speed * 0.05
+        )
         audible = k * speed > 400 * np.pi
         s = 1j * k[audible] * speed
-        x = np.linalg.solve(s[:, None, None] * np.eye(6) - system.A, np.tile(system.B, (len(s), 1))[..., None])
-        gain = s * (x[..., 0] @ system.C[0, 2] + system.D[0, 2]) * window(k[audible] * a[0])
+        x = np.linalg.solve(
+            s[:, None, None] * np.eye(6) - system.A, np.tile(system.B, (len(s), 1))[..., None]
+        )
+        gain = s * (x[..., 0] @ system.C[0, 2] + system.D[0, 2]) * ellipse_window(k[audible] * a[0])
         expected += np.sum(np.abs(gain * wave[audible]) ** 2) / 2
     assert not losses
     assert np.sqrt(found / expected) == pytest.approx(1, abs=0.06)
@@ -220,9 +286,9 @@ def test_steady_rough_precession(beta):
 def waves(profile, length, step, start):
     """Return wave numbers and amplitudes of the stretch of a profile that is run over."""
     n = int(length / step)
-    z = heights(profile, start + np.arange(n) * length / n, np.full(n, step))
+    z = mean_heights(profile, start + np.arange(n) * length / n, np.full(n, step))
     k = 2 * np.pi / length * np.arange(1, n // 4)
-    return k, 2 * np.abs(np.fft.rfft(z - z.mean()))[1 : n // 4] / n / window(k * step)
+    return k, 2 * np.abs(np.fft.rfft(z - z.mean()))[1 : n // 4] / n / ellipse_window(k * step)
 
 
 @pytest.mark.slow
@@ -232,37 +298,50 @@ def test_vanishing_roughness_is_smooth():
     for rms in (1e-9, 1e-11):
         ends = []
         for profiles in (BOTH_SMOOTH, rough(rms)):
-            model = Compliant(table=table(), friction=GRIPS, profiles=profiles, rate=2e5)
-            ends.append(run(model, release(model, steady(0.1, nutation=0.2)), 20, 0.1)[2])
+            model = CompliantModel(table=table(), friction=GRIPS, profiles=profiles, rate=2e5)
+            ends.append(run(model, released_state(model, steady(0.1, nutation=0.2)), 20, 0.1)[2])
         differences.append(np.std(ends[1] - ends[0]))
     assert differences[0] / differences[1] == pytest.approx(100, rel=0.02)
 
 
 def test_mirror_and_rotation():
-    """A disk that starts elsewhere, turned or mirrored moves alike: slips, flights and rough surfaces included."""
+    """A disk that starts elsewhere, turned or mirrored moves alike: slips, flights and rough
+    surfaces included."""
     start = steady(0.2, nutation=2.0)
-    turned, mirrored = start.copy(), start.copy()
+    turned = start.copy()
+    mirrored = start.copy()
     turned[[0, 3, 4]] = 1.0, 0.3, -0.2
     mirrored[[6, 7]] *= -1
     moved = []
     uneven = rough(1e-7)
-    for state, profiles in ((start, uneven), (turned, uneven), (mirrored, BOTH_SMOOTH), (start, BOTH_SMOOTH)):
-        model = Compliant(table=table(), friction=SLIPPERY, profiles=profiles, rate=2e5)
-        _, y, force, losses, slips, _ = run(model, release(model, state), 20, 0.02)
+    for state, profiles in (
+        (start, uneven),
+        (turned, uneven),
+        (mirrored, BOTH_SMOOTH),
+        (start, BOTH_SMOOTH),
+    ):
+        model = CompliantModel(table=table(), friction=SLIPPERY, profiles=profiles, rate=2e5)
+        _, y, force, losses, slips, _ = run(model, released_state(model, state), 20, 0.02)
         moved.append((columns(model, y), force, len(losses), len(slips)))
-    assert moved[1][0][:, [1, 5, 6, 7]] == pytest.approx(moved[0][0][:, [1, 5, 6, 7]], rel=1e-6, abs=1e-7)
+    assert moved[1][0][:, [1, 5, 6, 7]] == pytest.approx(
+        moved[0][0][:, [1, 5, 6, 7]], rel=1e-6, abs=1e-7
+    )
     assert moved[1][1] == pytest.approx(moved[0][1], rel=1e-4, abs=1e-4)
     assert moved[1][2:] == moved[0][2:]
     sign = np.array([1.0, 1, -1, -1])
-    assert moved[2][0][:, [1, 5, 6, 7]] * sign == pytest.approx(moved[3][0][:, [1, 5, 6, 7]], rel=1e-9, abs=1e-9)
+    assert moved[2][0][:, [1, 5, 6, 7]] * sign == pytest.approx(
+        moved[3][0][:, [1, 5, 6, 7]], rel=1e-9, abs=1e-9
+    )
     assert moved[2][1] * [-1, 1, 1] == pytest.approx(moved[3][1], rel=1e-7, abs=1e-7)
 
 
 def test_columns_are_those_of_a_motion(motion):
-    """A release and its columns are inverse to each other, and the contact yields by the creep that holds it alone."""
-    model, t = Compliant(table=table(), friction=GRIPS), np.array([1.5])
+    """A release and its columns are inverse to each other, and the contact yields by the creep that
+    holds it alone."""
+    model = CompliantModel(table=table(), friction=GRIPS)
+    t = np.array([1.5])
     state = motion.at(t)[0]
-    y = release(model, state, motion.force(t)[0])
+    y = released_state(model, state, motion.force(t)[0])
     back = columns(model, y[None])[0]
     assert back[1:8] == pytest.approx(state[1:8], rel=1e-12)
     assert np.exp(1j * back[0]) == pytest.approx(np.exp(1j * state[0]))
@@ -272,11 +351,12 @@ def test_columns_are_those_of_a_motion(motion):
 
 
 def test_flights_are_noted():
-    """After a bounce at v without loss the flight is a parabola: its height is v/4 of its duration."""
-    model = Compliant(table=table(damping=0.0), friction=FRICTIONLESS, rate=4e5)
+    """After a bounce at v without loss the flight is a parabola: its height is v/4 of its
+    duration."""
+    model = CompliantModel(table=table(damping=0.0), friction=FRICTIONLESS, rate=4e5)
     start = np.zeros(11)
     start[1] = 0.3
-    y = release(model, start, (0.0, 0.0, 1e-9))
+    y = released_state(model, start, (0.0, 0.0, 1e-9))
     y[5] = -0.01
     _, state, _, losses, _, _ = run(model, y, 4, 0.02)
     first = losses[0]
@@ -286,41 +366,49 @@ def test_flights_are_noted():
 
 
 def test_block_size_changes_no_byte(monkeypatch):
-    from dynamics.coupled import full
+    from dynamics.compliant.stepping import model as full
 
     ends = []
-    for steps in (full.STEPS, 140):
-        monkeypatch.setattr(full, "STEPS", steps)
-        model = Compliant(table=table(), friction=SLIPPERY, profiles=rough(1e-7), rate=2e5)
-        t, state, force, losses, slips, _ = run(model, release(model, steady(0.2, nutation=2.0)), 20, 0.03)
+    for steps in (full.STEPS_PER_CALL, 140):
+        monkeypatch.setattr(full, "STEPS_PER_CALL", steps)
+        model = CompliantModel(table=table(), friction=SLIPPERY, profiles=rough(1e-7), rate=2e5)
+        t, state, force, losses, slips, _ = run(
+            model, released_state(model, steady(0.2, nutation=2.0)), 20, 0.03
+        )
         ends.append((t.tobytes(), state.tobytes(), force.tobytes(), losses, slips))
     assert ends[0] == ends[1]
 
 
 def test_energy_where_roughness_throws_the_disk():
-    """At 2e-4 rad the contact runs to and fro over a surface far too rough: the balance still is exact."""
-    model = Compliant(table=table(), friction=SLIPPERY, profiles=rough(1e-7))
-    y = release(model, steady(2e-4))
+    """At 2e-4 rad the contact runs to and fro over a surface far too rough: the balance still is
+    exact."""
+    model = CompliantModel(table=table(), friction=SLIPPERY, profiles=rough(1e-7))
+    y = released_state(model, steady(2e-4))
     before = energy(model, y[None])[0]
     _, state, _, losses, _, _ = run(model, y, 1, 0.02)
     now = energy(model, state)
     assert losses
     assert np.diff(np.append(before, now)).max() < gamma(ENERGY) * before
-    assert np.abs(now + state[:, LOSSES : LOSSES + 5].sum(axis=1) - before).max() < 1e-9 * before
+    assert (
+        np.abs(now + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1) - before).max()
+        < 1e-9 * before
+    )
 
 
 def test_how_it_ends():
-    """Flat where it is told; at the time limit; upright; and not at all at a rate too low for the contact."""
+    """Flat where it is told; at the time limit; upright; and not at all at a rate too low for the
+    contact."""
     heavy = Friction(mu_static=0.5, mu_dynamic=0.3, arm_rolling=1e-3)
-    model = Compliant(table=table(), friction=heavy, rate=2e5)
-    _, state, _, _, _, why = run(model, release(model, steady(0.01)), 20, 5.0, last=1e-3)
-    assert why == FLAT
+    model = CompliantModel(table=table(), friction=heavy, rate=2e5)
+    _, state, _, _, _, why = run(model, released_state(model, steady(0.01)), 20, 5.0, last=1e-3)
+    assert why == LIES_FLAT
     assert inclination(state)[-1] <= 1e-3 < inclination(state)[-2]
-    assert run(model, release(model, steady(0.2)), 20, 0.01)[5] == GOES
-    falls = Compliant(table=table(), friction=GRIPS, rate=2e5)
+    assert run(model, released_state(model, steady(0.2)), 20, 0.01)[5] == CONTINUES
+    falls = CompliantModel(table=table(), friction=GRIPS, rate=2e5)
     upright = np.zeros(11)
-    upright[1], upright[5] = 1.5, -20.0
-    assert run(falls, release(falls, upright), 20, 1.0)[5] == UPRIGHT
-    slow = Compliant(table=table(), friction=GRIPS, rate=1e4)
+    upright[1] = 1.5
+    upright[5] = -20.0
+    assert run(falls, released_state(falls, upright), 20, 1.0)[5] == STANDS_UPRIGHT
+    slow = CompliantModel(table=table(), friction=GRIPS, rate=1e4)
     with pytest.raises(ValueError, match="at least"):
-        run(slow, release(slow, steady(0.1)), 1, 0.1)
+        run(slow, released_state(slow, steady(0.1)), 1, 0.1)

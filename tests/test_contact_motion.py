@@ -1,8 +1,8 @@
-"""Claim: the compliant motion answers as every motion does, and ends with a name where its model ends.
+"""Claim: the compliant motion answers as every motion does, and ends with a name where its model
+ends.
 
-Source: the Protocol of dynamics/motion.py. Oracle: kinematics and momentum, which the record keeps apart; the
-event-driven motion; polynomials.
-"""
+Source: the Protocol of dynamics/motion.py. Oracle: kinematics and momentum, which the record keeps
+apart; the event-driven motion; polynomials."""
 
 from concurrent.futures import ThreadPoolExecutor
 
@@ -11,17 +11,18 @@ import pytest
 from psutil import Process
 
 from dynamics import Motion, simulate
-from dynamics.coupled.contact import LEAST_INCLINATION
-from dynamics.coupled.march import march
-from dynamics.coupled.motion import STATES
-from dynamics.coupled.profile import heights
-from dynamics.coupled.record import NODES, Record, between
-from dynamics.coupled.state import CAUSES
-from dynamics.rates import precession_rate
+from dynamics.compliant.compliant_motion import FORCES_PER_ROW
+from dynamics.compliant.law.height_profile import mean_heights
+from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.stepping.model import ContactLosses
+from dynamics.compliant.stepping.row_store import INTERPOLATION_ROWS, RowStore, interpolate_rows
+from dynamics.compliant.stepping.time_loop import march
+from dynamics.motion import CAUSES
+from dynamics.observables import precession_rate
 from modal import surface_modes
 from sonify import load_scene
-from sonify.claims.checks import motion_checks
-from sonify.claims.motion import contact_kept
+from sonify.claims.checks import motion_checks, pushing_contact
+from sonify.claims.rigid_motion import contact_kept
 
 BRIEF = "numerics.time_limit=0.3", "numerics.contact_rate=2e5"
 MEBIBYTE = 2**20
@@ -39,27 +40,44 @@ def rough(elastic):
 
 
 def of_other_numbers(elastic, i):
-    """A scene whose numbers depend on i: every third has a film, every third a rough table that moves."""
+    """A scene whose numbers depend on i: every third has a film, every third a rough table that
+    moves."""
     mode = f"{{order=2, frequency={600 + i}, damping_ratio=0.02, modal_mass={1 + 0.1 * i}}}"
     table = "surface.kind=modes", f"surface.modes=[{mode}]", "surface.action=motion"
     rough = (f"roughness.rms={1e-8 + 1e-10 * i}",)
     film = "air.film=acts", f"air.viscosity={1e-5 + 1e-7 * i}"
-    disk = f"disk.radius={0.03 + 1e-4 * i}", f"disk.thickness={0.01 + 1e-5 * i}", f"disk.mass={0.4 + 1e-3 * i}"
-    contact = "contact.body=rigid", f"contact.young={5e10 + 1e9 * i}", f"contact.fillet={1e-3 + 1e-5 * i}"
+    disk = (
+        f"disk.radius={0.03 + 1e-4 * i}",
+        f"disk.thickness={0.01 + 1e-5 * i}",
+        f"disk.mass={0.4 + 1e-3 * i}",
+    )
+    contact = (
+        "contact.body=rigid",
+        f"contact.young={5e10 + 1e9 * i}",
+        f"contact.fillet={1e-3 + 1e-5 * i}",
+    )
     friction = (f"friction.mu_static={0.4 + 1e-3 * i}",)
-    start = f"release.inclination_deg={20 + 0.1 * i}", "numerics.time_limit=0.004", "numerics.contact_rate=2e5"
+    start = (
+        f"release.inclination_deg={20 + 0.1 * i}",
+        "numerics.time_limit=0.004",
+        "numerics.contact_rate=2e5",
+    )
     return elastic.replace(*disk, *contact, *friction, *start, *((), film, (*table, *rough))[i % 3])
 
 
 @pytest.mark.slow
 def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(elastic):
     """Fifty elastic contacts: a film and a table are numbers too, or empty arrays."""
-    ends, compiled, used = set(), [], []
+    ends = set()
+    compiled = []
+    used = []
     for i in range(51):
         scene = of_other_numbers(elastic, i)
         motion = simulate(scene, surface_modes=surface_modes(scene) if i % 3 == 2 else None)
         ends.add(float(motion.state[-1, 10]))
-        compiled.append(sum(len(machine.signatures) for machine in (march, between, heights)))
+        compiled.append(
+            sum(len(machine.signatures) for machine in (march, interpolate_rows, mean_heights))
+        )
         used.append(Process().memory_info().rss)
     assert len(ends) == 51
     assert compiled[2] == compiled[-1]
@@ -67,14 +85,19 @@ def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(elasti
 
 
 def test_a_polynomial_of_degree_five_is_read_exactly():
-    x, at = np.arange(20.0), np.array([0.0, 0.3, 2.5, 7.0, 18.2, 19.0])
+    x = np.arange(20.0)
+    at = np.array([0.0, 0.3, 2.5, 7.0, 18.2, 19.0])
     c = np.array([0.3, -0.1, 0.02, 1e-3, -2e-4, 1e-5])
     rows = np.column_stack([np.polynomial.polynomial.polyval(x, c), x])
     for derivative in (False, True):
-        expected = np.polynomial.polynomial.polyval(at, np.polynomial.polynomial.polyder(c) if derivative else c)
-        assert between(rows, at, derivative)[:, 0] == pytest.approx(expected, rel=1e-12, abs=1e-12)
-    assert len(c) == NODES
-    record = Record(rows[:0])
+        expected = np.polynomial.polynomial.polyval(
+            at, np.polynomial.polynomial.polyder(c) if derivative else c
+        )
+        assert interpolate_rows(rows, at, derivative)[:, 0] == pytest.approx(
+            expected, rel=1e-12, abs=1e-12
+        )
+    assert len(c) == INTERPOLATION_ROWS
+    record = RowStore(rows[:0])
     assert record.rows().shape == (0, 2)
     for part in (rows[:3], rows[3:3], rows[3:]):
         record.append(part)
@@ -86,7 +109,7 @@ def test_it_is_a_motion_that_passes_every_check(elastic, rough):
     checks = motion_checks(elastic, rough)
     assert [check.key for check in checks if not check.passed] == []
     assert rough.outcome.name == "TIME_LIMIT"
-    assert 0.3 - STATES * rough.dt <= rough.t[-1] <= 0.3 + STATES * rough.dt
+    assert 0.3 - FORCES_PER_ROW * rough.dt <= rough.t[-1] <= 0.3 + FORCES_PER_ROW * rough.dt
     assert (np.diff(rough.t) > 0).all()
     for wrong in (-1e-9, rough.t[-1] + 1e-6, [[0.1]]):
         with pytest.raises(ValueError, match="t must"):
@@ -94,16 +117,21 @@ def test_it_is_a_motion_that_passes_every_check(elastic, rough):
 
 
 def test_states_and_forces_belong_together(rough):
-    """Inclination and precession change at their rates, and the momentum by the force, whichever of them is read.
+    """Inclination and precession change at their rates, and the momentum by the force, whichever of
+    them is read.
 
     A vibration of 3 kHz, a hundredth of the rates, is read to a tenth from rows of 25 kHz.
     """
-    t, h = np.linspace(0.01, 0.29, 300), 2e-6
-    state, change = rough.at(t), (rough.at(t + h) - rough.at(t - h)) / (2 * h)
+    t = np.linspace(0.01, 0.29, 300)
+    h = 2e-6
+    state = rough.at(t)
+    change = (rough.at(t + h) - rough.at(t - h)) / (2 * h)
     assert change[:, 1] == pytest.approx(-state[:, 5], abs=1e-3 * np.abs(state[:, 5]).max())
     assert change[:, 0] == pytest.approx(precession_rate(state), rel=1e-3)
-    ends, disk = np.array([0.05, 0.25]), rough.disk
-    momentum, n = disk.mass * np.diff(rising(disk, rough.at(ends)))[0], np.linspace(*ends, 40001)
+    ends = np.array([0.05, 0.25])
+    disk = rough.disk
+    momentum = disk.mass * np.diff(rising(disk, rough.at(ends)))[0]
+    n = np.linspace(*ends, 40001)
     force = rough.force(n)[:, 2]
     impulse = np.sum((force[1:] + force[:-1]) / 2) * (n[1] - n[0])
     assert impulse - disk.weight * 0.2 == pytest.approx(momentum, abs=8e-3 * disk.mass)
@@ -111,7 +139,8 @@ def test_states_and_forces_belong_together(rough):
 
 
 def rising(disk, state):
-    """Return the vertical velocity [m/s] of the centre while the contact stays at its height: it vibrates by 2 mm/s."""
+    """Return the vertical velocity [m/s] of the centre while the contact stays at its height: it
+    vibrates by 2 mm/s."""
     lever = disk.radius * np.cos(state[:, 1]) - disk.thickness / 2 * np.sin(state[:, 1])
     return -lever * state[:, 5]
 
@@ -140,8 +169,11 @@ def test_every_loss_of_energy_has_its_cause(rough):
 
 
 def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
-    """Until the first slip they differ by creep, F/k V/l = 1 mm/s: less than a hundredth of a radian in 0.25 s."""
-    motion, rigid = (simulate(elastic.replace(*BRIEF, f"contact.law={law}")) for law in ("elastic", "rigid"))
+    """Until the first slip they differ by creep, F/k V/l = 1 mm/s: less than a hundredth of a
+    radian in 0.25 s."""
+    motion, rigid = (
+        simulate(elastic.replace(*BRIEF, f"contact.law={law}")) for law in ("elastic", "rigid")
+    )
     t = np.linspace(0, 0.25, 100)
     assert motion.at(t)[:, 1] == pytest.approx(rigid.at(t)[:, 1], abs=1e-2)
     assert motion.steady_load(t) == pytest.approx(rigid.force(t)[:, 2], rel=0.1)
@@ -168,8 +200,11 @@ EPS = np.finfo(float).eps
 
 
 def test_threads_find_the_same(elastic):
-    """To the last units of what they are sums of: the sines of older NumPys hang on where an array begins."""
-    scene = elastic.replace("roughness.rms=1e-7", "numerics.time_limit=0.02", "numerics.contact_rate=2e5")
+    """To the last units of what they are sums of: the sines of older NumPys hang on where an array
+    begins."""
+    scene = elastic.replace(
+        "roughness.rms=1e-7", "numerics.time_limit=0.02", "numerics.contact_rate=2e5"
+    )
     with ThreadPoolExecutor(2) as pool:
         one, other = pool.map(simulate, [scene] * 2)
     assert one.impulses.tobytes() == other.impulses.tobytes()
@@ -181,10 +216,69 @@ def test_threads_find_the_same(elastic):
 
 def test_viscous_loads_take_what_they_take_of_a_rigid_disk(elastic):
     """Moment and force per velocity alone: over a tenth of a second both motions lose the same."""
-    slow = ("release.inclination_deg=20", "friction.mu_static=5", "friction.arm_rolling=0", "friction.arm_nutation=0")
-    viscous = ("friction.arm_pivoting=0", "dissipation.viscous_moment=3e-5", "dissipation.viscous_force=0.02")
+    slow = (
+        "release.inclination_deg=20",
+        "friction.mu_static=5",
+        "friction.arm_rolling=0",
+        "friction.arm_nutation=0",
+    )
+    viscous = (
+        "friction.arm_pivoting=0",
+        "dissipation.viscous_moment=3e-5",
+        "dissipation.viscous_force=0.02",
+    )
     scene = elastic.replace(*slow, *viscous, "numerics.time_limit=0.1", "numerics.contact_rate=2e5")
-    motion, rigid = simulate(scene), simulate(scene.replace("contact.law=rigid"))
+    motion = simulate(scene)
+    rigid = simulate(scene.replace("contact.law=rigid"))
     spent = motion.lost([0.1])[0, CAUSES.index("moments")]
     assert spent == pytest.approx(rigid.at([0.1])[0, 10], rel=1e-2)
     assert spent > 1e-4
+
+
+class RecordedForce:
+    """A motion of three pieces of 1 s whose normal force is a given function, with one noted loss
+    of contact."""
+
+    def __init__(self, normal_force):
+        self.t = np.array([0.0, 1.0, 2.0, 3.0])
+        self.contact_losses = ContactLosses(np.array([[0.9, 0.2, 1e-6]]))
+        self._normal_force = normal_force
+
+    def force(self, t):
+        return np.column_stack([0 * t, 0 * t, self._normal_force(t)])
+
+
+@pytest.mark.parametrize(
+    ("normal_force", "share"),
+    [
+        (lambda t: np.where(np.abs(t - 1) < 0.1, 0.0, 4.0), 0.0),  # zero within the noted loss
+        (lambda t: np.where(np.abs(t - 2) < 0.1, 0.0, 4.0), 1 / 3),  # zero outside it
+        (lambda t: np.abs(t - 2), 0.0),  # grazes zero at one instant
+        (lambda t: np.where(np.abs(t - 1) < 0.1, -1.0, 4.0), 1 / 3),  # pulls, even within it
+    ],
+)
+def test_a_contact_pushes_except_in_its_noted_losses(normal_force, share):
+    assert pushing_contact(RecordedForce(normal_force)).value == pytest.approx(share)
+
+
+def test_losses_of_contact_of_a_disk_that_is_nearly_flat_are_noted():
+    """A table mode throws a disk up that lay below 1e-5 rad: wherever its force is zero, a loss of
+    contact is noted.
+
+    Oracle: the normal force itself, read at the middle of every recorded interval.
+    """
+    mode = "[{order=3, frequency=600.0, damping_ratio=0.005, modal_mass=1.0}]"
+    scene = load_scene("published").replace(
+        "contact.law=elastic", "surface.kind=modes", f"surface.modes={mode}"
+    )
+    scene = scene.replace(
+        "surface.action=motion", "release.inclination_deg=0.004", "numerics.time_limit=0.05"
+    )
+    scene = scene.replace("release.omega=[0.0,0.0,0.4]")
+    motion = simulate(scene, surface_modes=surface_modes(scene))
+    t = motion.dt * (np.arange(len(motion.impulses) - 1) + 0.5)
+    silent = t[np.diff(motion.impulses[:, 2]) == 0]
+    assert len(silent) > 10
+    assert motion.at(silent)[:, 1].min() < 1e-5
+    assert set(motion.regime(silent)) == {"flight"}
+    assert pushing_contact(motion).value == 0

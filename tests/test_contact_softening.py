@@ -1,20 +1,25 @@
-"""Claim: a contact that vibrates as strongly as its load is softer, by what statistical linearisation says.
+"""Claim: a contact that vibrates as strongly as its load is softer, by what statistical
+linearisation says.
 
-Source: Caughey (1963). Oracle: the full motion on a rough table; small vibrations in closed form; more rounds.
-"""
+Source: Caughey (1963). Oracle: the full motion on a rough table; small vibrations in closed form;
+more rounds."""
 
 import numpy as np
 import pytest
 from contact_scenes import granite, steady_rate, steady_speed
 from scipy.signal import welch
 
-from dynamics.coupled.filter import predicted_spectrum
-from dynamics.coupled.full import Compliant
-from dynamics.coupled.handover import release
-from dynamics.coupled.roughness import edge_profile, table_profile
-from dynamics.coupled.sections import Roughness
-from dynamics.coupled.softening import ROUNDS, mean_stiffness, softened
-from dynamics.coupled.table import LawTable
+from dynamics.compliant.law.linear_response import predicted_spectrum
+from dynamics.compliant.law.roughness import edge_profile, table_profile
+from dynamics.compliant.law.sections import Roughness
+from dynamics.compliant.law.statistical_linearisation import (
+    LINEARISATION_ROUNDS,
+    effective_load_factor,
+    mean_stiffness,
+)
+from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.state_conversion import released_state
+from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.disk import Friction
 
 TABLE, ROUGH = LawTable(law=granite()), Roughness(rms=1e-7)
@@ -22,26 +27,41 @@ DISK = TABLE.law.disk
 
 
 def test_small_vibrations():
-    """To the second order of the scatter over the approach, x: 1 - x^2/8 by itself and as much by the mean."""
-    K, load, x = 1.6e10, 4.3, 0.03
+    """To the second order of the scatter over the approach, x: 1 - x^2/8 by itself and as much by
+    the mean."""
+    K = 1.6e10
+    load = 4.3
+    x = 0.03
     still = (load / K) ** (2 / 3)
     assert mean_stiffness(K, load, 0.0) == pytest.approx(1.5 * load / still, rel=1e-12)
-    assert mean_stiffness(K, load, x * still) / (1.5 * load / still) == pytest.approx(1 - x * x / 4, abs=x**3)
+    assert mean_stiffness(K, load, x * still) / (1.5 * load / still) == pytest.approx(
+        1 - x * x / 4, abs=x**3
+    )
 
 
 def test_the_full_motion_rings_as_low():
-    """Steady rolling on 0.1 um, two surfaces: the middle of its noise, which the linear contact puts 5 % too high."""
-    beta, power = 0.02, 0.0
-    w3, speed = steady_rate(DISK, beta) * np.sin(beta), steady_speed(DISK, beta)
+    """Steady rolling on 0.1 um, two surfaces: the middle of its noise, which the linear contact
+    puts 5 % too high."""
+    beta = 0.02
+    power = 0.0
+    w3 = steady_rate(DISK, beta) * np.sin(beta)
+    speed = steady_speed(DISK, beta)
     start = np.array([0.0, beta, 0, 0, 0, 0, DISK.aspect * w3, w3, 0, 0, 0])
     for seed in (0, 1):
         rough = Roughness(rms=1e-7, seed=seed)
         profiles = table_profile(rough), edge_profile(rough, DISK.radius)
-        model = Compliant(table=TABLE, friction=Friction(mu_static=10.0, mu_dynamic=10.0), profiles=profiles, rate=2e5)
-        force = np.concatenate([piece.force for piece in model.run(release(model, start), 4, 1.0)])[2500:, 2]
+        model = CompliantModel(
+            table=TABLE,
+            friction=Friction(mu_static=10.0, mu_dynamic=10.0),
+            profiles=profiles,
+            rate=2e5,
+        )
+        force = np.concatenate(
+            [piece.force for piece in model.run(released_state(model, start), 4, 1.0)]
+        )[2500:, 2]
         f, one = welch(force, model.rate / 4, nperseg=2048)
         power = power + one
-    factor = softened(TABLE, ROUGH, [beta], DISK.weight, speed)[0]
+    factor = effective_load_factor(TABLE, ROUGH, [beta], DISK.weight, speed)[0]
     soft, linear = (
         middle(f[1:], predicted_spectrum(TABLE, ROUGH, beta, part * DISK.weight, speed, f[1:]))
         for part in (factor, 1.0)
@@ -58,7 +78,11 @@ def middle(f, power):
 
 
 def test_so_many_rounds_are_enough():
-    beta, speed = [0.3, 0.01], [steady_speed(DISK, b) for b in (0.3, 0.01)]
-    few, many = (softened(TABLE, ROUGH, beta, DISK.weight, speed, rounds) for rounds in (ROUNDS, 3 * ROUNDS))
+    beta = [0.3, 0.01]
+    speed = [steady_speed(DISK, b) for b in (0.3, 0.01)]
+    few, many = (
+        effective_load_factor(TABLE, ROUGH, beta, DISK.weight, speed, rounds)
+        for rounds in (LINEARISATION_ROUNDS, 3 * LINEARISATION_ROUNDS)
+    )
     assert few == pytest.approx(many, rel=0.03)
     assert (many < 1).all()

@@ -1,8 +1,9 @@
-"""Claim: a scene gives the same bytes every time, and the same sound whatever solves it, as long as the motion lets it.
+"""Claim: a scene gives the same bytes every time, and the same sound whatever solves it, as long as
+the motion lets it.
 
-Source: no clock, no chance and no number of threads enters a run. The published motion amplifies errors late, so that
-no two ways of rounding agree to its end. Oracle: a second process; the other integrator; the same one ten times finer.
-"""
+Source: no clock, no chance and no number of threads enters a run. The published motion amplifies
+errors late, so that no two ways of rounding agree to its end. Oracle: a second process; the other
+integrator; the same one ten times finer."""
 
 import json
 import os
@@ -18,14 +19,16 @@ from scipy.interpolate import BarycentricInterpolator
 from dynamics import simulate
 from modal import eigenmodes
 from sonify import load_scene, run
-from sonify.sound.film_modes import ORDERS, below
+from sonify.sound.fluid_loaded_modes import RIM_FLOW_ORDERS, bottom_shape
 from sonify.sound.render import Renderer
 
 HALF_SECOND = 24000
 SAME_DB, PARTED_DB = -180.0, -100.0
-"""Rounding leaves some -200 dB; a slip at 7.5 s that all but grazes makes this 50 to 80 dB more, by the last bits."""
+"""Rounding leaves some -200 dB; a slip at 7.5 s that all but grazes makes this 50 to 80 dB more, by
+the last bits."""
 GRAZES, AS_LONG = 7.0, 13.0
-"""Until when [s] the sound of the published motion is the same, and the same but for that, whatever solves it."""
+"""Until when [s] the sound of the published motion is the same, and the same but for that, whatever
+solves it."""
 
 
 @pytest.mark.slow
@@ -35,8 +38,12 @@ def test_another_process_writes_the_same_bytes(tmp_path):
     there = [sys.executable, "-m", "sonify", "run", "--out", str(tmp_path / "there")]
     command = there + [f"--set={change}" for change in changes]
     environment = {**os.environ, "PYTHONHASHSEED": "7"}
-    subprocess.run(command, check=True, cwd=Path(__file__).parent.parent, env=environment, capture_output=True)
-    files = sorted(p.relative_to(tmp_path / "here") for p in (tmp_path / "here").rglob("*") if p.is_file())
+    subprocess.run(
+        command, check=True, cwd=Path(__file__).parent.parent, env=environment, capture_output=True
+    )
+    files = sorted(
+        p.relative_to(tmp_path / "here") for p in (tmp_path / "here").rglob("*") if p.is_file()
+    )
     assert len(files) == 16
     for file in files:
         one, other = ((tmp_path / place / file).read_bytes() for place in ("here", "there"))
@@ -54,24 +61,35 @@ def modes(scene):
 
 def test_the_shape_that_a_film_feels_is_the_same_bits_every_time(scene, modes):
     along = np.linspace(0, 1, 200)
-    first = below(modes, 1, along, scene.disk.radius)
-    assert all((below(modes, 1, along, scene.disk.radius) == first).all() for _ in range(5))
+    first = bottom_shape(modes, 1, along, scene.disk.radius)
+    assert all((bottom_shape(modes, 1, along, scene.disk.radius) == first).all() for _ in range(5))
     wave = np.fft.rfft(modes.face_shape[1, 0], axis=1) / len(modes.face_angle)
-    opposite = (wave[:, :1] + 2 * wave[:, 1 : 2 * ORDERS] @ (-1.0) ** np.arange(1, 2 * ORDERS)[:, None]).real[:, 0]
+    opposite = (
+        wave[:, :1]
+        + 2
+        * wave[:, 1 : 2 * RIM_FLOW_ORDERS]
+        @ (-1.0) ** np.arange(1, 2 * RIM_FLOW_ORDERS)[:, None]
+    ).real[:, 0]
     through = BarycentricInterpolator(modes.face_radius / scene.disk.radius, opposite)(along)
     assert first == pytest.approx(through, abs=1e-12 * np.abs(through).max())
 
 
 def difference_db(scene, modes, *ways):
-    """Level of the difference of two sounds over that of the first [dB], half second by half second."""
-    sounds = [np.vstack(list(Renderer(scene, simulate(scene.replace(*way)), modes).blocks())) for way in ways]
+    """Level of the difference of two sounds over that of the first [dB], half second by half
+    second."""
+    sounds = [
+        np.vstack(list(Renderer(scene, simulate(scene.replace(*way)), modes).blocks()))
+        for way in ways
+    ]
     count = len(sounds[0]) // HALF_SECOND
     one, other = (sound.sum(axis=1)[: count * HALF_SECOND].reshape(count, -1) for sound in sounds)
     return 10 * np.log10(np.mean((one - other) ** 2, axis=1) / np.mean(one**2, axis=1))
 
 
 def check_same(scene, modes, *ways):
-    difference = difference_db(scene, modes, *[[f"numerics.time_limit={AS_LONG}", way] for way in ways])
+    difference = difference_db(
+        scene, modes, *[[f"numerics.time_limit={AS_LONG}", way] for way in ways]
+    )
     assert len(difference) >= round(2 * AS_LONG)
     assert difference[: round(2 * GRAZES)].max() < SAME_DB
     assert difference.max() < PARTED_DB
@@ -84,7 +102,8 @@ def test_both_integrators_sound_the_same(scene, modes):
 
 
 def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
-    """The same disk slowed by the viscous film of air: its motion does not amplify what is wrong."""
+    """The same disk slowed by the viscous film of air: its motion does not amplify what is
+    wrong."""
     pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
     scene = load_scene("moffatt")
     ways = [[f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
@@ -98,10 +117,14 @@ def test_finer_tolerances_sound_the_same_for_longer(scene, modes):
 
 
 def test_why_it_cannot_be_longer(scene):
-    """From 12.5 to 16.5 s the times of the changes of regime part a million times, 3.4 e-folds a second, whatever the
-    tolerance: each slip that all but grazes multiplies what is wrong with its time."""
+    """From 12.5 to 16.5 s the times of the changes of regime part a million times, 3.4 e-folds a
+    second, whatever the tolerance: each slip that all but grazes multiplies what is wrong with its
+    time."""
     pytest.importorskip("heyoka", reason="heyoka is not installed")
-    ways = [scene.replace("numerics.time_limit=17", f"numerics.tolerance={tol}") for tol in ("1e-16", "1e-15", "1e-14")]
+    ways = [
+        scene.replace("numerics.time_limit=17", f"numerics.tolerance={tol}")
+        for tol in ("1e-16", "1e-15", "1e-14")
+    ]
     finest, *others = (np.array([e.t for e in simulate(way).transitions]) for way in ways)
     for other in others:
         apart = np.abs(other - finest)

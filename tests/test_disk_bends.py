@@ -1,8 +1,9 @@
-"""Claim: a disk bends by its free modes where it stands on a table that acts back, in the steps that gain no energy.
+"""Claim: a disk bends by its free modes where it stands on a table that acts back, in the steps
+that gain no energy.
 
-Source: the docstring of dynamics/coupled/bending.py. Oracle: SciPy's integration of an impact by its Lagrangian, the
-closed form of an oscillator under a load that turns, energies of the states.
-"""
+Source: the docstring of dynamics/compliant/stepping/rim_modes.py. Oracle: SciPy's integration of an
+impact by its Lagrangian, the closed form of an oscillator under a load that turns, energies of the
+states."""
 
 from dataclasses import replace
 
@@ -11,15 +12,21 @@ import pytest
 from scipy.integrate import solve_ivp
 from test_table_acts_back import GRIPS, TABLE, elastic, run, standing, steady  # noqa: F401, a fixture
 
-from dynamics.coupled.bending import MOVES, Bending, bending_of
-from dynamics.coupled.from_scene import law_table
-from dynamics.coupled.handover import columns, energy, release
-from dynamics.coupled.motion import compliant
-from dynamics.coupled.resonance import inertias, mobility
-from dynamics.coupled.state import BODY, LOSSES, MOMENTUM, VELOCITY, WEIGHT
-from dynamics.coupled.table import InSeries, K
+from dynamics.compliant.compliant_motion import compliant_model
+from dynamics.compliant.law.linearised import inertias, mobility
+from dynamics.compliant.law.tabulated import HERTZ_STIFFNESS, SeriesLawTable
+from dynamics.compliant.model_inputs import law_table
+from dynamics.compliant.state_conversion import columns, energy, released_state
+from dynamics.compliant.stepping.rim_modes import MAX_MOVING_FREQUENCY, RimModes, moving_rim_modes
+from dynamics.compliant.stepping.state_layout import (
+    ANGULAR_MOMENTUM,
+    DISK_MODE_ENERGY,
+    ENERGY_LOSSES,
+    VELOCITY,
+    WEIGHT,
+)
 from dynamics.disk import Friction
-from dynamics.rates import precession_rate
+from dynamics.observables import precession_rate
 from modal import surface_modes
 
 HEAVY = 0, 100.0, 0.0, 1e9
@@ -28,40 +35,62 @@ SMOOTH = Friction(mu_static=0.0, mu_dynamic=0.0)
 
 
 def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
-    """Return velocity of the centre, tilting rate and energy of the modes after a fall straight down, by the steps."""
+    """Return velocity of the centre, tilting rate and energy of the modes after a fall straight
+    down, by the steps."""
     model = replace(standing(scene, rate, SMOOTH, HEAVY, damps=False), bending=bending)
     model.constants[WEIGHT] = 0.0
-    y = release(model, np.append([0.0, beta], np.zeros(9)), np.zeros(3))
-    waves, y[VELOCITY + 2] = model.waves(y), -speed
+    y = released_state(model, np.append([0.0, beta], np.zeros(9)), np.zeros(3))
+    waves = model.waves(y)
+    y[VELOCITY + 2] = -speed
     *_, last = model.run(y, round(stop * rate), stop, waves=waves)
-    return last.state[-1, VELOCITY + 2], -last.state[-1, MOMENTUM] / inertias(scene.disk)[0], last.state[-1, BODY]
+    return (
+        last.state[-1, VELOCITY + 2],
+        -last.state[-1, ANGULAR_MOMENTUM] / inertias(scene.disk)[0],
+        last.state[-1, DISK_MODE_ENERGY],
+    )
 
 
 def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
-    """The same: the contact stands at one place of the rim, and G = z - R sin b + H (1 - cos b) + sum r (c A - s B)."""
-    disk, K0 = scene.disk, law_table(scene).columns(np.array([beta]))[0, K]
-    (order, phase, A, B), squared = bending.shapes.T, bending.squared
-    A, B, R, H, J1 = A * np.cos(phase), B * np.cos(phase), disk.radius, disk.thickness / 2, inertias(disk)[0]
+    """The same: the contact stands at one place of the rim, and G = z - R sin b + H (1 - cos b) +
+    sum r (c A - s B)."""
+    disk = scene.disk
+    K0 = law_table(scene).columns(np.array([beta]))[0, HERTZ_STIFFNESS]
+    (order, phase, A, B) = bending.shapes.T
+    squared = bending.squared
+    A = A * np.cos(phase)
+    B = B * np.cos(phase)
+    R = disk.radius
+    H = disk.thickness / 2
+    J1 = inertias(disk)[0]
     modes = len(order)
 
     def rates(t, y):
-        z, b, r = y[0], y[1], y[2 : 2 + modes]
-        c, s = np.cos(b), np.sin(b)
+        z = y[0]
+        b = y[1]
+        r = y[2 : 2 + modes]
+        c = np.cos(b)
+        s = np.sin(b)
         G = z - R * s + H * (1 - c) + r @ (c * A - s * B)
         N = K0 * max(0.0, -G) ** 1.5
         tilts = -R * c + H * s - r @ (s * A + c * B)  # dG/db
-        return np.concatenate([y[2 + modes :], [N / disk.mass, N * tilts / J1], N * (c * A - s * B) - squared * r])
+        return np.concatenate(
+            [y[2 + modes :], [N / disk.mass, N * tilts / J1], N * (c * A - s * B) - squared * r]
+        )
 
     z = R * np.sin(beta) - 2 * H * np.sin(beta / 2) ** 2
     start = np.concatenate([[z, beta], np.zeros(modes), [-speed, 0.0], np.zeros(modes)])
-    end = solve_ivp(rates, (0, stop), start, method="DOP853", rtol=1e-11, atol=1e-16, max_step=stop / 400).y[:, -1]
-    r, v = end[2 : 2 + modes], end[4 + modes :]
+    end = solve_ivp(
+        rates, (0, stop), start, method="DOP853", rtol=1e-11, atol=1e-16, max_step=stop / 400
+    ).y[:, -1]
+    r = end[2 : 2 + modes]
+    v = end[4 + modes :]
     return end[2 + modes], end[3 + modes], (v @ v + squared * r @ r) / 2
 
 
 def test_an_impact_leaves_in_the_modes_what_the_lagrangian_says(elastic):  # noqa: F811
     """Of a disk that is softer, so that they ring. The error falls with the square of the step."""
-    own, stop = bending_of(elastic.edge, 0.0), 6e-4
+    own = moving_rim_modes(elastic.edge, 0.0)
+    stop = 6e-4
     bending = own._replace(squared=own.squared / 25)
     expected = np.array(fallen_by_its_lagrangian(elastic, bending, stop))
     assert expected[2] > 0.01 * elastic.disk.mass * 0.02**2 / 2  # the modes matter
@@ -73,17 +102,29 @@ def test_an_impact_leaves_in_the_modes_what_the_lagrangian_says(elastic):  # noq
 
 @pytest.mark.parametrize("x", [0.5, 1.4])
 def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, x):  # noqa: F811
-    """The disk hardly turns about its axis: the power is that of test_table_acts_back.test_wave_drag, A^2 for 1/M."""
-    n, zeta, mass, beta, disk = 2, 0.02, 300.0, 2e-3, elastic.disk
+    """The disk hardly turns about its axis: the power is that of
+    test_table_acts_back.test_wave_drag, A^2 for 1/M."""
+    n = 2
+    zeta = 0.02
+    mass = 300.0
+    beta = 2e-3
+    disk = elastic.disk
     start, rate = steady(disk, beta)
     w = n * rate / x
     pair = np.array([[n, 0.0, mass**-0.5, 0.0], [n, np.pi / 2, mass**-0.5, 0.0]])
-    bending = Bending(pair, np.full(2, w * w), np.full(2, zeta * w))
+    bending = RimModes(pair, np.full(2, w * w), np.full(2, zeta * w))
     model = replace(standing(elastic, 2e5, GRIPS, HEAVY), bending=bending)
-    _, t, state, _, _ = run(model, release(model, start), 20, 20 * np.pi / rate)
-    power = (state[-1, LOSSES + 6] - state[0, LOSSES + 6]) / (t[-1] - t[0])
+    _, t, state, _, _ = run(model, released_state(model, start), 20, 20 * np.pi / rate)
+    power = (state[-1, ENERGY_LOSSES + 6] - state[0, ENERGY_LOSSES + 6]) / (t[-1] - t[0])
     now = n * np.abs(precession_rate(columns(model, state))).mean() / w
-    expected = disk.weight**2 / (mass * w) * 2 * zeta * now**2 / ((1 - now**2) ** 2 + (2 * zeta * now) ** 2)
+    expected = (
+        disk.weight**2
+        / (mass * w)
+        * 2
+        * zeta
+        * now**2
+        / ((1 - now**2) ** 2 + (2 * zeta * now) ** 2)
+    )
     assert power == pytest.approx(expected, rel=0.01)
 
 
@@ -91,36 +132,47 @@ def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, 
 def test_energy_is_kept_and_never_gained(elastic, loss_factor):  # noqa: F811
     """With the disk's own modes, on a soft table, through losses of contact."""
     scene = elastic.replace(TABLE, f"material.loss_factor={loss_factor}")
-    model = replace(compliant(scene, surface_modes(scene)), rate=2e5)
-    y = release(model, steady(scene.disk, 4e-4)[0])
+    model = replace(compliant_model(scene, surface_modes(scene)), rate=2e5)
+    y = released_state(model, steady(scene.disk, 4e-4)[0])
     first, _, state, losses, _ = run(model, y, 1, 0.05)
-    now, lost = energy(model, state), state[:, LOSSES : LOSSES + 7].sum(axis=1)
+    now = energy(model, state)
+    lost = state[:, ENERGY_LOSSES : ENERGY_LOSSES + 7].sum(axis=1)
     assert losses
-    assert state[:, BODY].max() > 1e-3 * first
+    assert state[:, DISK_MODE_ENERGY].max() > 1e-3 * first
     assert np.abs(now + lost - first).max() < 1e-10 * first
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
-    assert (state[-1, LOSSES + 6] > 0) == (loss_factor > 0)
+    assert (state[-1, ENERGY_LOSSES + 6] > 0) == (loss_factor > 0)
 
 
 def test_what_moves_does_not_yield_in_series(elastic):  # noqa: F811
     """At the frequency of the carrier both together yield what the whole disk does."""
-    beta, edge = np.array([0.01]), elastic.edge
-    bending = bending_of(edge, 0.0)
-    assert (np.sqrt(bending.squared) < 2 * np.pi * MOVES).all()
+    beta = np.array([0.01])
+    edge = elastic.edge
+    bending = moving_rim_modes(edge, 0.0)
+    assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_FREQUENCY).all()
     assert len(bending.shapes) == 3  # of the toy: a pair of order 2, one of order 0
-    whole, apart = (law_table(elastic, InSeries, moves).yields(np.log(np.sin(beta)))[0] for moves in (0.0, MOVES))
-    lifts = bending.shapes[:2, 2] * np.cos(beta) - bending.shapes[:2, 3] * np.sin(beta)  # the sine partner is at rest
+    whole, apart = (
+        law_table(elastic, SeriesLawTable, moves).yields(np.log(np.sin(beta)))[0]
+        for moves in (0.0, MAX_MOVING_FREQUENCY)
+    )
+    lifts = bending.shapes[:2, 2] * np.cos(beta) - bending.shapes[:2, 3] * np.sin(
+        beta
+    )  # the sine partner is at rest
     kn = law_table(elastic).springs(beta, elastic.disk.weight)[0].kn[0]
     square = mobility(elastic.disk, beta)[0, 2, 2] / (1 / kn + whole[2, 2])  # of the carrier
-    assert whole[2, 2] - apart[2, 2] == pytest.approx((lifts**2 / (bending.squared[:2] - square)).sum(), rel=1e-6)
+    assert whole[2, 2] - apart[2, 2] == pytest.approx(
+        (lifts**2 / (bending.squared[:2] - square)).sum(), rel=1e-6
+    )
     assert whole[:2, :2] == pytest.approx(apart[:2, :2], rel=1e-12)
-    assert len(bending_of(None, 0.0).shapes) == 0
+    assert len(moving_rim_modes(None, 0.0).shapes) == 0
 
 
 def test_the_disk_turns_about_its_axis_as_it_rolls(elastic):  # noqa: F811
-    """On a table that does not move, the spin of the record is the integral of that rate of a steady motion."""
+    """On a table that does not move, the spin of the record is the integral of that rate of a
+    steady motion."""
     model = replace(standing(elastic, 2e5, GRIPS, HEAVY))
     start, _ = steady(elastic.disk, 0.1)
-    _, t, state, _, _ = run(model, release(model, start), 100, 0.1)
-    spin, expected = np.unwrap(columns(model, state)[:, 2]), start[6] - start[7] / np.tan(0.1)
+    _, t, state, _, _ = run(model, released_state(model, start), 100, 0.1)
+    spin = np.unwrap(columns(model, state)[:, 2])
+    expected = start[6] - start[7] / np.tan(0.1)
     assert np.polyfit(t, spin, 1)[0] == pytest.approx(expected, rel=2e-3)

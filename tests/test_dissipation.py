@@ -1,9 +1,9 @@
-"""Claim: the other laws of dissipation take exactly the power they name, and lead to the exponents of their authors.
+"""Claim: the other laws of dissipation take exactly the power they name, and lead to the exponents
+of their authors.
 
-Source: (1.1) of the paper, McDonald & McDonald (b = 2.5); Moffatt (2000, b = 4); Bildsten (2002, b = 5/2); Leine (2009,
-b = 1); Compere. Quasi-steady motion has E ~ (t0 - t)^(2/(b + 2)).
-Oracle: the power itself, integrated apart from the energy; the exponent 2/(b + 2).
-"""
+Source: (1.1) of the paper, McDonald & McDonald (b = 2.5); Moffatt (2000, b = 4); Bildsten (2002, b
+= 5/2); Leine (2009, b = 1); Compere. Quasi-steady motion has E ~ (t0 - t)^(2/(b + 2)). Oracle: the
+power itself, integrated apart from the energy; the exponent 2/(b + 2)."""
 
 from math import pi
 
@@ -15,7 +15,7 @@ from scenes import RADIUS, scene, whirling
 from dynamics import Air, Disk, ImpossibleContactError, Outcome, simulate
 from dynamics.disk import GRAVITY
 from dynamics.dissipation import Dissipation, power_laws
-from dynamics.film.law import film_under
+from dynamics.film.wedge import film_under
 
 LAWS = {
     "b = 2.5": ({"power_coefficient": 1e-9, "power_exponent": 2.5}, 2.5),
@@ -30,7 +30,9 @@ LAWS = {
 @pytest.fixture(scope="module", params=LAWS)
 def decline(request):
     dissipation, exponent = LAWS[request.param]
-    thin = whirling(0.005, disk={"thickness": 1e-6}, dissipation=dissipation, numerics={"time_limit": 60.0})
+    thin = whirling(
+        0.005, disk={"thickness": 1e-6}, dissipation=dissipation, numerics={"time_limit": 60.0}
+    )
     return simulate(thin), dissipation, exponent
 
 
@@ -46,15 +48,18 @@ def test_the_power_is_the_power_law_for_the_actual_motion(decline):
 
 
 def test_exponent_in_the_quasi_steady_range(decline):
-    """From -dE/dt = P ~ E^(-b/2): the slope of log P against log E is -b/2, so E ~ (t0 - t)^(1/(1 + b/2)).
+    """From -dE/dt = P ~ E^(-b/2): the slope of log P against log E is -b/2, so E ~ (t0 - t)^(1/(1 +
+    b/2)).
 
-    That needs a fixed centre, as all authors assume. A thin disk keeps it; the axial spin of a thick one has nothing to
-    slow it but pivoting friction, and sets the centre in motion as the inclination falls.
-    """
+    That needs a fixed centre, as all authors assume. A thin disk keeps it; the axial spin of a
+    thick one has nothing to slow it but pivoting friction, and sets the centre in motion as the
+    inclination falls."""
     motion, _, b = decline
     t = np.linspace(0, 0.97 * motion.t[-1], 3001)
-    energy, work = motion.energy(t), motion.at(t)[:, 10]
-    power, middle = np.diff(work) / np.diff(t), (energy[1:] + energy[:-1]) / 2
+    energy = motion.energy(t)
+    work = motion.at(t)[:, 10]
+    power = np.diff(work) / np.diff(t)
+    middle = (energy[1:] + energy[:-1]) / 2
     falling = middle > 0.3 * energy[0]
     slope = np.polyfit(np.log(middle[falling]), np.log(power[falling]), 1)[0]
     assert 1 / (1 - slope) == pytest.approx(2 / (b + 2), rel=0.01)
@@ -68,15 +73,23 @@ def test_energy_and_work_add_up(decline):
 
 def test_moffatts_coefficient():
     """pi mu g a^2 / beta^2 at the steady Omega^2 = 4 g / (a beta) of a thin disk (Moffatt 2000)."""
-    disk, mu, beta = scene().disk, 1.8e-5, 0.01
+    disk = scene().disk
+    mu = 1.8e-5
+    beta = 0.01
     ((c, b),) = power_laws(Dissipation(air_viscosity=mu), disk)
     omega = (4 * GRAVITY / (disk.radius * beta)) ** 0.5
-    assert c * omega**b == pytest.approx(pi * mu * GRAVITY * disk.radius**2 / beta**2, rel=gamma(60))
+    assert c * omega**b == pytest.approx(
+        pi * mu * GRAVITY * disk.radius**2 / beta**2, rel=gamma(60)
+    )
 
 
 def test_bildstens_coefficient():
-    """4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) at the steady Omega^2 = 4 g / (a beta) of a thin disk (2002)."""
-    disk, nu, rho, beta = scene().disk, 1.5e-5, 1.2, 0.01
+    """4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) at the steady Omega^2 = 4 g / (a beta) of a thin
+    disk (2002)."""
+    disk = scene().disk
+    nu = 1.5e-5
+    rho = 1.2
+    beta = 0.01
     ((c, b),) = power_laws(Dissipation(boundary_layer_viscosity=nu, air_density=rho), disk)
     omega = (4 * GRAVITY / (disk.radius * beta)) ** 0.5
     expected = 4 * (nu * rho**2) ** 0.5 * GRAVITY**1.25 * disk.radius**2.75 * beta**-1.25
@@ -84,10 +97,12 @@ def test_bildstens_coefficient():
 
 
 def test_how_far_the_papers_laws_are_from_the_film_that_is_solved():
-    """Moffatt's is 1.63 times too small where the film is thin, Bildsten's 4.9 times too large where it is thick; each
-    for a thin disk at a steady Omega^2 beta = 4 g / a."""
-    air, disk = Air(film="acts", pressure=1e9, density=1.204), Disk(radius=RADIUS, thickness=1e-6, mass=0.4387)
-    film, unit = film_under(disk, air), disk.mass * disk.radius**2 / disk.time_unit**3
+    """Moffatt's is 1.63 times too small where the film is thin, Bildsten's 4.9 times too large
+    where it is thick; each for a thin disk at a steady Omega^2 beta = 4 g / a."""
+    air = Air(film="acts", pressure=1e9, density=1.204)
+    disk = Disk(radius=RADIUS, thickness=1e-6, mass=0.4387)
+    film = film_under(disk, air)
+    unit = disk.mass * disk.radius**2 / disk.time_unit**3
     papers = (
         {"air_viscosity": air.viscosity},
         {
@@ -104,7 +119,9 @@ def test_how_far_the_papers_laws_are_from_the_film_that_is_solved():
 
     assert ratio(papers[0], 1e-4) == pytest.approx(1.63, rel=0.01)
     assert 1 / ratio(papers[1], 0.5) == pytest.approx(4.9, rel=0.1)
-    assert ratio(papers[1], 0.03) < 0.6 < 1 < ratio(papers[1], 0.005)  # they cross near the end of most motions
+    assert (
+        ratio(papers[1], 0.03) < 0.6 < 1 < ratio(papers[1], 0.005)
+    )  # they cross near the end of most motions
 
 
 def test_a_power_law_can_end_in_a_fall_with_energy_left():
@@ -130,16 +147,21 @@ def test_contour_friction_has_no_direction_without_precession():
 @pytest.mark.parametrize("integrator", ["auto", "dop853"])
 def test_energy_and_work_add_up_while_a_law_takes_all_speed_at_once(integrator):
     """In less time than the first step of a slide lasts where only friction acts."""
-    release, law = {"inclination_deg": 0.02, "omega": (0.0, 0.0, 0.5)}, {"air_viscosity": 0.18}
+    release = {"inclination_deg": 0.02, "omega": (0.0, 0.0, 0.5)}
+    law = {"air_viscosity": 0.18}
     motion = simulate(scene({"integrator": integrator}, release=release, dissipation=law))
     total = motion.energy(motion.t) + motion.state[:, 10]
     assert np.ptp(total) < 1e-11 * total[0]
 
 
 def test_laws_add_up():
-    one, two = {"air_viscosity": 1.8e-5}, {"viscous_moment": 1e-7, "viscous_force": 1e-4}
+    one = {"air_viscosity": 1.8e-5}
+    two = {"viscous_moment": 1e-7, "viscous_force": 1e-4}
     t = 0.02
-    works = [simulate(whirling(0.05, dissipation=d, numerics={"time_limit": t})).state[-1, 10] for d in (one, two)]
+    works = [
+        simulate(whirling(0.05, dissipation=d, numerics={"time_limit": t})).state[-1, 10]
+        for d in (one, two)
+    ]
     both = simulate(whirling(0.05, dissipation=one | two, numerics={"time_limit": t})).state[-1, 10]
     assert both == pytest.approx(sum(works), rel=1e-3)
     assert min(works) > 0
@@ -147,5 +169,6 @@ def test_laws_add_up():
 
 def test_without_laws_the_motion_is_the_papers():
     span = {"time_limit": 1.0}
-    plain, zero = simulate(scene(span)), simulate(scene(span, dissipation={"power_exponent": 3.0}))
+    plain = simulate(scene(span))
+    zero = simulate(scene(span, dissipation={"power_exponent": 3.0}))
     np.testing.assert_array_equal(plain.state, zero.state)

@@ -1,8 +1,9 @@
-"""Claim: near every edge of its range the simulator is right, or stops with a named outcome; never wrong silently.
+"""Claim: near every edge of its range the simulator is right, or stops with a named outcome; never
+wrong silently.
 
-Source: sections 2, 3 and 6.2 of the paper; Painleve (1895) for contacts without solution.
-Oracle: limits that are approached (vanishing start-up slip), identities (energy), hand computation of the force.
-"""
+Source: sections 2, 3 and 6.2 of the paper; Painleve (1895) for contacts without solution. Oracle:
+limits that are approached (vanishing start-up slip), identities (energy), hand computation of the
+force."""
 
 from functools import cache
 from math import pi, radians
@@ -15,12 +16,12 @@ from scenes import conservative, proves_its_outcome, scene, whirling
 
 from dynamics import ImpossibleContactError, Outcome, regime, simulate, switching
 from dynamics.equations import Law
-from dynamics.rates import nutation_frequency
+from dynamics.integrators.codegen import compiled
+from dynamics.observables import nutation_frequency
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
-from dynamics.trace import compiled
 from sonify.claims.checks import energy_balance
-from sonify.claims.motion import motion_findings
+from sonify.claims.rigid_motion import motion_findings
 from sonify.claims.sound import rates_heard
 
 
@@ -29,7 +30,9 @@ def total_energy_spread(motion):
     return np.ptp(total) / total[0]
 
 
-@pytest.mark.parametrize(("name", "module", "factor"), [("START", switching, 0.3), ("STOP_SPEED", regime, 10.0)])
+@pytest.mark.parametrize(
+    ("name", "module", "factor"), [("START", switching, 0.3), ("STOP_SPEED", regime, 10.0)]
+)
 def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
     span = {"time_limit": 50 * scene().disk.time_unit, "integrator": "dop853"}
     t = np.linspace(0, 49.9 * scene().disk.time_unit, 100)
@@ -37,9 +40,13 @@ def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
     for owner in (module, __import__("dynamics.rolling", fromlist=["x"]), switching, regime):
         if hasattr(owner, name):
             monkeypatch.setattr(
-                owner, name, getattr(module, name) * factor if owner is module else getattr(module, name)
+                owner,
+                name,
+                getattr(module, name) * factor if owner is module else getattr(module, name),
             )
-    monkeypatch.setattr("dynamics.dop853.compiled", cache(compiled.__wrapped__))  # the compiled flow holds STOP_SPEED
+    monkeypatch.setattr(
+        "dynamics.integrators.dop853.compiled", cache(compiled.__wrapped__)
+    )  # the compiled flow holds STOP_SPEED
     after = simulate(scene(span)).at(t)
     np.testing.assert_allclose(after, before, rtol=1e-9, atol=1e-9)
 
@@ -54,9 +61,13 @@ def test_upright_is_a_named_end():
 @pytest.mark.parametrize("rate", [-1e-12, -1e-9, -1e-6, -1e-4])
 def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed(rate):
     """Its moment would drive the disk instead of resisting it: energy would rise."""
-    motion = simulate(scene(release={"inclination_deg": 3.0, "omega": (rate, 0.0, 0.0)}, k1=0.03, k2=0.0, k3=0.0))
+    motion = simulate(
+        scene(release={"inclination_deg": 3.0, "omega": (rate, 0.0, 0.0)}, k1=0.03, k2=0.0, k3=0.0)
+    )
     assert motion.outcome is Outcome.FELL
-    assert motion.law.k1 * np.ptp(motion.state[:, 1]) > 1e-3, "what the moment takes is far above round-off"
+    assert motion.law.k1 * np.ptp(motion.state[:, 1]) > 1e-3, (
+        "what the moment takes is far above round-off"
+    )
     assert np.diff(motion.state[:, 10]).min() >= 0
     assert total_energy_spread(motion) < 1e-10
 
@@ -73,13 +84,17 @@ def test_lift_off_is_an_outcome_with_its_time():
 
 
 def test_a_release_that_leaves_the_plane_at_once_is_refused():
-    with pytest.raises(ImpossibleContactError, match=r"at t = 0 s: inclination 0\.52.*leaves the plane at once"):
+    with pytest.raises(
+        ImpossibleContactError, match=r"at t = 0 s: inclination 0\.52.*leaves the plane at once"
+    ):
         simulate(scene(release={"inclination_deg": 30.0, "omega": (40.0, 0.0, 0.0)}))
 
 
 def test_a_contact_that_jams_is_named():
-    """On a long rod that slides towards its own far end, e mu f exceeds f^2 + J: pressing lifts nothing (Painleve)."""
-    beta, law = 1.047, Law(3.0, 1.0, 2.0, 2.0, 0.0, 0.0, 0.0)
+    """On a long rod that slides towards its own far end, e mu f exceeds f^2 + J: pressing lifts
+    nothing (Painleve)."""
+    beta = 1.047
+    law = Law(3.0, 1.0, 2.0, 2.0, 0.0, 0.0, 0.0)
     y = [beta**0.5, 0.0, 0.0, 0.0, 0.0, -1.0, *[0.0] * 5]
     slide = regime.Regime(True, (False,) * 3, (1.0,) * 3)
     contact = regime.FLOAT.contact(y, regime.Branch.of(slide, law, None), slide.senses, law)
@@ -114,7 +129,8 @@ def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
 
 @pytest.mark.slow
 def test_equal_coefficients_slide_without_a_jump_of_the_force():
-    """With mu_static = mu_dynamic a slide starts without acceleration, and the force is continuous there."""
+    """With mu_static = mu_dynamic a slide starts without acceleration, and the force is continuous
+    there."""
     motion = simulate(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))
     starts = [s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")]
     assert len(starts) > 10
@@ -126,7 +142,8 @@ def test_equal_coefficients_slide_without_a_jump_of_the_force():
 
 
 def test_what_a_steady_motion_cannot_tell_is_not_judged():
-    """Without peaks of the force there is no nutation, and without slips no slide to compare with rolling."""
+    """Without peaks of the force there is no nutation, and without slips no slide to compare with
+    rolling."""
     motion = simulate(whirling(radians(8), numerics={"time_limit": 5.0}))
     assert len(nutation_frequency(motion)[0]) == 0
     tone = SimpleNamespace(time=np.linspace(0.1, 4.9, 50), frequency=np.full(50, 10.0))
@@ -148,13 +165,17 @@ def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
 
 SPAN = 5 * scene().disk.time_unit
 STIFF = [
-    ("collocation.MOST_STEPS", 0, {"mu_dynamic": 0.5}),
-    ("slip_direction.SlipPush.own_near", lambda *_: None, {}),
+    ("integrators.slow_slides.MOST_STEPS", 0, {"mu_dynamic": 0.5}),
+    ("incipient_slip.SlipPush.aligned_direction_near", lambda *_: None, {}),
 ]
 
 
-@pytest.mark.parametrize(("name", "value", "friction"), STIFF, ids=["no step is short enough", "no direction"])
-def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(monkeypatch, name, value, friction):
+@pytest.mark.parametrize(
+    ("name", "value", "friction"), STIFF, ids=["no step is short enough", "no direction"]
+)
+def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(
+    monkeypatch, name, value, friction
+):
     wanted = scene({"time_limit": SPAN, "tolerance": 1e-12}, **friction)
     slip = next(s for s in simulate(wanted).transitions if s.guard == "slip")
     monkeypatch.setattr(f"dynamics.{name}", value)
@@ -165,8 +186,10 @@ def test_a_slide_that_cannot_be_followed_is_a_named_end_at_its_start(monkeypatch
 
 
 def test_a_release_whose_slide_cannot_be_followed_is_refused_with_time_and_state(monkeypatch):
-    monkeypatch.setattr("dynamics.slip_direction.SlipPush.own_near", lambda *_: None)
-    with pytest.raises(ImpossibleContactError, match=r"at t = 0 s: inclination 0\.57.*no direction"):
+    monkeypatch.setattr("dynamics.incipient_slip.SlipPush.aligned_direction_near", lambda *_: None)
+    with pytest.raises(
+        ImpossibleContactError, match=r"at t = 0 s: inclination 0\.57.*no direction"
+    ):
         simulate(scene(mu_static=0.02, mu_dynamic=0.01))
 
 
@@ -177,7 +200,7 @@ def test_nothing_happens_to_a_disk_without_loss_but_its_motion():
 
 
 def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):
-    monkeypatch.setattr("dynamics.numerics.find_spec", lambda name: None)
+    monkeypatch.setattr("dynamics.solver_settings.find_spec", lambda name: None)
     assert chosen_integrator("auto")[0] == "dop853"
     assert simulate(scene({"time_limit": 0.1})).integrator == "dop853"
     with pytest.raises(ValueError, match="needs heyoka, which is not installed"):
@@ -195,7 +218,8 @@ def test_a_resistance_beyond_all_measure_is_a_named_end(integrator):
 
 
 def test_a_disk_released_at_rest_falls_as_without_a_law_that_has_no_series_there():
-    """|Omega|^(b-1) has no Taylor series at Omega = 0 for b = 2.5; the precession stays there, and takes no power."""
+    """|Omega|^(b-1) has no Taylor series at Omega = 0 for b = 2.5; the precession stays there, and
+    takes no power."""
     still = {"inclination_deg": 12.0, "omega": (0.0, 0.0, 0.0)}
     resisted = {"power_coefficient": 4e-9, "power_exponent": 2.5}
     motions = [simulate(scene(release=still, **more)) for more in ({}, {"dissipation": resisted})]

@@ -1,4 +1,5 @@
-"""Claim: the balance laws as solved are Newton-Euler's, and the paper's (4.7) and (5.3) with the errata corrected.
+"""Claim: the balance laws as solved are Newton-Euler's, and the paper's (4.7) and (5.3) with the
+errata corrected.
 
 Source: Kessler & O'Reilly (2002), (2.1)-(2.8), (3.1)-(3.3), (4.1)-(4.9), (5.1)-(5.3), (6.1).
 Oracle: a derivation in Cartesian vectors with a computer-algebra system, and the printed equations.
@@ -35,19 +36,29 @@ def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5):
     law = Law(h, K, 1.0, MU, *ARMS)
     direction = u / np.hypot(*u)
     slip = u if sliding else np.zeros(2)
-    return solve(beta, *w, *slip, *direction, sliding, False, False, False, *senses, law, Loads(*loads))
+    return solve(
+        beta, *w, *slip, *direction, sliding, False, False, False, *senses, law, Loads(*loads)
+    )
 
 
 @cache
 def newton_euler():
-    """Derive the residuals of (4.1), (4.2) in Cartesian vectors, with velocities differentiated by the machine."""
+    """Derive the residuals of (4.1), (4.2) in Cartesian vectors, with velocities differentiated by
+    the machine."""
     t = sp.symbols("t")
     h, K, g = sp.symbols("h K g")
     names = "theta alpha psi x y"
     theta, alpha, psi, x, y = (sp.Function(n)(t) for n in names.split())
     F1, F2, N, m1, m2, m3, G1, G2, M1, M2, M3 = sp.symbols("F1 F2 N m1 m2 m3 G1 G2 M1 M2 M3")
-    a = sp.Matrix([[sp.cos(theta), sp.sin(theta), 0], [-sp.sin(theta), sp.cos(theta), 0], [0, 0, 1]])
-    e = sp.Matrix([[1, 0, 0], [0, sp.cos(alpha), sp.sin(alpha)], [0, -sp.sin(alpha), sp.cos(alpha)]]) * a
+    a = sp.Matrix(
+        [[sp.cos(theta), sp.sin(theta), 0], [-sp.sin(theta), sp.cos(theta), 0], [0, 0, 1]]
+    )
+    e = (
+        sp.Matrix(
+            [[1, 0, 0], [0, sp.cos(alpha), sp.sin(alpha)], [0, -sp.sin(alpha), sp.cos(alpha)]]
+        )
+        * a
+    )
     a1, a2, a3 = (a[i, :].T for i in range(3))
     e1, e2, e3 = (e[i, :].T for i in range(3))
     omega = theta.diff(t) * a3 + alpha.diff(t) * e1 + psi.diff(t) * e2
@@ -55,7 +66,8 @@ def newton_euler():
     centre = sp.Matrix([x, y, -arm[2]])  # the contact point is on the plane
     velocity = centre.diff(t)
     slip = velocity + omega.cross(arm)
-    J1, J2 = K / 4 + h**2 / 3, K / 2
+    J1 = K / 4 + h**2 / 3
+    J2 = K / 2
     spin = J1 * (omega.dot(e1) * e1 + omega.dot(e3) * e3) + J2 * omega.dot(e2) * e2
     force = F1 * a1 + F2 * a2 + N * a3
     momentum = velocity.diff(t) - force - G1 * a1 - G2 * a2 + g * a3
@@ -75,13 +87,18 @@ def newton_euler():
 
 @cache
 def compiled():
-    """Return the derivation as functions of accelerations, rates, coordinates, constants and loads, by name."""
+    """Return the derivation as functions of accelerations, rates, coordinates, constants and loads,
+    by name."""
     t, q, constants, loads, laws = newton_euler()
-    accelerations, rates, places = sp.symbols("p1:6"), sp.symbols("r1:6"), sp.symbols("q1:6")
+    accelerations = sp.symbols("p1:6")
+    rates = sp.symbols("r1:6")
+    places = sp.symbols("q1:6")
     second = {f.diff(t, 2): p for f, p in zip(q, accelerations, strict=True)}
     first = {f.diff(t): r for f, r in zip(q, rates, strict=True)}
     at = dict(zip(q, places, strict=True))
-    plain = {name: [x.subs(second).subs(first).subs(at) for x in rows] for name, rows in laws.items()}
+    plain = {
+        name: [x.subs(second).subs(first).subs(at) for x in rows] for name, rows in laws.items()
+    }
     groups = (accelerations, rates, places, constants, loads)
     return {name: sp.lambdify(groups, rows, cse=True) for name, rows in plain.items()}
 
@@ -95,7 +112,8 @@ def root(affine, goal):
 
 def evaluate(h, K, beta, w, u, c, loads):
     """Insert a state and our solution into the derivation; return the residuals of every law."""
-    laws, coordinates = compiled(), (0.7, math.pi / 2 - beta, 0.0, 0.0, 0.0)
+    laws = compiled()
+    coordinates = (0.7, math.pi / 2 - beta, 0.0, 0.0, 0.0)
     numbers = coordinates, (h, K, (K + 4) / 4), (c.F1, c.F2, c.Phi, c.m1, c.m2, c.m3, *loads)
 
     def of(names, accelerations, rates):
@@ -120,17 +138,23 @@ def test_the_solution_satisfies_newton_and_euler(case, sliding):
 def barred(alpha, senses):
     """Return k2-bar, k3-bar of (4.8), over R."""
     _, k2, k3 = ARMS
-    sin_a, cos_a = math.sin(alpha), math.cos(alpha)
-    return k2 * cos_a * senses[1] + k3 * sin_a * senses[2], k3 * cos_a * senses[2] - k2 * sin_a * senses[1]
+    sin_a = math.sin(alpha)
+    cos_a = math.cos(alpha)
+    return k2 * cos_a * senses[1] + k3 * sin_a * senses[2], k3 * cos_a * senses[
+        2
+    ] - k2 * sin_a * senses[1]
 
 
 @pytest.mark.parametrize("case", range(6))
 def test_sliding_is_the_papers_4_7(case):
     h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
     c = contact(h, K, beta, np.array([w1, w2, w3]), u, senses, True)
-    alpha, nu = math.pi / 2 - beta, math.atan2(u[1], u[0])
-    sec, tan = 1 / math.cos(alpha), math.tan(alpha)
-    e, f = h * math.sin(alpha) + math.cos(alpha), h * math.cos(alpha) - math.sin(alpha)
+    alpha = math.pi / 2 - beta
+    nu = math.atan2(u[1], u[0])
+    sec = 1 / math.cos(alpha)
+    tan = math.tan(alpha)
+    e = h * math.sin(alpha) + math.cos(alpha)
+    f = h * math.cos(alpha) - math.sin(alpha)
     k2, k3 = barred(alpha, senses)
     gyro = 2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * tan
     pairs = [
@@ -165,14 +189,19 @@ def test_rolling_is_the_papers_5_3_with_the_sign_of_omega_1(case):
     h, K, beta, (w1, w2, w3), u, senses, _ = list(random_states())[case]
     c = contact(h, K, beta, np.array([w1, w2, w3]), u, senses, False)
     alpha = math.pi / 2 - beta
-    sec, tan = 1 / math.cos(alpha), math.tan(alpha)
-    e, f = h * math.sin(alpha) + math.cos(alpha), h * math.cos(alpha) - math.sin(alpha)
+    sec = 1 / math.cos(alpha)
+    tan = math.tan(alpha)
+    e = h * math.sin(alpha) + math.cos(alpha)
+    f = h * math.cos(alpha) - math.sin(alpha)
     k2, k3 = barred(alpha, senses)
     gyro = 2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * tan
     pairs = [
         (
             (1 + 4 / K + 16 * h * h / (3 * K)) * c.domega1,
-            w3 * gyro + 4 * e / K * w3 * sec * (w2 - h * w3) - f * (1 + 4 / K) - 4 * ARMS[0] / K * c.Phi * senses[0],
+            w3 * gyro
+            + 4 * e / K * w3 * sec * (w2 - h * w3)
+            - f * (1 + 4 / K)
+            - 4 * ARMS[0] / K * c.Phi * senses[0],
         ),
         (
             c.domega2 - 2 * h / (K + 2) * c.domega3,

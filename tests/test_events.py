@@ -1,8 +1,9 @@
-"""Claim: every guard is positive while its regime holds, and falls through zero where it ends; no event is missed.
+"""Claim: every guard is positive while its regime holds, and falls through zero where it ends; no
+event is missed.
 
-Source: (3.2), (3.3) of the paper: friction and moments never give energy. Oracle: the guards themselves, asked where no
-integrator looked; extrema of polynomials in closed form; the dissipated energy, which cannot fall.
-"""
+Source: (3.2), (3.3) of the paper: friction and moments never give energy. Oracle: the guards
+themselves, asked where no integrator looked; extrema of polynomials in closed form; the dissipated
+energy, which cannot fall."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -15,7 +16,7 @@ from scenes import scene
 
 from dynamics import Outcome, simulate
 from dynamics.disk import Release
-from dynamics.monotone import largest_fall
+from dynamics.monotonicity import largest_fall
 from dynamics.regime import ARRAY, STOP_SPEED, V1, V2, Branch
 from sonify import load_scene
 from sonify.claims.checks import dissipation_never_falls
@@ -29,10 +30,13 @@ ROUNDING = gamma(100)
 def lowest_guards(motion):
     """Return the lowest value of every guard within the pieces of a motion.
 
-    Of grip it is that of the cosine between two directions of the slip, where it is not in the last step to rest.
-    """
-    lowest, after = {}, INSIDE[:, None, None] * np.diff(motion.path.x)[:, None]
-    y = np.polynomial.polynomial.polyval(after, motion.path.c[::-1], tensor=False)  # (inside, pieces, 11)
+    Of grip it is that of the cosine between two directions of the slip, where it is not in the last
+    step to rest."""
+    lowest = {}
+    after = INSIDE[:, None, None] * np.diff(motion.path.x)[:, None]
+    y = np.polynomial.polynomial.polyval(
+        after, motion.path.c[::-1], tensor=False
+    )  # (inside, pieces, 11)
     for kind, regime in enumerate(motion.regimes):
         of_kind = y[:, motion.regime_of_piece == kind].T
         branch = Branch.of(regime, motion.law, motion.loads)
@@ -48,10 +52,14 @@ def lowest_guards(motion):
 
 
 def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
-    """The state of energy_gain.toml at t = 93.294624074 s, where it rolls: the slide that follows lasts 45 us."""
-    wanted = load_scene(Path(__file__).parent / "references" / "energy_gain.toml").replace("air.film=none")
+    """The state of energy_gain.toml at t = 93.294624074 s, where it rolls: the slide that follows
+    lasts 45 us."""
+    wanted = load_scene(Path(__file__).parent / "references" / "energy_gain.toml").replace(
+        "air.film=none"
+    )
     release = Release(
-        inclination_deg=0.04241320147942413, omega=(1.624116734034412, 0.5311056435179342, 0.4499165719985166)
+        inclination_deg=0.04241320147942413,
+        omega=(1.624116734034412, 0.5311056435179342, 0.4499165719985166),
     )
     numerics = replace(wanted.numerics, time_limit=0.02)
     motion = simulate(replace(wanted, release=release, numerics=numerics))
@@ -63,7 +71,8 @@ def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
 
 
 def test_the_last_step_of_a_slide_keeps_the_energy():
-    """Its error is of the second order in the slip speed, 1e-18; each step rounds some 60 terms of the energy."""
+    """Its error is of the second order in the slip speed, 1e-18; each step rounds some 60 terms of
+    the energy."""
     motion = simulate(scene({"time_limit": 2.0}, release={"inclination_deg": 0.5}))
     assert sum(e.guard == "grip" for e in motion.transitions) > 40
     total = motion.energy(motion.t) + motion.state[:, 10]
@@ -71,7 +80,8 @@ def test_the_last_step_of_a_slide_keeps_the_energy():
 
 
 def test_a_slip_that_no_friction_stops_passes_by_rest_and_slides_on():
-    """At tau = 3.6557 the slip falls to 1e-9 r, but the friction that rolling needs is 2.8 times what there is."""
+    """At tau = 3.6557 the slip falls to 1e-9 r, but the friction that rolling needs is 2.8 times
+    what there is."""
     wanted = load_scene("published").replace(
         "friction.mu_static=0.193",
         "friction.mu_dynamic=0.193",
@@ -106,9 +116,13 @@ def test_every_guard_is_positive_while_its_regime_holds(friction):
 def test_the_largest_fall_is_that_of_the_extrema_between_the_ends():
     """Of x^3 - 3 x on [-2, 0], [0, 2] the ends are -2, 0, 2; it falls from 2 at -1 to -2 at 1."""
     cubic = [Polynomial([0, -3, 0, 1])(Polynomial([start, 1])).coef[::-1] for start in (-2.0, 0.0)]
-    c, x = np.transpose(cubic), np.array([-2.0, 0.0, 2.0])
+    c = np.transpose(cubic)
+    x = np.array([-2.0, 0.0, 2.0])
     assert largest_fall(c, x) == pytest.approx(4.0, rel=gamma(20))
     assert largest_fall(c[:, :1], x[:2]) == pytest.approx(2.0, rel=gamma(20))
     assert largest_fall(-c, x) == pytest.approx(4.0, rel=gamma(20))
-    assert largest_fall(np.array([[1.0, 1.0], [0.0, 2.0], [0.0, 3.0]]), np.array([0.0, 1.0, 2.0])) == 0.0
+    assert (
+        largest_fall(np.array([[1.0, 1.0], [0.0, 2.0], [0.0, 3.0]]), np.array([0.0, 1.0, 2.0]))
+        == 0.0
+    )
     assert largest_fall(np.zeros((3, 2)), np.array([0.0, 1.0, 2.0])) == 0.0

@@ -1,8 +1,8 @@
 """Claim: every example runs as it stands and prints what is true.
 
-Source: sonify/examples. Oracle: energy balance, the spectral modes of the same disk, a built-in law of the same power,
-the tone that was written, and the order in which a stronger friction ends the motion.
-"""
+Source: sonify/examples. Oracle: energy balance, the spectral modes of the same disk, a built-in law
+of the same power, the tone that was written, and the order in which a stronger friction ends the
+motion."""
 
 from importlib import import_module
 from pkgutil import iter_modules
@@ -11,13 +11,21 @@ import numpy as np
 import pytest
 
 from dynamics import Outcome, simulate
-from dynamics.rates import slips
+from dynamics.observables import slips
 from modal import Plate, plate_modes
 from sonify import examples, load_scene
 from sonify.examples.sweep_table import SWEEP as SLIPS
 
 TESTED = (
-    *("one_motion", "mode_table", "own_mesh", "own_recording", "own_dissipation", "many_scenes", "table_mesh"),
+    *(
+        "one_motion",
+        "mode_table",
+        "own_mesh",
+        "own_recording",
+        "own_dissipation",
+        "many_scenes",
+        "table_mesh",
+    ),
     *("sweep_table", "surfaces"),
 )
 
@@ -43,7 +51,9 @@ def test_one_motion(capsys):
 def test_a_table_of_modes(capsys):
     modes, lines = told("mode_table", capsys)
     assert len(lines) == 1 + len(modes)
-    assert [float(line.split()[0]) for line in lines[1:]] == pytest.approx(modes.frequency, abs=0.05)
+    assert [float(line.split()[0]) for line in lines[1:]] == pytest.approx(
+        modes.frequency, abs=0.05
+    )
     assert lines[1].split()[2:] == ["2", "flexural"]
 
 

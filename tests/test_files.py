@@ -1,7 +1,8 @@
-"""Claim: however a run ends, it leaves whole files and no others, and what a killed one left goes with the next run.
+"""Claim: however a run ends, it leaves whole files and no others, and what a killed one left goes
+with the next run.
 
-Source: the README's exit statuses. Oracle: real processes that are really ended, and what the folder then holds.
-"""
+Source: the README's exit statuses. Oracle: real processes that are really ended, and what the
+folder then holds."""
 
 import errno
 import gc
@@ -15,9 +16,9 @@ import numpy as np
 import pytest
 from click.testing import CliRunner
 
-from dynamics.coupled.record import Record
+from dynamics.compliant.stepping.row_store import RowStore
 from sonify.__main__ import main
-from sonify.files import HIDDEN, OutputError, claim, claimed, whole
+from sonify.runtime.files import HIDDEN, OutputError, claim, claimed, whole
 from sonify.sound.pressure import Scratch
 
 ROOT = Path(__file__).parent.parent
@@ -26,7 +27,7 @@ import signal, sys, time, click
 for name in {"SIGINT", "SIGTERM", "SIGHUP"} & set(dir(signal)):  # who started the tests may have told them to ignore it
     signal.signal(getattr(signal, name), signal.default_int_handler if name == "SIGINT" else signal.SIG_DFL)
 from sonify.__main__ import main
-from sonify.files import whole
+from sonify.runtime.files import whole
 
 @main.command()
 def hang():
@@ -49,7 +50,11 @@ def writer(tmp_path):
 
     def start(name):
         call = [sys.executable, "-c", COMMAND, str(tmp_path / name)]
-        started.append(subprocess.Popen(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True))
+        started.append(
+            subprocess.Popen(
+                call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            )
+        )
         assert started[-1].stdout.readline() == "writing\n"
         return started[-1]
 
@@ -86,7 +91,9 @@ def test_a_signal_that_ends_leaves_nothing_and_says_so(writer, tmp_path, name, s
     assert names(tmp_path) == set()
 
 
-def test_what_a_killed_run_left_goes_with_the_next_file_and_what_a_living_one_writes_stays(writer, tmp_path):
+def test_what_a_killed_run_left_goes_with_the_next_file_and_what_a_living_one_writes_stays(
+    writer, tmp_path
+):
     dead = writer("dead.wav")
     left = hidden(tmp_path)
     dead.kill()
@@ -117,16 +124,20 @@ def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_i
     assert names(tmp_path / "outputs" / "runs") == {"kept"}
 
 
-@pytest.mark.skipif(not Path("/proc/self").exists(), reason="a folder that is there and takes no file: Linux has one")
+@pytest.mark.skipif(
+    not Path("/proc/self").exists(),
+    reason="a folder that is there and takes no file: Linux has one",
+)
 @pytest.mark.parametrize("door", [whole, lambda path: claimed(Path(path).parent)])
 def test_a_folder_in_which_no_file_can_be_made_is_one_line_and_no_endless_wait(door):
     with pytest.raises(OutputError, match="/proc: cannot be written"), door("/proc/sound.wav"):
         pass
 
 
-@pytest.mark.parametrize("kind", [Scratch, lambda width: Record(np.zeros((0, width)))])
+@pytest.mark.parametrize("kind", [Scratch, lambda width: RowStore(np.zeros((0, width)))])
 def test_rows_on_disk_close_their_file_when_nobody_can_ask_for_more(kind):
-    """Their own views may stay; a file that its collector finds open is a warning, in some other place."""
+    """Their own views may stay; a file that its collector finds open is a warning, in some other
+    place."""
     rows = kind(2)
     file = rows._file
     rows.append(np.ones((3, 2), np.float32))
@@ -146,7 +157,9 @@ def test_hidden_files_of_others_are_left_alone(tmp_path):
     assert names(tmp_path) == before | {"new.txt"}
 
 
-@pytest.mark.skipif(not hasattr(os, "umask") or sys.platform == "win32", reason="permissions of POSIX")
+@pytest.mark.skipif(
+    not hasattr(os, "umask") or sys.platform == "win32", reason="permissions of POSIX"
+)
 def test_a_file_may_be_read_by_whom_any_new_file_may(tmp_path):
     (tmp_path / "plain").touch()
     with whole(tmp_path / "ours") as temporary:
@@ -168,13 +181,18 @@ def test_a_path_that_is_too_long_is_one_line(tmp_path, name):
 
 
 @POSIX
-@pytest.mark.parametrize(("stream", "opened"), [("stdout", "pipe"), ("stderr", "pipe"), ("stdout", "openpty")])
-def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status(tmp_path, stream, opened):
-    """Pipe or terminal is closed before the first line; the file is whole, and no self-check has failed."""
+@pytest.mark.parametrize(
+    ("stream", "opened"), [("stdout", "pipe"), ("stderr", "pipe"), ("stdout", "openpty")]
+)
+def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status(
+    tmp_path, stream, opened
+):
+    """Pipe or terminal is closed before the first line; the file is whole, and no self-check has
+    failed."""
     code = f"""
 import sys, click
 from sonify.__main__ import main
-from sonify.files import whole
+from sonify.runtime.files import whole
 
 @main.command()
 def tell():
@@ -189,7 +207,9 @@ main(["tell"])
     os.close(reading)
     other = "stderr" if stream == "stdout" else "stdout"
     call = [sys.executable, "-c", code]
-    done = subprocess.run(call, cwd=ROOT, text=True, check=False, **{stream: writing, other: subprocess.PIPE})
+    done = subprocess.run(
+        call, cwd=ROOT, text=True, check=False, **{stream: writing, other: subprocess.PIPE}
+    )
     os.close(writing)
     assert (done.returncode, getattr(done, other)) == (0, "")
     assert (tmp_path / "kept.txt").read_text() == "whole"
@@ -199,7 +219,11 @@ main(["tell"])
 def test_results_that_a_full_disk_does_not_take_are_missed():
     with open("/dev/full", "w") as full:
         done = subprocess.run(
-            [sys.executable, "-m", "sonify", "scenes"], cwd=ROOT, stdout=full, stderr=subprocess.PIPE, check=False
+            [sys.executable, "-m", "sonify", "scenes"],
+            cwd=ROOT,
+            stdout=full,
+            stderr=subprocess.PIPE,
+            check=False,
         )
     assert done.returncode == 1
     assert b"No space left on device" in done.stderr
@@ -207,13 +231,24 @@ def test_results_that_a_full_disk_does_not_take_are_missed():
 
 @POSIX
 def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path):
-    """As some modules do, this one takes whatever happens while it is imported for a dependency that is missing."""
+    """As some modules do, this one takes whatever happens while it is imported for a dependency
+    that is missing."""
     (tmp_path / "swallows.py").write_text(
-        "import time\nprint('importing', flush=True)\ntry:\n    time.sleep(0.5)\nexcept BaseException:\n    pass\n"
+        "import time\nprint('importing', flush=True)\ntry:\n    time.sleep(0.5)\nexcept "
+        "BaseException:\n    pass\n"
     )
-    code = COMMAND.replace("with whole(sys.argv[1])", "import swallows\n    with whole(sys.argv[1])")
-    call = [sys.executable, "-c", f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n{code}", str(tmp_path / "x.wav")]
-    process = subprocess.Popen(call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    code = COMMAND.replace(
+        "with whole(sys.argv[1])", "import swallows\n    with whole(sys.argv[1])"
+    )
+    call = [
+        sys.executable,
+        "-c",
+        f"import sys; sys.path.insert(0, {str(tmp_path)!r})\n{code}",
+        str(tmp_path / "x.wav"),
+    ]
+    process = subprocess.Popen(
+        call, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
     assert process.stdout.readline() == "importing\n"
     process.send_signal(signal.SIGTERM)
     assert process.communicate(timeout=60)[1] == "sonify: interrupted\n"

@@ -1,8 +1,9 @@
-"""Claim: the film of air slows, damps and at last carries the disk, by Reynolds' power and beside every other law.
+"""Claim: the film of air slows, damps and at last carries the disk, by Reynolds' power and beside
+every other law.
 
-Source: Reynolds' equation on the wedge, I and I_n of dynamics/film/law.py. Oracle: the power written out, integrated
-apart from the energy; beta^3 that falls linearly under the film alone; the other integrator; a free fall onto a film.
-"""
+Source: Reynolds' equation on the wedge, I and I_n of dynamics/film/wedge.py. Oracle: the power
+written out, integrated apart from the energy; beta^3 that falls linearly under the film alone; the
+other integrator; a free fall onto a film."""
 
 from dataclasses import dataclass
 from math import cos, sin
@@ -13,12 +14,12 @@ from scenes import scene, whirling
 
 from dynamics import Air, Outcome, OwnLaw, simulate
 from dynamics.equations import Law, Loads, law_of, solve
-from dynamics.film.acting import film_of
-from dynamics.film.law import film_under
+from dynamics.film.activation import decide_film
+from dynamics.film.wedge import film_under
 from dynamics.kinematics import energy
-from dynamics.rates import precession_rate
+from dynamics.observables import precession_rate
 from dynamics.regime import FLOAT
-from dynamics.steady import flat_square, steady_precession
+from dynamics.steady_motion import flat_square, steady_precession
 from sonify import SceneError, load_scene
 from sonify import solve as solve_scene
 
@@ -41,13 +42,18 @@ def test_what_the_film_takes_from_a_steady_disk(beta, power):
     rate = (flat_square(disk.aspect, disk.gyration) / beta) ** 0.5
     omega = (0.0, disk.aspect * rate * sin(beta), rate * sin(beta))
     unit = disk.mass * disk.radius**2 / disk.time_unit**3
-    assert film_under(disk, STIFF).powers(beta, omega)[0] * unit == pytest.approx(power, rel=beta**2 / 6 + 1e-5)
+    assert film_under(disk, STIFF).powers(beta, omega)[0] * unit == pytest.approx(
+        power, rel=beta**2 / 6 + 1e-5
+    )
     assert film_under(disk, AIR).powers(beta, omega)[0] * unit == pytest.approx(power, rel=0.005)
 
 
 def test_the_loads_take_that_power_of_any_motion():
-    disk, beta, omega = scene().disk, 0.02, (0.3, -0.2, 0.15)
-    law, film = Law(disk.aspect, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0), film_under(disk, STIFF)
+    disk = scene().disk
+    beta = 0.02
+    omega = (0.3, -0.2, 0.15)
+    law = Law(disk.aspect, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
+    film = film_under(disk, STIFF)
     loads = film(beta, omega, (0.0, 0.0), law, FLOAT)
     rise = (disk.aspect * sin(beta) - cos(beta)) * omega[0]
     taken = -loads.M1 * omega[0] - loads.M2 * omega[1] - loads.M3 * omega[2] - loads.G3 * rise
@@ -57,9 +63,12 @@ def test_the_loads_take_that_power_of_any_motion():
 
 
 def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
-    """A lift at its own distance from the contact moves the disk as its moment about the contact alone does."""
-    disk, beta = scene().disk, 0.02
-    law, film = Law(disk.aspect, 1.0, np.inf, np.inf, 0.0, 0.0, 0.0), film_under(disk, STIFF)
+    """A lift at its own distance from the contact moves the disk as its moment about the contact
+    alone does."""
+    disk = scene().disk
+    beta = 0.02
+    law = Law(disk.aspect, 1.0, np.inf, np.inf, 0.0, 0.0, 0.0)
+    film = film_under(disk, STIFF)
     omega = (0.3, -0.2, 0.15)
     loads = film(beta, omega, (0.0, 0.0), law, FLOAT)
     about_contact = film.at(beta, omega)[1]
@@ -74,18 +83,30 @@ def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
     assert pytest.approx(1.75 * about_contact, rel=1e-6) == loads.G3
 
 
-@pytest.mark.parametrize(("disk", "slower", "bar"), [({"thickness": 1e-4}, 1.0, 0.01), (None, 0.94, 0.01)])
+@pytest.mark.parametrize(
+    ("disk", "slower", "bar"), [({"thickness": 1e-4}, 1.0, 0.01), (None, 0.94, 0.01)]
+)
 def test_under_the_film_alone_the_cube_of_the_inclination_falls_linearly(disk, slower, bar):
-    """3/2 m g R dbeta/dt = -12 mu R^3 I Omega^2/beta with Omega^2 beta constant: so for a thin disk.
+    """3/2 m g R dbeta/dt = -12 mu R^3 I Omega^2/beta with Omega^2 beta constant: so for a thin
+    disk.
 
-    The centre of a thick one is set in motion, which makes it decline slower: 0.94 of the rate, as under k_2.
-    """
+    The centre of a thick one is set in motion, which makes it decline slower: 0.94 of the rate, as
+    under k_2."""
     thin = Air(film="acts", density=0.0)
     motion = simulate(whirling(0.02, air=thin, disk=disk, numerics={"time_limit": 0.15}))
-    disk, t = motion.disk, np.linspace(0, 0.15, 4001)
+    disk = motion.disk
+    t = np.linspace(0, 0.15, 4001)
     slope = np.polyfit(t, motion.at(t)[:, 1] ** 3, 1)[0]
     square = flat_square(disk.aspect, disk.gyration) / disk.time_unit**2
-    expected = -3 * 12 * thin.viscosity * disk.radius**3 * 0.1067607949 * square / (1.5 * disk.weight * disk.radius)
+    expected = (
+        -3
+        * 12
+        * thin.viscosity
+        * disk.radius**3
+        * 0.1067607949
+        * square
+        / (1.5 * disk.weight * disk.radius)
+    )
     assert slope / expected == pytest.approx(slower, abs=bar)
 
 
@@ -95,8 +116,9 @@ def carried(request):
 
 
 def test_the_air_carries_the_published_disk(carried):
-    """Of a prototype: contact lost at 12.35(15) s, beta 2.6e-3, precession 57(6) Hz. It was of incompressible air; what
-    is squeezed lifts as it turns, and lets go of the disk a little earlier."""
+    """Of a prototype: contact lost at 12.35(15) s, beta 2.6e-3, precession 57(6) Hz. It was of
+    incompressible air; what is squeezed lifts as it turns, and lets go of the disk a little
+    earlier."""
     assert carried.outcome is Outcome.AIRBORNE
     assert carried.t[-1] == pytest.approx(12.35, abs=0.15)
     stiff = simulate(scene({"integrator": carried.integrator}, air=STIFF))
@@ -120,10 +142,14 @@ def test_both_integrators_lose_contact_at_one_instant():
 
 @pytest.mark.parametrize("pressure", [10132.5, 1013.25])
 def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
-    """The film of a turning disk bears up to a share of p pi R^2 that is tabled by its number Lam, and the falling one
-    more: at 1000 Pa, where p pi R^2 is 1.04 weights, the first alone bears most of it. Both integrators agree."""
+    """The film of a turning disk bears up to a share of p pi R^2 that is tabled by its number Lam,
+    and the falling one more: at 1000 Pa, where p pi R^2 is 1.04 weights, the first alone bears most
+    of it. Both integrators agree."""
     air = Air(film="acts", pressure=pressure)
-    motions = [simulate(scene({"integrator": name, "accuracy": "draft"}, air=air)) for name in ("auto", "dop853")]
+    motions = [
+        simulate(scene({"integrator": name, "accuracy": "draft"}, air=air))
+        for name in ("auto", "dop853")
+    ]
     assert motions[0].t[-1] == pytest.approx(motions[1].t[-1], rel=1e-8)
     for motion in motions:
         assert motion.outcome is Outcome.AIRBORNE
@@ -133,20 +159,26 @@ def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
 
 
 GONE = 1e-4
-"""Part of the weight: where friction of no force lets go the fall of its guard may be told first, 1e-8 s late."""
+"""Part of the weight: where friction of no force lets go the fall of its guard may be told first,
+1e-8 s late."""
 COIN = {"radius": 0.0115, "thickness": 0.0016, "mass": 0.0056}
 PLATE = {"radius": 0.1, "thickness": 0.02, "mass": 5.0}
 
 
 @pytest.mark.parametrize(
-    ("disk", "pressure", "inclination"), [(COIN, 1e5, 0.03), (COIN, 100.0, 0.03), (PLATE, 1000.0, 0.01)]
+    ("disk", "pressure", "inclination"),
+    [(COIN, 1e5, 0.03), (COIN, 100.0, 0.03), (PLATE, 1000.0, 0.01)],
 )
 def test_other_disks_in_other_air_end_alike_by_both_integrators(disk, pressure, inclination):
-    """Outcome, time, inclination and precession; the lower its pressure the later the air can carry the disk."""
-    air, draft = Air(film="acts", pressure=pressure), {"accuracy": "draft", "time_limit": 30.0}
+    """Outcome, time, inclination and precession; the lower its pressure the later the air can carry
+    the disk."""
+    air = Air(film="acts", pressure=pressure)
+    draft = {"accuracy": "draft", "time_limit": 30.0}
     ends = []
     for name in ("auto", "dop853"):
-        motion = simulate(whirling(inclination, disk=disk, air=air, numerics=draft | {"integrator": name}))
+        motion = simulate(
+            whirling(inclination, disk=disk, air=air, numerics=draft | {"integrator": name})
+        )
         assert motion.outcome is Outcome.AIRBORNE
         assert motion.force(motion.t[-1])[0, 2] == pytest.approx(0, abs=1e-6 * motion.disk.weight)
         total = motion.energy(motion.t) + motion.state[:, 10]
@@ -155,10 +187,13 @@ def test_other_disks_in_other_air_end_alike_by_both_integrators(disk, pressure, 
     assert ends[0] == pytest.approx(ends[1], rel=1e-6)
 
 
-@pytest.mark.parametrize(("disk", "pressure"), [(None, 101325.0), (None, 1000.0), (COIN, 10132.5), (PLATE, 101325.0)])
+@pytest.mark.parametrize(
+    ("disk", "pressure"), [(None, 101325.0), (None, 1000.0), (COIN, 10132.5), (PLATE, 101325.0)]
+)
 @pytest.mark.parametrize("integrator", ["auto", "dop853"])
 def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrator):
-    """Let go at rest it falls; in a vacuum that is the end, in air the film stops it before the table."""
+    """Let go at rest it falls; in a vacuum that is the end, in air the film stops it before the
+    table."""
     fall = {"inclination_deg": 10.0, "omega": (0.0, 0.0, 1e-3)}
     free, caught = (
         simulate(scene({"integrator": integrator}, disk=disk, release=fall, air=air))
@@ -172,7 +207,8 @@ def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrato
 
 
 def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
-    """Some lose it through changes at one instant, some where no regime is left by a rounding; others elsewhere."""
+    """Some lose it through changes at one instant, some where no regime is left by a rounding;
+    others elsewhere."""
     for turned in range(-6, 7):
         fall = {"inclination_deg": 10.0 * (1 + 1e-13 * turned), "omega": (0.0, 0.0, 1e-3)}
         motion = simulate(scene(release=fall, air=Air(film="acts", pressure=1000.0)))
@@ -183,7 +219,9 @@ def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
 def test_contact_that_is_lost_by_turning_is_not_borne_by_the_air():
     """Spun so fast that the motion ends early: at 30 degrees the film is next to nothing."""
     fast = {"inclination_deg": 30.0, "omega": (0.0, 0.0, -45.0)}
-    motions = [simulate(scene(release=fast, air=air, numerics={"time_limit": 2.0})) for air in (None, AIR)]
+    motions = [
+        simulate(scene(release=fast, air=air, numerics={"time_limit": 2.0})) for air in (None, AIR)
+    ]
     assert motions[0].outcome is motions[1].outcome
 
 
@@ -198,16 +236,20 @@ class Sticky(OwnLaw):
 
 
 def test_auto_takes_the_film_where_it_will_matter():
-    """And tells from when, but for what the slides take: at that inclination its steady power is a hundredth of all."""
-    long, short = scene(air=Air()), scene({"time_limit": 5.0}, air=Air())
-    told = film_of(long)
+    """And tells from when, but for what the slides take: at that inclination its steady power is a
+    hundredth of all."""
+    long = scene(air=Air())
+    short = scene({"time_limit": 5.0}, air=Air())
+    told = decide_film(long)
     disk = long.disk
     assert told.film == film_under(disk, AIR)
-    assert film_of(short).film is None
+    assert decide_film(short).film is None
     np.testing.assert_array_equal(simulate(short).state, simulate(scene({"time_limit": 5.0})).state)
     motion = simulate(scene({"time_limit": 10.0}))
     rate = steady_precession(told.inclination, disk.aspect, disk.gyration) * sin(told.inclination)
-    level = energy(told.inclination, (0.0, disk.aspect * rate, rate), (0.0, 0.0), law_of(disk, long.friction))
+    level = energy(
+        told.inclination, (0.0, disk.aspect * rate, rate), (0.0, 0.0), law_of(disk, long.friction)
+    )
     left = motion.energy(motion.t) / (disk.mass * (disk.radius / disk.time_unit) ** 2)
     assert told.time == pytest.approx(np.interp(-level, -left, motion.t), rel=0.2)
 
@@ -222,7 +264,7 @@ def test_auto_takes_the_film_where_it_will_matter():
     ],
 )
 def test_where_auto_leaves_the_film_out(air, others):
-    told = film_of(scene(air=air, **others))
+    told = decide_film(scene(air=air, **others))
     assert told.film is None
     assert told.reason
 

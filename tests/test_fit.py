@@ -1,9 +1,9 @@
-"""Claim: `fit` gives back what slowed a disk, with intervals that hold it, and says where it cannot tell.
+"""Claim: `fit` gives back what slowed a disk, with intervals that hold it, and says where it cannot
+tell.
 
-Source: the power balance of steady motion, P = mu m g R Omega of contour friction and Reynolds' film; for the chain of
-FU Berlin (2026), its published windows. Oracle: closed forms at small inclination, recordings made of known shares, the
-program's own sound.
-"""
+Source: the power balance of steady motion, P = mu m g R Omega of contour friction and Reynolds'
+film; for the chain of FU Berlin (2026), its published windows. Oracle: closed forms at small
+inclination, recordings made of known shares, the program's own sound."""
 
 import json
 import zipfile
@@ -12,21 +12,22 @@ import numpy as np
 import pytest
 import soundfile
 from click.testing import CliRunner
+from readable import assert_readable, figures
 from scipy.signal import butter, resample_poly, sosfilt
 
 from sonify import RecordingError, load_scene
 from sonify.__main__ import main
-from sonify.claims.carriers import resonances
-from sonify.fitting.decline import Decline, left_out
-from sonify.fitting.ear import FOLLOWED, heard, judge, verdict_of
+from sonify.claims.resonance_matching import resonances
+from sonify.fitting.decay_model import Decline, left_out
 from sonify.fitting.fu_berlin import exponents
-from sonify.fitting.phase import follows, rates
-from sonify.fitting.readings import source, takes
+from sonify.fitting.line_selection import FOLLOWED, heard, judge, verdict_of
+from sonify.fitting.phase_demodulation import follows, rates
+from sonify.fitting.recordings_io import source, takes
 from sonify.fitting.result import radius_shows
 from sonify.fitting.synthetic import Recording, recording
+from sonify.hearing.find_end import run_end
 from sonify.hearing.recording import AFTER, LONGEST, read
 from sonify.hearing.rising_tone import clearest_tone
-from sonify.hearing.run import run_end
 
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
 RATE = 16000
@@ -38,7 +39,11 @@ STEADY = np.array([[0.0, 200.0], [0.0, 4000.0], [20.0, 20.0]])
 def scene():
     """The toy, slowed by contour friction and air alone."""
     changes = [f"friction.{arm}=0" for arm in BARE]
-    changes += ["dissipation.boundary_layer_viscosity=0", "dissipation.contour_moment=1e-5", "air.film='acts'"]
+    changes += [
+        "dissipation.boundary_layer_viscosity=0",
+        "dissipation.contour_moment=1e-5",
+        "air.film='acts'",
+    ]
     return load_scene("toy").replace(*changes)
 
 
@@ -48,13 +53,19 @@ def decline(scene):
 
 
 def listened(decline, shares, **how):
-    return heard(Recording(samples=recording(decline, shares, rate=RATE, **how), sample_rate=RATE), "made", ("tone",))
+    return heard(
+        Recording(samples=recording(decline, shares, rate=RATE, **how), sample_rate=RATE),
+        "made",
+        ("tone",),
+    )
 
 
 def test_rolling_alone_declines_as_its_closed_form(scene):
-    """E = 3/2 m g R beta, P = mu m g R Omega, Omega^2 beta = c of a thin disk: the time left is beta^(3/2) / (mu
-    sqrt(c)), and f goes as its power -1/3. What is left out is of order beta."""
-    mu, beta, decline = 1e-4, 1e-4, Decline(scene.replace("disk.thickness=1e-6"))
+    """E = 3/2 m g R beta, P = mu m g R Omega, Omega^2 beta = c of a thin disk: the time left is
+    beta^(3/2) / (mu sqrt(c)), and f goes as its power -1/3. What is left out is of order beta."""
+    mu = 1e-4
+    beta = 1e-4
+    decline = Decline(scene.replace("disk.thickness=1e-6"))
     c = (2 * np.pi * np.interp(beta, decline.beta, decline.rate)) ** 2 * beta
     left = np.interp(beta, decline.beta, decline.left([mu, 0, 0]))
     assert left == pytest.approx(beta**1.5 / (mu * np.sqrt(c)), rel=10 * beta)
@@ -64,20 +75,26 @@ def test_rolling_alone_declines_as_its_closed_form(scene):
 
 def test_the_film_alone_declines_with_the_power_of_a_sixth(scene):
     """Of air that no film squeezes: so much air weighs as little as in a room."""
-    decline, left = Decline(scene.replace("air.pressure=1e9", "air.density=1.2")), np.array([0.5e-3, 1e-3])
+    decline = Decline(scene.replace("air.pressure=1e9", "air.density=1.2"))
+    left = np.array([0.5e-3, 1e-3])
     exponent = np.diff(np.log(decline.frequency(left, [0, 1, 0])))[0] / np.log(2)
-    assert exponent == pytest.approx(-1 / 6, abs=2e-3)  # the inertia of the air is of order S^2.5, 1e-3 there
+    assert exponent == pytest.approx(
+        -1 / 6, abs=2e-3
+    )  # the inertia of the air is of order S^2.5, 1e-3 there
 
 
 def test_the_arm_of_the_paper_declines_with_the_power_of_one():
     """Until the inclination, which goes with the square of the time left, is 1e-5."""
     decline = Decline(load_scene("published"))
     left = np.interp(1e-5, decline.beta, decline.left([0, 0, 1])) * np.array([1, 2])
-    assert np.diff(np.log(decline.frequency(left, [0, 0, 1])))[0] / np.log(2) == pytest.approx(-1, abs=1e-3)
+    assert np.diff(np.log(decline.frequency(left, [0, 0, 1])))[0] / np.log(2) == pytest.approx(
+        -1, abs=1e-3
+    )
 
 
 def test_turns_and_their_rate_belong_together(decline):
-    left, step = np.array([0.1, 1.0, 5.0]), 1e-4
+    left = np.array([0.1, 1.0, 5.0])
+    step = 1e-4
     turned = [decline.turns(left + sign * step, [5e-5, 1, 0])[0] for sign in (-1, 1)]
     rate = decline.turns(left, [5e-5, 1, 0])[1]
     assert np.diff(turned, axis=0)[0] / (2 * step) == pytest.approx(rate, rel=1e-6)
@@ -85,7 +102,8 @@ def test_turns_and_their_rate_belong_together(decline):
 
 
 def test_a_rate_that_is_missed_is_read_from_the_phase():
-    """A tone of 20.3 Hz where 20 Hz are expected: the slope of the phase tells it to a hundredth of what is missed."""
+    """A tone of 20.3 Hz where 20 Hz are expected: the slope of the phase tells it to a hundredth of
+    what is missed."""
     t = np.arange(8 * RATE) / RATE
     found = rates(np.cos(2 * np.pi * 20.3 * t), RATE, 0.0, STEADY, 8.0)
     assert len(found.time) > 20
@@ -93,16 +111,20 @@ def test_a_rate_that_is_missed_is_read_from_the_phase():
 
 
 def test_what_was_heard_before_a_tone_began_is_left_out():
-    """Of 100 s of noise as loud as the tone of 8 s after it, no block counts but one that reaches into the tone."""
+    """Of 100 s of noise as loud as the tone of 8 s after it, no block counts but one that reaches
+    into the tone."""
     t = np.arange(108 * RATE // 10) / (RATE / 10)
-    sound = np.random.default_rng(0).standard_normal(len(t)) + np.where(t < 100, 0, 2**0.5 * np.cos(2 * np.pi * 20 * t))
+    sound = np.random.default_rng(0).standard_normal(len(t)) + np.where(
+        t < 100, 0, 2**0.5 * np.cos(2 * np.pi * 20 * t)
+    )
     found = rates(sound, RATE / 10, 0.0, STEADY, 8.0)
     assert len(found.time) == pytest.approx(8 * 20 * 2 / 8, abs=3)
     assert found.time.min() > 100 - 8 / 20
 
 
 @pytest.mark.parametrize(
-    ("shares", "verdict"), [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")]
+    ("shares", "verdict"),
+    [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")],
 )
 def test_the_truth_is_found_and_named(decline, shares, verdict):
     found = judge(decline, [listened(decline, shares, noise=0.3, seed=5)], correct=False)
@@ -116,8 +138,8 @@ def test_the_truth_is_found_and_named(decline, shares, verdict):
 
 
 def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
-    """Behind a high-pass, for a disk that air alone slowed; and its end is told to a tenth of a second, though under a
-    film that is squeezed it hangs on what cannot be heard."""
+    """Behind a high-pass, for a disk that air alone slowed; and its end is told to a tenth of a
+    second, though under a film that is squeezed it hangs on what cannot be heard."""
     how = {"noise": 0.18, "hum": 0.16, "start": 3.1, "end": 10.9, "high_pass": 60.0, "seed": 31}
     found = judge(decline, [listened(decline, [0, 0.63, 0], **how)], correct=False)
     assert (found.line, found.verdict) == ("precession", "air")
@@ -127,9 +149,12 @@ def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
 
 
 def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorders_have(decline):
-    """Its phase looks like other shares: with any corner allowed, the film here would be known to a factor of two."""
+    """Its phase looks like other shares: with any corner allowed, the film here would be known to a
+    factor of two."""
     how = {"noise": 0.45, "start": 3.7, "end": 9.45, "high_pass": 60.0, "seed": 17}
-    air = judge(decline, [listened(decline, [7.6e-5, 1.26, 0], **how)], correct=False).values()["air"]
+    air = judge(decline, [listened(decline, [7.6e-5, 1.26, 0], **how)], correct=False).values()[
+        "air"
+    ]
     assert air.low <= 1.26 <= air.high
     assert air.high - air.low < 0.3
 
@@ -138,7 +163,9 @@ def speech(seconds, seed):
     """Noise from 100 to 1000 Hz, in syllables, as strong as 1."""
     t = np.arange(seconds * RATE) / RATE
     noise = np.random.default_rng(seed).standard_normal(len(t))
-    band = sosfilt(butter(2, [100, 1000], "bandpass", fs=RATE, output="sos"), noise) * np.sin(2 * np.pi * 1.5 * t)
+    band = sosfilt(butter(2, [100, 1000], "bandpass", fs=RATE, output="sos"), noise) * np.sin(
+        2 * np.pi * 1.5 * t
+    )
     return band / band.std()
 
 
@@ -149,7 +176,8 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
     samples = np.concatenate([run.std() * speech(30, 1), run, run.std() * speech(30, 2)])
     sound = heard(Recording(samples=samples, sample_rate=RATE), "made", ("tone",))
     found = judge(decline, [sound], correct=False)
-    end, values = found.fit.value(0), found.values()
+    end = found.fit.value(0)
+    values = found.values()
     assert end.low <= 40.0 <= end.high
     assert values["rolling"].low <= 1e-4 <= values["rolling"].high
     assert values["air"].low <= 1.0 <= values["air"].high
@@ -158,7 +186,8 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
 
 
 def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(decline, tmp_path):
-    """Of five minutes: where the disk ends, what is read goes on for AFTER, and begins LONGEST before."""
+    """Of five minutes: where the disk ends, what is read goes on for AFTER, and begins LONGEST
+    before."""
     rate = RATE // 2
     run = recording(decline, [1e-4, 1.0, 0], noise=0.3, rate=rate, end=14.0, duration=15.0, seed=3)
     samples = 0.02 * np.random.default_rng(0).standard_normal(300 * rate)
@@ -174,14 +203,19 @@ def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(d
 
 
 def voice(seconds, seed):
-    """Syllables of a voice, as strong as 1: harmonics of a pitch that wanders from 90 to 180 Hz, two formants."""
-    random, made = np.random.default_rng(seed), []
+    """Syllables of a voice, as strong as 1: harmonics of a pitch that wanders from 90 to 180 Hz,
+    two formants."""
+    random = np.random.default_rng(seed)
+    made = []
     while sum(map(len, made)) < seconds * RATE:
         t = np.arange(int(random.uniform(0.15, 0.5) * RATE)) / RATE
         pitch = random.uniform(90, 180) * 2 ** (random.uniform(-0.5, 0.5) * t / t[-1])
-        order, formants = np.arange(1, 21)[:, None], random.uniform((300, 900), (800, 2200))[:, None, None]
+        order = np.arange(1, 21)[:, None]
+        formants = random.uniform((300, 900), (800, 2200))[:, None, None]
         loud = (1 / (1 + ((order * pitch - formants) / 100) ** 2)).sum(axis=0)
-        sound = (loud * np.sin(2 * np.pi * order * np.cumsum(pitch) / RATE)).sum(axis=0) * np.sin(np.pi * t / t[-1])
+        sound = (loud * np.sin(2 * np.pi * order * np.cumsum(pitch) / RATE)).sum(axis=0) * np.sin(
+            np.pi * t / t[-1]
+        )
         made += [sound, np.zeros(int(random.choice([0.02, 0.02, 0.3]) * RATE))]
     made = np.concatenate(made)[: seconds * RATE]
     return made / made.std()
@@ -190,7 +224,9 @@ def voice(seconds, seed):
 def test_the_phase_of_a_run_follows_its_tone_and_that_of_a_voice_does_not(decline):
     """The law is the one that is found in each; of music, a scale is none either."""
     run = recording(decline, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3)
-    scale = np.sin(2 * np.pi * 220 * np.cumsum(2.0 ** (np.arange(12 * RATE) * 2 // RATE % 8 / 12)) / RATE)
+    scale = np.sin(
+        2 * np.pi * 220 * np.cumsum(2.0 ** (np.arange(12 * RATE) * 2 // RATE % 8 / 12)) / RATE
+    )
     sounds = run, run[::-1], voice(12, 1), scale
     sure = [follows(resample_poly(x, 1, 4), RATE / 4, clearest_tone(x, RATE)) for x in sounds]
     assert sure[0] > 2 * FOLLOWED
@@ -211,29 +247,35 @@ def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
 
 @pytest.mark.slow
 def test_what_cannot_be_told_is_not_told(decline):
-    """Of three seconds in strong noise, it is never said that rolling alone slowed a disk which air alone did."""
+    """Of three seconds in strong noise, it is never said that rolling alone slowed a disk which air
+    alone did."""
     sounds = [listened(decline, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed) for seed in range(4)]
     verdicts = {judge(decline, [sound], correct=False).verdict for sound in sounds}
     assert "cannot tell" in verdicts
     assert "rolling" not in verdicts
 
 
-def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_on_a_wavy_table(decline):
+def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_on_a_wavy_table(
+    decline,
+):
     found = judge(decline, [listened(decline, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False)
     assert not radius_shows(found)
     assert found.verdict == "rolling"
     assert verdict_of(Decline(load_scene("wavy")), found.fit) == "cannot tell"
 
 
-@pytest.mark.parametrize(("name", "what"), [("light-plate", "acts back"), ("wavy", "wavy"), ("thorne", "")])
+@pytest.mark.parametrize(
+    ("name", "what"), [("light-plate", "acts back"), ("wavy", "wavy"), ("thorne", "")]
+)
 def test_what_no_decline_has_is_told(name, what):
     found = left_out(load_scene(name))
     assert [what in sentence for sentence in found] == [True] * bool(what)
 
 
 def test_the_published_chain_reads_less_than_the_true_exponent(decline):
-    """Pure rolling friction, 1/3, reads as 0.301 over a whole run and as 0.261 over its last four seconds, for another
-    recording; an end that is 20 ms wrong, as by hand, moves these by 0.03 and by 0.06."""
+    """Pure rolling friction, 1/3, reads as 0.301 over a whole run and as 0.261 over its last four
+    seconds, for another recording; an end that is 20 ms wrong, as by hand, moves these by 0.03 and
+    by 0.06."""
     samples = recording(decline, [1e-4, 0, 0], noise=0.01, end=10.0, duration=10.5, rate=44100)
     found = {name: exponent.value for name, exponent in exponents(samples, 44100, 10.0).items()}
     assert found["last 4 s"] < found["whole run"] < 1 / 3
@@ -251,10 +293,13 @@ def falling(t):
 
 
 def bad_takes(folder, decline):
-    t, random = np.arange(6 * RATE) / RATE, np.random.default_rng(0)
+    t = np.arange(6 * RATE) / RATE
+    random = np.random.default_rng(0)
     (folder / "text.wav").write_text("This is not a sound.")
     (folder / "rows.csv").write_text("a,b\n1,2\n")
-    (folder / "back.csv").write_text("Time (s),Recording (a.u.)\n" + "".join(f"{-i},1\n" for i in range(200)))
+    (folder / "back.csv").write_text(
+        "Time (s),Recording (a.u.)\n" + "".join(f"{-i},1\n" for i in range(200))
+    )
     soundfile.write(folder / "slow.wav", 0.5 * falling(t), RATE, subtype="PCM_16")
     good = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
     return {
@@ -300,13 +345,17 @@ def test_a_folder_of_takes_and_an_export_of_phyphox_are_read(tmp_path):
     assert read.samples[:4000] == pytest.approx(x[:4000], abs=1e-5)
 
 
-def test_the_command_writes_what_it_found(decline, scene, tmp_path):
+def test_the_command_writes_what_it_found(decline, scene, tmp_path, monkeypatch):
     import tomli_w
+
+    drawn = figures(monkeypatch)
 
     (tmp_path / "disk.toml").write_text(tomli_w.dumps(scene.document))
     take = recording(decline, [1e-4, 0, 0], noise=0.3, rate=RATE, end=8.0, duration=9.0)
     mode = next(f for of, f in resonances(scene) if of == "disk")
-    write(tmp_path / "take.wav", take + 0.1 * np.sin(2 * np.pi * mode * np.arange(len(take)) / RATE))
+    write(
+        tmp_path / "take.wav", take + 0.1 * np.sin(2 * np.pi * mode * np.arange(len(take)) / RATE)
+    )
     arguments = [
         "fit",
         str(tmp_path / "take.wav"),
@@ -331,19 +380,30 @@ def test_the_command_writes_what_it_found(decline, scene, tmp_path):
     assert told["files"][0]["null_tests"][0]["verdict"] != "rolling"
     assert told["files"][0]["published_way"]["whole run"]["theirs"] == [0.309, 0.032]
     assert "; theirs on granite 0.309, one run ± 0.032" in answer.output
-    assert {p.name for p in (tmp_path / "out").iterdir()} == {"fit.json", "fit.csv", "fit.png", "fit.md"}
+    assert {p.name for p in (tmp_path / "out").iterdir()} == {
+        "fit.json",
+        "fit.csv",
+        "fit.png",
+        "fit.md",
+    }
+    assert_readable(drawn[-1])
 
 
 @pytest.mark.slow
 def test_intervals_hold_the_truth_as_often_as_they_say(decline):
-    """Over 200 recordings, spoilt as those of telephones are, 95 % intervals hold the truth in 90 to 99 %; a mechanism
-    that was not there is never named."""
+    """Over 200 recordings, spoilt as those of telephones are, 95 % intervals hold the truth in 90
+    to 99 %; a mechanism that was not there is never named."""
     random = np.random.default_rng(11)
-    inside, named = [], []
+    inside = []
+    named = []
     for seed in range(200):
         shares = [[1e-4, 0, 0], [0, 1.0, 0], [6e-5, 1.0, 0]][seed % 3]
         shares = (np.array(shares) * random.uniform(0.6, 1.6)).tolist()
-        how = {"noise": random.uniform(0.1, 0.6), "hum": random.uniform(0, 0.2), "clicks": int(random.integers(0, 6))}
+        how = {
+            "noise": random.uniform(0.1, 0.6),
+            "hum": random.uniform(0, 0.2),
+            "clicks": int(random.integers(0, 6)),
+        }
         how |= {
             "start": random.uniform(0, 4),
             "bits": 16,
@@ -356,6 +416,8 @@ def test_intervals_hold_the_truth_as_often_as_they_say(decline):
         inside += [v.low <= truth[name] <= v.high for name, v in found.values().items()]
         inside.append(found.fit.value(0).low <= how["end"] <= found.fit.value(0).high)
         there = {name for name, share in truth.items() if share}
-        named.append(found.verdict in {"cannot tell", "both" if len(there) == 2 else next(iter(there))})
+        named.append(
+            found.verdict in {"cannot tell", "both" if len(there) == 2 else next(iter(there))}
+        )
     assert 0.9 <= np.mean(inside) <= 0.99
     assert np.mean(named) > 0.98

@@ -1,7 +1,8 @@
-"""Claim: a guard is known by its name, what follows it and the turning it is about, wherever it is read.
+"""Claim: a guard is known by its name, what follows it and the turning it is about, wherever it is
+read.
 
-Source: (3.2), (3.3), (4.6) of the paper. Oracle: the balance laws at a state, solved apart from the guards.
-"""
+Source: (3.2), (3.3), (4.6) of the paper. Oracle: the balance laws at a state, solved apart from the
+guards."""
 
 import pickle
 
@@ -33,7 +34,9 @@ def test_each_turning_has_the_guard_of_its_state():
     kinds = {guard.axis: guard.kind for guard in named if guard.axis is not None}
     assert kinds == {0: Kind.UNSTICKS, 1: Kind.REVERSES, 2: Kind.REVERSES}
     assert named["nutation unsticks"] == pytest.approx(contact.Phi**2 - (contact.m1 / LAW.k1) ** 2)
-    assert named["slip"] == pytest.approx((LAW.mu_static * contact.Phi) ** 2 - contact.F1**2 - contact.F2**2)
+    assert named["slip"] == pytest.approx(
+        (LAW.mu_static * contact.Phi) ** 2 - contact.F1**2 - contact.F2**2
+    )
     assert named["lift-off"] == contact.Phi
     assert "grip" not in named
 

@@ -1,10 +1,11 @@
-"""Claim: a hoop moves, rings and sounds as the mechanics of a hollow cylinder says, from a massive wall to a thin ring.
+"""Claim: a hoop moves, rings and sounds as the mechanics of a hollow cylinder says, from a massive
+wall to a thin ring.
 
-Source: Love, Treatise on the Mathematical Theory of Elasticity, sections 292, 293: in-plane and out-of-plane modes of
-thin rings; Timoshenko & Goodier, section 109: torsion of bars; Leissa, Vibration of Plates, chapter 2: annular plates.
-Oracle: these closed forms in their limits with the order of the approach, the solid disk as the hole closes, Bessel
-functions, finite elements on the same ring, moments of inertia of a hollow cylinder.
-"""
+Source: Love, Treatise on the Mathematical Theory of Elasticity, sections 292, 293: in-plane and
+out-of-plane modes of thin rings; Timoshenko & Goodier, section 109: torsion of bars; Leissa,
+Vibration of Plates, chapter 2: annular plates. Oracle: these closed forms in their limits with the
+order of the approach, the solid disk as the hole closes, Bessel functions, finite elements on the
+same ring, moments of inertia of a hollow cylinder."""
 
 from math import pi
 
@@ -17,18 +18,19 @@ from scipy.optimize import minimize_scalar
 from scipy.special import iv, ivp, jv, jvp, kv, kvp, yv, yvp
 from skfem import ElementHex2
 
-from dynamics import Outcome, simulate, theory
+from dynamics import Outcome, simulate
 from dynamics.disk import Disk
+from dynamics.theory import exact as theory
 from modal import Material, Plate, eigenmodes, plate_modes
-from modal.elements.elastic import assemble, lowest
-from modal.mesh.half_disk import Blocks, columns, divided
+from modal.elements.elastic import assemble, lowest_eigenpairs
+from modal.mesh.half_disk import MeshSize, cells_of_blocks, rim_blocks
 from modal.mesh.sector import extrude, hexahedra
-from modal.spectral.basis import problem, rigid, rigid_count
-from modal.spectral.converge import solve
-from modal.spectral.ritz import graded, matrices
+from modal.spectral.basis import problem, rigid_mode, rigid_mode_count
+from modal.spectral.p_refinement import solve_problem
+from modal.spectral.ritz import graded_gauss, matrices
 from sonify import SceneError, load_scene, run
 from sonify.scene import from_document
-from sonify.sound.drive import rigid_acceleration
+from sonify.sound.modal_forcing import rigid_acceleration
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 DENSITY = 7737.27
@@ -38,36 +40,61 @@ WALLS = np.array([0.08, 0.04, 0.02])
 def hollow(hole, thickness, radius=1.0):
     """A free hollow cylinder of steel; `hole` and `thickness` over the radius."""
     return Plate(
-        radius=radius, inner_radius=hole * radius, thickness=thickness * radius, material=STEEL, density=DENSITY
+        radius=radius,
+        inner_radius=hole * radius,
+        thickness=thickness * radius,
+        material=STEEL,
+        density=DENSITY,
     )
 
 
 def thin_ring(wall):
     """A ring of mean radius 1 m and square section."""
     outer = 1 + wall / 2
-    return Plate(radius=outer, inner_radius=1 - wall / 2, thickness=wall, material=STEEL, density=DENSITY)
+    return Plate(
+        radius=outer, inner_radius=1 - wall / 2, thickness=wall, material=STEEL, density=DENSITY
+    )
 
 
 def lowest_of(plate, n, even, below, size=(6, 4)):
-    return np.sqrt(solve(plate, problem(plate, n, even), size, below).values[0]) / (2 * pi)
+    return np.sqrt(solve_problem(plate, problem(plate, n, even), size, below).values[0]) / (2 * pi)
 
 
 def in_plane(n, wall):
-    return n * (n * n - 1) / np.sqrt(n * n + 1) * wall / np.sqrt(12) * np.sqrt(195e9 / DENSITY) / (2 * pi)
+    return (
+        n
+        * (n * n - 1)
+        / np.sqrt(n * n + 1)
+        * wall
+        / np.sqrt(12)
+        * np.sqrt(195e9 / DENSITY)
+        / (2 * pi)
+    )
 
 
 def out_of_plane(n, wall):
-    """Bending and torsion of a square section: the moment of torsion is 0.1406 wall^4 by Saint-Venant's series."""
+    """Bending and torsion of a square section: the moment of torsion is 0.1406 wall^4 by
+    Saint-Venant's series."""
     odd = np.arange(1, 40, 2)
     torsion = (1 - 192 / pi**5 * np.sum(np.tanh(odd * pi / 2) / odd**5)) / 3
     ratio = (1 / 12) / (torsion / (2 * (1 + 0.28)))
-    return n * (n * n - 1) / np.sqrt(n * n + ratio) * wall / np.sqrt(12) * np.sqrt(195e9 / DENSITY) / (2 * pi)
+    return (
+        n
+        * (n * n - 1)
+        / np.sqrt(n * n + ratio)
+        * wall
+        / np.sqrt(12)
+        * np.sqrt(195e9 / DENSITY)
+        / (2 * pi)
+    )
 
 
 @pytest.mark.parametrize("n", [2, 3, 5])
 @pytest.mark.parametrize(("formula", "even"), [(in_plane, 1), (out_of_plane, -1)])
 def test_a_thin_ring_tends_to_loves_bending_modes_with_the_square_of_its_wall(n, formula, even):
-    error = [lowest_of(thin_ring(w), n, even, 1.2 * formula(n, w)) / formula(n, w) - 1 for w in WALLS]
+    error = [
+        lowest_of(thin_ring(w), n, even, 1.2 * formula(n, w)) / formula(n, w) - 1 for w in WALLS
+    ]
     order = np.polyfit(np.log(WALLS), np.log(np.abs(error)), 1)[0]
     assert order == pytest.approx(2, abs=0.1)
     assert abs(error[-1]) < n * n * WALLS[-1] ** 2
@@ -92,33 +119,37 @@ def test_a_closing_hole_leaves_the_solid_disk(n, even):
 @pytest.mark.parametrize("hole", [1e-8, 2.7e-6, 1e-3, 0.05, 0.1, 0.5, 0.9, 0.99])
 @pytest.mark.parametrize("count", [4, 27])
 def test_polynomials_over_the_radius_are_integrated_to_round_off_with_few_points(hole, count):
-    rho, weight = graded(hole, count)
+    rho, weight = graded_gauss(hole, count)
     assert len(rho) < 500
     power = np.arange(1, 2 * count)
     assert weight @ (1 / rho) == pytest.approx(-np.log(hole), rel=gamma(len(rho) + 60))
     exact = (1 - hole**power) / power
-    # of terms that are all positive; and Gauss' nodes, right to a unit u of the interval, leave their weights,
+    # of terms that are all positive; and Gauss' nodes, right to a unit u of the interval, leave
+    # their weights,
     # pi sin(theta)/n, right to pi u cot(theta)/n, which adds up to u log(n)
     bar = gamma(len(rho) + 60 + 8 * power) * exact + gamma(40)
     assert (np.abs(weight @ rho[:, None] ** (power - 1) - exact) <= bar).all()
 
 
 def test_a_pinhole_leaves_the_solid_disk():
-    """It changes frequencies as its area, 1e-11; what is seen is the convergence of the two bases."""
+    """It changes frequencies as its area, 1e-11; what is seen is the convergence of the two
+    bases."""
     solid, pierced = (plate_modes(hollow(hole, 0.34, 0.03755), 40e3) for hole in (0.0, 2.7e-6))
     assert pierced.order.tolist() == solid.order.tolist()
     assert pierced.frequency == pytest.approx(solid.frequency, rel=3e-6)
 
 
 def annular_plate(x, n, hole, poisson):
-    """The least singular value of moment and Kirchhoff's shear force of J, Y, I, K at both rims: 0 at a frequency."""
+    """The least singular value of moment and Kirchhoff's shear force of J, Y, I, K at both rims: 0
+    at a frequency."""
     rows = []
     for rho in (1.0, hole):
         k = x * rho
         for kind in ("moment", "shear"):
             row = []
             for sign, f, slope in ((-1, jv, jvp), (-1, yv, yvp), (1, iv, ivp), (1, kv, kvp)):
-                value, first = f(n, k), k * slope(n, k)
+                value = f(n, k)
+                first = k * slope(n, k)
                 bent = sign * k**2 * value - (1 - poisson) * (first - n**2 * value)
                 cut = sign * k**2 * first - (1 - poisson) * n**2 * (first - value)
                 row.append(bent if kind == "moment" else cut)
@@ -129,41 +160,54 @@ def annular_plate(x, n, hole, poisson):
 
 @pytest.mark.parametrize(("n", "hole"), [(0, 0.5), (2, 0.5), (3, 0.3)])
 def test_a_thin_annular_plate_has_the_roots_of_bessel_functions(n, hole):
-    """Where free edges twist the approach is of the first order: Saint-Venant's torsion misses 0.63 thickness."""
+    """Where free edges twist the approach is of the first order: Saint-Venant's torsion misses 0.63
+    thickness."""
     thickness = 2e-3
     plate = hollow(hole, thickness)
     stiffness = 195e9 * thickness**2 / (12 * (1 - 0.28**2) * DENSITY)
-    pairs = solve(plate, problem(plate, n, -1), (18, 2), 60.0)
+    pairs = solve_problem(plate, problem(plate, n, -1), (18, 2), 60.0)
     roots = np.sqrt(np.sqrt(pairs.values / stiffness))
     assert len(roots) >= 2
     for root in roots[:2]:
         span = (0.98 * root, 1.02 * root)
-        exact = minimize_scalar(lambda x: annular_plate(x, n, hole, 0.28), bounds=span, options={"xatol": 1e-10})
+        exact = minimize_scalar(
+            lambda x: annular_plate(x, n, hole, 0.28), bounds=span, options={"xatol": 1e-10}
+        )
         assert exact.fun < 1e-7
         assert root == pytest.approx(exact.x, rel=0.2 * thickness)
 
 
 def test_six_rigid_motions_and_no_more_cost_nothing():
-    plate, count = hollow(0.9, 0.34), 0
+    plate = hollow(0.9, 0.34)
+    count = 0
     for n in range(4):
         for even, torsional in ((1, False), (-1, False), (1, True), (-1, True))[: 2 if n else 4]:
             p = problem(plate, n, even, torsional)
             k, m = matrices(plate, p, (6, 4))
-            values, mode = eigh(k, m, eigvals_only=True), rigid(plate, p, (6, 4))
+            values = eigh(k, m, eigvals_only=True)
+            mode = rigid_mode(plate, p, (6, 4))
             here = np.count_nonzero(values < 1.0)
-            assert here == rigid_count(plate, p)
-            size = np.sqrt(np.diag(k))[:, None]  # of the terms of each entry, by Schwarz' inequality
+            assert here == rigid_mode_count(plate, p)
+            size = np.sqrt(np.diag(k))[
+                :, None
+            ]  # of the terms of each entry, by Schwarz' inequality
             assert (np.abs(k @ mode) <= gamma(100 + len(k)) * size * (size.T @ np.abs(mode))).all()
             count += here * (2 if n else 1)
             if n == 0 and here and not torsional:
-                assert mode[:, 0] @ m @ mode[:, 0] == pytest.approx(plate.mass, rel=gamma(3 * len(m)))
+                assert mode[:, 0] @ m @ mode[:, 0] == pytest.approx(
+                    plate.mass, rel=gamma(3 * len(m))
+                )
     assert count == 6
 
 
 def test_frequencies_go_as_the_speed_of_sound_over_the_radius():
-    small, stiff = hollow(0.9, 0.34, 0.03), Material(young=4 * 195e9, poisson=0.28)
-    other = Plate(radius=0.06, inner_radius=0.054, thickness=0.0204, material=stiff, density=DENSITY / 4)
-    a, b = plate_modes(small, 20e3), plate_modes(other, 40e3)
+    small = hollow(0.9, 0.34, 0.03)
+    stiff = Material(young=4 * 195e9, poisson=0.28)
+    other = Plate(
+        radius=0.06, inner_radius=0.054, thickness=0.0204, material=stiff, density=DENSITY / 4
+    )
+    a = plate_modes(small, 20e3)
+    b = plate_modes(other, 40e3)
     assert b.frequency == pytest.approx(2 * a.frequency, rel=1e-9)
 
 
@@ -173,12 +217,20 @@ def test_finite_elements_on_the_same_ring_agree_from_above():
     exact = plate_modes(plate, 11e3).frequency
     error = []
     for split in (1, 2):
-        size = Blocks(width=np.pi / 12, depth=1 - plate.hole, rings=0, split=split)
-        half = divided(columns(np.linspace(0, np.pi, 13), size.depth), size) * plate.radius
+        size = MeshSize(width=np.pi / 12, depth=1 - plate.hole, rings=0, split=split)
+        half = (
+            cells_of_blocks(rim_blocks(np.linspace(0, np.pi, 13), size.depth), size) * plate.radius
+        )
         cells = np.concatenate([half, half[:, ::-1] * [1, -1]])
         mesh = hexahedra(extrude(cells, np.linspace(-0.5, 0.5, 2 * split + 1) * plate.thickness))
         solid = assemble(mesh, ElementHex2(), STEEL, DENSITY, 4)
-        values, *_ = lowest(solid.stiffness, solid.mass, np.inf, shift=-((2 * pi * 1000) ** 2), exactly=6 + len(exact))
+        values, *_ = lowest_eigenpairs(
+            solid.stiffness,
+            solid.mass,
+            np.inf,
+            shift=-((2 * pi * 1000) ** 2),
+            exact_count=6 + len(exact),
+        )
         error.append(np.sqrt(values[6:]) / (2 * pi) / exact - 1)
     assert error[1].min() > -2e-6
     assert error[1].max() < 0.003
@@ -209,7 +261,8 @@ def test_the_shipped_hoop_has_all_its_modes_to_1e_6_in_exact_pairs_and_its_mass(
 def test_moments_of_inertia_are_those_of_a_hollow_cylinder():
     disk = Disk(shape="shell", radius=0.04, wall=0.01, thickness=0.02, density=8000.0)
     mass = 8000 * pi * (0.04**2 - 0.03**2) * 0.02
-    diameter, axis = mass * (3 * (0.04**2 + 0.03**2) + 0.02**2) / 12, mass * (0.04**2 + 0.03**2) / 2
+    diameter = mass * (3 * (0.04**2 + 0.03**2) + 0.02**2) / 12
+    axis = mass * (0.04**2 + 0.03**2) / 2
     assert disk.mass == pytest.approx(mass)
     turn = rigid_acceleration(np.eye(3), disk)[:, 3:] * [diameter, diameter, axis]
     assert turn == pytest.approx(np.cross([0.04, 0.0, -0.01], np.eye(3)))
@@ -222,14 +275,19 @@ def test_a_thinning_wall_leaves_the_motion_of_the_shell():
     limit = simulate(scene(span, disk=shell, release=release)).at(0.4)
     gaps = []
     for wall in (1e-5, 1e-6):
-        gaps.append(np.abs(simulate(scene(span, disk=shell | {"wall": wall}, release=release)).at(0.4) - limit).max())
+        gaps.append(
+            np.abs(
+                simulate(scene(span, disk=shell | {"wall": wall}, release=release)).at(0.4) - limit
+            ).max()
+        )
     assert gaps[0] / gaps[1] == pytest.approx(10, rel=0.05)
 
 
 def test_a_steady_hoop_stays_steady_and_its_small_nutation_has_the_linear_frequency():
     disk = {"shape": "shell", "wall": 0.003}
     steady = whirling(0.2, disk=disk, numerics={"time_limit": 0.5})
-    body, chi = steady.disk, steady.disk.time_unit
+    body = steady.disk
+    chi = steady.disk.time_unit
     t = np.linspace(0, 0.499, 4000)
     assert np.ptp(simulate(steady).at(t)[:, 1]) < 1e-9
     in_plane_rate = steady.release.omega[2] * chi
@@ -277,7 +335,10 @@ def test_a_wall_that_cannot_be_is_one_line(hoop, assignment, message):
 def test_a_hoop_on_a_patch_or_without_a_wall_is_refused_before_any_work(hoop, tmp_path):
     bare = hoop.document
     bare["disk"] = {"shape": "shell", "radius": 0.03755, "thickness": 0.0128, "mass": 0.07}
-    wrong = {"support.kind = 'patch'": hoop.replace("support.kind=patch"), "disk.wall": from_document(bare)}
+    wrong = {
+        "support.kind = 'patch'": hoop.replace("support.kind=patch"),
+        "disk.wall": from_document(bare),
+    }
     for message, refused in wrong.items():
         with pytest.raises(SceneError, match=message):
             run(refused, tmp_path / "out")

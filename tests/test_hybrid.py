@@ -1,9 +1,10 @@
-"""Claim: the event-driven driver, which knows no mechanics, finds every event of a system in its order, at its time.
+"""Claim: the event-driven driver, which knows no mechanics, finds every event of a system in its
+order, at its time.
 
-Source: the bouncing ball, Goebel, Sanfelice & Teel (2012), example 1.1; the rimless wheel, McGeer (1990), section 2.
-Oracle: closed forms. The ball's impacts come at geometric intervals, which pile up at a finite time; the wheel's speed
-after each step follows a linear map, whose fixed point it reaches.
-"""
+Source: the bouncing ball, Goebel, Sanfelice & Teel (2012), example 1.1; the rimless wheel, McGeer
+(1990), section 2. Oracle: closed forms. The ball's impacts come at geometric intervals, which pile
+up at a finite time; the wheel's speed after each step follows a linear map, whose fixed point it
+reaches."""
 
 import numpy as np
 import pytest
@@ -15,7 +16,8 @@ HEIGHT, RESTITUTION = 1.0, 0.5
 
 
 class Ball:
-    """A ball under gravity 1 that keeps the part RESTITUTION of its speed at every impact; states (height, speed)."""
+    """A ball under gravity 1 that keeps the part RESTITUTION of its speed at every impact; states
+    (height, speed)."""
 
     def begin(self, y):
         return Switch("flight", y)
@@ -44,21 +46,28 @@ def test_impacts_and_energy_are_those_of_the_closed_form():
     exact = impacts(10)[impacts(10) < 4.0]
     assert ended is None
     assert path.t == 4.0
-    assert {(event.before, event.after, event.guard) for event in path.crossings} == {("flight", "flight", "impact")}
+    assert {(event.before, event.after, event.guard) for event in path.crossings} == {
+        ("flight", "flight", "impact")
+    }
     assert [event.t for event in path.crossings] == pytest.approx(exact, rel=1e-14)
     energy = [block[0, 0, 0] + block[0, 0, 1] ** 2 / 2 for block in path.coefficients]
-    assert energy == pytest.approx(HEIGHT * RESTITUTION ** (2 * np.arange(len(exact) + 1)), rel=1e-13)
+    assert energy == pytest.approx(
+        HEIGHT * RESTITUTION ** (2 * np.arange(len(exact) + 1)), rel=1e-13
+    )
 
 
 def test_where_impacts_pile_up_time_stands_still_and_the_end_has_a_name():
     path, ended = drive(Ball(), [HEIGHT, 0.0], 10.0)
     assert ended == CASCADE
-    assert path.t == pytest.approx(np.sqrt(2 * HEIGHT) * (1 + RESTITUTION) / (1 - RESTITUTION), rel=1e-14)
+    assert path.t == pytest.approx(
+        np.sqrt(2 * HEIGHT) * (1 + RESTITUTION) / (1 - RESTITUTION), rel=1e-14
+    )
     assert [event.t for event in path.crossings][:40] == pytest.approx(impacts(40), rel=1e-14)
 
 
 class AheadBall(Ball):
-    """The ball that has flown on before it is asked to, through an impact that it passes by itself."""
+    """The ball that has flown on before it is asked to, through an impact that it passes by
+    itself."""
 
     def switch(self, y, regime, guard):
         after = super().switch(y, regime, guard)
@@ -66,7 +75,9 @@ class AheadBall(Ball):
         second = self.advance(super().switch(first.end, regime, first.guard).state, regime, np.inf)
         times = np.append(first.times, first.times + second.times)
         series = np.concatenate([first.coefficients, second.coefficients])
-        return after._replace(ahead=Arc(times, series, second.end, second.guard, ((1, "impact", regime),)))
+        return after._replace(
+            ahead=Arc(times, series, second.end, second.guard, ((1, "impact", regime),))
+        )
 
 
 @pytest.mark.parametrize("span", [2.0, 3.0, 4.0, 4.2])
@@ -76,8 +87,12 @@ def test_what_is_integrated_ahead_is_the_path_that_is_integrated_in_turn(span):
     assert ended is None
     assert path.t == span
     assert np.concatenate(path.times) == pytest.approx(np.concatenate(plain.times), rel=1e-14)
-    assert np.concatenate(path.coefficients) == pytest.approx(np.concatenate(plain.coefficients), abs=1e-14)
-    assert [event.t for event in path.crossings] == pytest.approx([event.t for event in plain.crossings], rel=1e-14)
+    assert np.concatenate(path.coefficients) == pytest.approx(
+        np.concatenate(plain.coefficients), abs=1e-14
+    )
+    assert [event.t for event in path.crossings] == pytest.approx(
+        [event.t for event in plain.crossings], rel=1e-14
+    )
     assert sum(n for _, n in path.regimes) == sum(map(len, path.coefficients))
 
 
@@ -86,7 +101,8 @@ HALF_ANGLE, SLOPE = 0.3, 0.08
 
 
 class Wheel:
-    """A rimless wheel: a pendulum, theta'' = sin(theta), on the spoke that stands; states (theta, its rate)."""
+    """A rimless wheel: a pendulum, theta'' = sin(theta), on the spoke that stands; states (theta,
+    its rate)."""
 
     def begin(self, y):
         return Switch("stance", y)
@@ -100,7 +116,12 @@ class Wheel:
         solved = solve_ivp(rates, (0, span), y, "DOP853", events=falls, rtol=1e-13, atol=1e-13)
         theta, rate = solved.y[:, :-1]
         series = np.array([[theta, rate], [rate, np.sin(theta)]]).transpose(2, 0, 1)
-        return Arc(solved.t[1:], series, list(solved.y[:, -1]), "spoke falls" if solved.status == 1 else None)
+        return Arc(
+            solved.t[1:],
+            series,
+            list(solved.y[:, -1]),
+            "spoke falls" if solved.status == 1 else None,
+        )
 
     def switch(self, y, regime, guard):
         assert guard == "spoke falls"
@@ -108,7 +129,8 @@ class Wheel:
 
 
 def rates_after(rate, n):
-    """Return the rates after the first n steps: an impact keeps cos(2 alpha), a step gains 4 sin(alpha) sin(gamma)."""
+    """Return the rates after the first n steps: an impact keeps cos(2 alpha), a step gains 4
+    sin(alpha) sin(gamma)."""
     rates = []
     for _ in range(n):
         rate = np.cos(2 * HALF_ANGLE) * np.sqrt(rate**2 + 4 * np.sin(HALF_ANGLE) * np.sin(SLOPE))
@@ -119,13 +141,17 @@ def rates_after(rate, n):
 def stance(rate):
     """Return how long the wheel stands on a spoke that it meets at `rate`."""
     first = SLOPE - HALF_ANGLE
-    return quad(lambda a: (rate**2 + 2 * (np.cos(first) - np.cos(a))) ** -0.5, first, SLOPE + HALF_ANGLE, epsabs=1e-13)[
-        0
-    ]
+    return quad(
+        lambda a: (rate**2 + 2 * (np.cos(first) - np.cos(a))) ** -0.5,
+        first,
+        SLOPE + HALF_ANGLE,
+        epsabs=1e-13,
+    )[0]
 
 
 def test_a_rimless_wheel_steps_as_its_map_says_and_reaches_the_cycle():
-    start, n = 0.9, 30
+    start = 0.9
+    n = 30
     path, ended = drive(Wheel(), [SLOPE - HALF_ANGLE, start], 40.0)
     assert ended is None
     assert len(path.crossings) >= n

@@ -1,8 +1,9 @@
-"""Claim: the modes of a disk on its elastic contact are those of free modes and residual flexibility on its springs.
+"""Claim: the modes of a disk on its elastic contact are those of free modes and residual
+flexibility on its springs.
 
-Source: Hertz, Mindlin and Kalker for the springs (dynamics/coupled); MacNeal (1971), Rubin (1975) for the flexibility.
-Oracle: the rigid disk on the same springs, the free disk, finite elements of the disk with springs at its edge.
-"""
+Source: Hertz, Mindlin and Kalker for the springs (dynamics/coupled); MacNeal (1971), Rubin (1975)
+for the flexibility. Oracle: the rigid disk on the same springs, the free disk, finite elements of
+the disk with springs at its edge."""
 
 from dataclasses import replace
 from math import pi
@@ -14,30 +15,39 @@ from contact_scenes import granite, on_springs, steady_speed
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from skfem import ElementHex2
 
-from dynamics.coupled.contact import Elastic
-from dynamics.coupled.resonance import damping, linear, resonances, rigid_shapes, suspension
+from dynamics.compliant.law.hertz_mindlin import Elastic
+from dynamics.compliant.law.linearised import (
+    linear_contact,
+    normal_damping,
+    resonances,
+    rigid_shapes,
+    suspension,
+)
 from modal import FreeDisk, Material, Plate, Support, UnsolvableError, eigenmodes
-from modal.accuracy import MIDDLE
+from modal.accuracy import MIDDLE_MESH
 from modal.elements.elastic import assemble
-from modal.elements.sample import quadratic, slope
-from modal.elements.unfold import FACES, rigid_fields
+from modal.elements.sample import quadratic_shapes, quadratic_slopes
+from modal.elements.unfold import HEXAHEDRON_SIDES, rigid_fields
 from modal.mesh.sector import sector
 from modal.mesh.symmetry import Mirror, free_unknowns
-from modal.on_contact import along_the_table, contact_modes, left_out
 from modal.spectral.axisymmetric import plate_modes
-from modal.synthesis.patches import Richness
-from modal.synthesis.regular import flexibility, regular_flexibility
+from modal.spring_supported import contact_modes, patch_to_contact_rotation, residual_flexibility
+from modal.synthesis.free_disk import Richness
+from modal.synthesis.residual_flexibility import regular_flexibility, strip_flexibility
 from sonify import load_scene
 from sonify.plan.supports import compared, over_the_run
 from sonify.report.pictures import moving
 from sonify.report.write import moved
-from sonify.sound.drive import drive_per_newton
+from sonify.sound.modal_forcing import forcing_per_newton
 
 LAW = granite()
 DISK = LAW.disk
 DENSITY = DISK.mass / (pi * DISK.radius**2 * DISK.thickness)
 PLATE = Plate(
-    radius=DISK.radius, thickness=DISK.thickness, material=Material(young=195e9, poisson=0.28), density=DENSITY
+    radius=DISK.radius,
+    thickness=DISK.thickness,
+    material=Material(young=195e9, poisson=0.28),
+    density=DENSITY,
 )
 BODY = FreeDisk(plate=PLATE)
 
@@ -48,10 +58,15 @@ def modes_on(springs, inclination, plate=PLATE, below=24e3):
 
 @pytest.mark.parametrize("beta", [0.57, 0.1, 0.01, 1e-4])
 def test_a_rigid_disk_has_the_resonances_of_its_contact(beta):
-    """Frequencies and losses, creep and all; what a disk a million times as stiff yields is a millionth."""
+    """Frequencies and losses, creep and all; what a disk a million times as stiff yields is a
+    millionth."""
     stiff = replace(PLATE, material=replace(PLATE.material, young=195e15))
-    modes, at, weight = modes_on(suspension(LAW, beta), beta, stiff), np.array([beta]), DISK.weight
-    system = linear(DISK, at, LAW.springs(at, weight), steady_speed(DISK, beta), damping(LAW, at, weight))
+    modes = modes_on(suspension(LAW, beta), beta, stiff)
+    at = np.array([beta])
+    weight = DISK.weight
+    system = linear_contact(
+        DISK, at, LAW.springs(at, weight), steady_speed(DISK, beta), normal_damping(LAW, at, weight)
+    )
     rigid = resonances(system)
     assert modes.frequency == pytest.approx(rigid.frequency[0], rel=1e-6)
     roots = np.hypot(2 * pi * modes.frequency, modes.decay_rate)
@@ -59,9 +74,12 @@ def test_a_rigid_disk_has_the_resonances_of_its_contact(beta):
 
 
 def test_a_soft_contact_leaves_the_free_modes():
-    """First-order perturbation: what springs 1e-6 times as stiff add to w^2 is below 1e-6 of what granite's add."""
+    """First-order perturbation: what springs 1e-6 times as stiff add to w^2 is below 1e-6 of what
+    granite's add."""
     springs = suspension(LAW, 0.1)
-    soft = modes_on(springs._replace(stiffness=1e-6 * springs.stiffness, damping=0 * springs.damping), 0.1)
+    soft = modes_on(
+        springs._replace(stiffness=1e-6 * springs.stiffness, damping=0 * springs.damping), 0.1
+    )
     free = plate_modes(PLATE, 48e3)  # of the same basis
     free = free.select(free.frequency < 24e3)
     assert soft.frequency[-len(free) :] == pytest.approx(free.frequency, rel=1e-7)
@@ -81,29 +99,41 @@ def test_ever_stiffer_tables_have_a_limit():
 
 
 def test_small_losses_are_of_first_order():
-    """Springs stretched by x per q lose c x^2/2 of q' a second along the normal, and r k x^2/(2 w^2) by creep."""
+    """Springs stretched by x per q lose c x^2/2 of q' a second along the normal, and r k x^2/(2
+    w^2) by creep."""
     springs = suspension(LAW, 0.1)
     still = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), 0.1)
     assert still.decay_rate == pytest.approx(0, abs=1e-6)
-    rest, _ = left_out(PLATE, 24e3, "standard")
-    turn = along_the_table(0.1)
+    rest, _ = residual_flexibility(PLATE, 24e3, "standard")
+    turn = patch_to_contact_rotation(0.1)
     yields = np.diag(1 / springs.stiffness) + turn @ rest @ turn.T
     stretch = np.linalg.solve(yields, turn @ still.rim_shape[:, 0].T).T / springs.stiffness
     lossy = modes_on(springs._replace(damping=1e-3 * springs.damping, forgets=np.zeros(3)), 0.1)
-    assert lossy.decay_rate == pytest.approx(1e-3 * springs.damping[2] * stretch[:, 2] ** 2 / 2, rel=1e-3, abs=1e-9)
+    assert lossy.decay_rate == pytest.approx(
+        1e-3 * springs.damping[2] * stretch[:, 2] ** 2 / 2, rel=1e-3, abs=1e-9
+    )
     creeps = modes_on(springs._replace(damping=np.zeros(3), forgets=1e-3 * springs.forgets), 0.1)
     power = (1e-3 * springs.forgets * springs.stiffness * stretch**2).sum(axis=1)
-    assert creeps.decay_rate == pytest.approx(power / (2 * (2 * pi * still.frequency) ** 2), rel=1e-3, abs=1e-9)
+    assert creeps.decay_rate == pytest.approx(
+        power / (2 * (2 * pi * still.frequency) ** 2), rel=1e-3, abs=1e-9
+    )
 
 
 @pytest.mark.parametrize(("beta", "ratio"), [(0.57, 0.98), (0.1, 0.97), (0.001, 0.90)])
 def test_the_carrier_of_an_elastic_disk_is_lower_than_that_of_a_rigid_one(beta, ratio):
-    """Slow motions see the body as a spring F0 in series with those of the contact, and see more of it, by the square
-    of their frequency over that of the first free mode, the faster they are."""
-    springs, at, turn = suspension(LAW, beta), np.array([beta]), along_the_table(beta)
-    elastic = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), beta).frequency[:3]
-    stiffness, F0 = np.diag(springs.stiffness)[None], turn @ regular_flexibility(BODY, LAW.fillet)[0] @ turn.T
-    rigid, static = (on_springs(rigid_shapes(DISK, at), stiffness, residual=rest)[0, 3:] for rest in (0 * F0, F0))
+    """Slow motions see the body as a spring F0 in series with those of the contact, and see more of
+    it, by the square of their frequency over that of the first free mode, the faster they are."""
+    springs = suspension(LAW, beta)
+    at = np.array([beta])
+    turn = patch_to_contact_rotation(beta)
+    elastic = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), beta).frequency[
+        :3
+    ]
+    stiffness = np.diag(springs.stiffness)[None]
+    F0 = turn @ regular_flexibility(BODY, LAW.fillet)[0] @ turn.T
+    rigid, static = (
+        on_springs(rigid_shapes(DISK, at), stiffness, residual=rest)[0, 3:] for rest in (0 * F0, F0)
+    )
     assert elastic[2] / rigid[2] == pytest.approx(ratio, abs=0.005)
     assert (elastic <= static).all()
     assert (static - elastic <= 2 * (elastic / 10603) ** 2 * np.abs(rigid - elastic)).all()
@@ -113,7 +143,7 @@ def test_the_carrier_of_an_elastic_disk_is_lower_than_that_of_a_rigid_one(beta, 
 def test_what_hertz_has_is_left_out_whatever_the_strip(size):
     """F grows as the strip shrinks; F0, but for terms of the order 1/(E R), does not."""
     (one, doubt), (two, _) = (regular_flexibility(BODY, s) for s in (size, 2 * size))
-    grown = flexibility(BODY, size)[0] - flexibility(BODY, 2 * size)[0]
+    grown = strip_flexibility(BODY, size)[0] - strip_flexibility(BODY, 2 * size)[0]
     assert np.abs(one - two).max() < 0.2 * np.abs(grown).max()
     assert doubt.max() < 0.1 * one.max()
 
@@ -126,19 +156,23 @@ def test_richer_bases_stay_within_the_doubt():
 
 
 def strip_quadrature(solid, size):
-    """Nodes (3, 3), place (3,) and weights (3, 3) of the functions of these nodes, at Gauss points of a strip."""
-    sides = np.concatenate([solid.cells[:, side] for pair in FACES for side in pair])
+    """Nodes (3, 3), place (3,) and weights (3, 3) of the functions of these nodes, at Gauss points
+    of a strip."""
+    sides = np.concatenate([solid.cells[:, side] for pair in HEXAHEDRON_SIDES for side in pair])
     x, y, z = np.moveaxis(solid.points[sides], -1, 0)
     rim = np.abs(np.hypot(x, y) - DISK.radius) < 1e-9 * DISK.radius
-    inside = (np.abs(np.arctan2(y, x)) < 0.501 * size / DISK.radius) & (z < 1.001 * size - DISK.thickness / 2)
+    inside = (np.abs(np.arctan2(y, x)) < 0.501 * size / DISK.radius) & (
+        z < 1.001 * size - DISK.thickness / 2
+    )
     at, weight = np.polynomial.legendre.leggauss(5)
-    at, weight = (at + 1) / 2, weight / 2
+    at = (at + 1) / 2
+    weight = weight / 2
     for nodes in sides[(rim & inside).all(axis=1)].reshape(-1, 3, 3):
         corners = solid.points[nodes]
         for i, j in np.ndindex(5, 5):
-            value = np.outer(quadratic(at[i]), quadratic(at[j]))
-            along = np.einsum("i,j,ijx", slope(at[i]), quadratic(at[j]), corners)
-            across = np.einsum("i,j,ijx", quadratic(at[i]), slope(at[j]), corners)
+            value = np.outer(quadratic_shapes(at[i]), quadratic_shapes(at[j]))
+            along = np.einsum("i,j,ijx", quadratic_slopes(at[i]), quadratic_shapes(at[j]), corners)
+            across = np.einsum("i,j,ijx", quadratic_shapes(at[i]), quadratic_slopes(at[j]), corners)
             area = weight[i] * weight[j] * np.linalg.norm(np.cross(along, across))
             yield nodes, np.einsum("ij,ijx", value, corners), value * area
 
@@ -150,38 +184,53 @@ class Elements:
     """
 
     def __init__(self, size, parity):
-        support = Support(half_angle_deg=np.rad2deg(size / 2 / DISK.radius), height=size, position="bottom")
-        part = sector(DISK.radius, DISK.thickness, support, MIDDLE)
+        support = Support(
+            half_angle_deg=np.rad2deg(size / 2 / DISK.radius), height=size, position="bottom"
+        )
+        part = sector(DISK.radius, DISK.thickness, support, MIDDLE_MESH)
         self.solid = assemble(part.mesh, ElementHex2(), PLATE.material, DENSITY, intorder=4)
-        points, mirror = self.solid.points, Mirror(y=parity, z=0)
+        points = self.solid.points
+        mirror = Mirror(y=parity, z=0)
         self.free = free_unknowns(points, np.zeros(len(points), bool), (), mirror, DISK.radius)
-        self.K, self.M = (self.free.T @ a @ self.free for a in (self.solid.stiffness, self.solid.mass))
+        self.K, self.M = (
+            self.free.T @ a @ self.free for a in (self.solid.stiffness, self.solid.mass)
+        )
         low = -DISK.thickness / 2
-        area, means = 0.0, np.zeros((2, 3, len(points), 3))
+        area = 0.0
+        means = np.zeros((2, 3, len(points), 3))
         for nodes, place, weight in strip_quadrature(self.solid, size):
             c, s = place[:2] / np.hypot(*place[:2])
             up = (place[2] - low) / size
             for row, unit in enumerate([(c, s, 0), (-s, c, 0), (0, 0, 1)]):
-                means[:, row, nodes.ravel()] += np.multiply.outer([1, 4 - 6 * up], np.outer(weight.ravel(), unit))
+                means[:, row, nodes.ravel()] += np.multiply.outer(
+                    [1, 4 - 6 * up], np.outer(weight.ravel(), unit)
+                )
             area += weight.sum()
         self.even, self.low = (row @ self.free for row in means.reshape(2, 3, -1) / area)
         self.which = [0, 2] if parity > 0 else [1]
-        fields = rigid_fields(points)[[0, 2, 4] if parity > 0 else [1, 3, 5]].reshape(3, -1) @ self.free
+        fields = (
+            rigid_fields(points)[[0, 2, 4] if parity > 0 else [1, 3, 5]].reshape(3, -1) @ self.free
+        )
         self.rigid = np.linalg.solve(np.linalg.cholesky(fields @ self.M @ fields.T), fields)
-        corner = rigid_fields(np.array([[DISK.radius, 0, low]]))[[0, 2, 4] if parity > 0 else [1, 3, 5], 0].T
+        corner = rigid_fields(np.array([[DISK.radius, 0, low]]))[
+            [0, 2, 4] if parity > 0 else [1, 3, 5], 0
+        ].T
         self.corner = corner @ np.linalg.inv(np.linalg.cholesky(fields @ self.M @ fields.T)).T
 
     def yields(self, spread):
-        """Elastic flexibility of the whole disk under a force so spread: on the half it is half of it."""
+        """Elastic flexibility of the whole disk under a force so spread: on the half it is half of
+        it."""
         loads = spread[self.which]
         loads = loads - loads @ self.rigid.T @ (self.rigid @ self.M)
         solved = splu((self.K + 1e3 * self.M).tocsc()).solve(loads.T)
         return loads @ solved / 2
 
     def frequencies(self, yields, below):
-        """Of the disk held at its edge: as a rigid body exactly there, elastically by the strip's `low` mean."""
+        """Of the disk held at its edge: as a rigid body exactly there, elastically by the strip's
+        `low` mean."""
         held = self.low + (self.corner - self.low @ self.rigid.T) @ (self.rigid @ self.M)
-        held, half = held[self.which], 2 * yields
+        held = held[self.which]
+        half = 2 * yields
         shift = -((2 * pi * 300.0) ** 2)
         factor = splu((self.K - shift * self.M).tocsc())
         dense = factor.solve(held.T)
@@ -201,10 +250,15 @@ class Elements:
 @pytest.mark.parametrize("beta", [0.57, 0.1, 0.001])
 def test_finite_elements_with_springs_at_their_edge_have_the_same_modes(beta):
     """The springs of the oracle lack what its own means yield more than F0, by its own elements."""
-    springs, turn, strip = suspension(LAW, beta), along_the_table(beta), LAW.fillet
-    found, free, own = [], [], np.zeros((3, 3))
+    springs = suspension(LAW, beta)
+    turn = patch_to_contact_rotation(beta)
+    strip = LAW.fillet
+    found = []
+    free = []
+    own = np.zeros((3, 3))
     for parity in (1, -1):
-        here, wide = Elements(strip, parity), Elements(2 * strip, parity)
+        here = Elements(strip, parity)
+        wide = Elements(2 * strip, parity)
         which = np.ix_(here.which, here.which)
         own[which] = 2 * wide.yields(wide.even) - here.yields(here.even)
         soft = (turn.T @ np.diag(1 / springs.stiffness) @ turn + own)[which] - here.yields(here.low)
@@ -224,18 +278,21 @@ def test_finite_elements_with_springs_at_their_edge_have_the_same_modes(beta):
 
 
 def test_where_the_contact_is_elastic_its_stem_has_the_rigid_disk_and_modes_only_what_is_above():
-    """On soft springs the force drives the elastic part of a shape, which is the free disk's at the contact."""
+    """On soft springs the force drives the elastic part of a shape, which is the free disk's at the
+    contact."""
     scene = load_scene("published").replace("support.kind=contact")
     elastic = scene.replace("contact.law=elastic")
     modes = eigenmodes(scene)
-    alone, beside = (drive_per_newton(modes, s) for s in (scene, elastic))
+    alone, beside = (forcing_per_newton(modes, s) for s in (scene, elastic))
     assert (np.abs(alone).max(axis=0) > 0).all()
     assert (np.abs(beside[:, :3]) == 0).all()
     assert (np.abs(beside[:, 3:]).max(axis=0) > 0).all()
     springs = suspension(LAW, 0.1)
     soft = modes_on(springs._replace(stiffness=1e-6 * springs.stiffness), 0.1)
-    elastic_part = drive_per_newton(soft, elastic)[:, -5:]
-    assert elastic_part == pytest.approx(soft.rim_shape[-5:, 0].T, abs=1e-4 * np.abs(elastic_part).max())
+    elastic_part = forcing_per_newton(soft, elastic)[:, -5:]
+    assert elastic_part == pytest.approx(
+        soft.rim_shape[-5:, 0].T, abs=1e-4 * np.abs(elastic_part).max()
+    )
 
 
 def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_predict():
@@ -250,15 +307,20 @@ def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_pre
 
 
 def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs():
-    """Half the stiffness of steel, flatter than 1e-6 rad: the springs yield less than the body does there."""
-    scene = load_scene("published").replace("support.kind=contact", "numerics.accuracy=draft", "material.young=100e9")
+    """Half the stiffness of steel, flatter than 1e-6 rad: the springs yield less than the body does
+    there."""
+    scene = load_scene("published").replace(
+        "support.kind=contact", "numerics.accuracy=draft", "material.young=100e9"
+    )
     motion = SimpleNamespace(t=[0.0, 2.0], at=lambda t: np.array([[0.0, 0.5 * 1e-3 ** t[0], 0.0]]))
     steps = over_the_run(scene, motion, 20e3)
     with pytest.raises(UnsolvableError, match="so stiff a contact"):
         eigenmodes(scene, 20e3, replace(scene.support, inclination_deg=np.degrees(5e-7)))
     assert [step.modes is None for step in steps] == [False, False, True]
     assert moving(steps).splitlines()[-1].endswith("→ none")
-    told = moved(SimpleNamespace(scene=scene, motion=motion, plan=SimpleNamespace(highest_mode=20e3)))["over_the_run"]
+    told = moved(
+        SimpleNamespace(scene=scene, motion=motion, plan=SimpleNamespace(highest_mode=20e3))
+    )["over_the_run"]
     assert [type(step["frequency"]) for step in told] == [list, list, type(None)]
 
 
@@ -284,15 +346,30 @@ def test_springs_stiffer_than_the_disk_itself_are_refused():
 
 
 def test_no_mode_of_a_soft_disk_grows():
-    """Where the contact is about as stiff as the disk, what this yields beyond its modes had given energy: -19 1/s."""
-    soft = ("material.young=3.1e9", "material.poisson=0.38", "contact.young=50e9", "numerics.accuracy=draft")
-    small = ("disk.radius=0.0187", "disk.thickness=0.00284", "disk.mass=0.0245", "support.inclination_deg=0.9")
+    """Where the contact is about as stiff as the disk, what this yields beyond its modes had given
+    energy: -19 1/s."""
+    soft = (
+        "material.young=3.1e9",
+        "material.poisson=0.38",
+        "contact.young=50e9",
+        "numerics.accuracy=draft",
+    )
+    small = (
+        "disk.radius=0.0187",
+        "disk.thickness=0.00284",
+        "disk.mass=0.0245",
+        "support.inclination_deg=0.9",
+    )
     with pytest.raises(UnsolvableError, match="so stiff a contact"):
-        eigenmodes(load_scene("published").replace("support.kind=contact", *soft, *small), below=20e3)
+        eigenmodes(
+            load_scene("published").replace("support.kind=contact", *soft, *small), below=20e3
+        )
 
 
 def test_the_free_modes_that_a_contact_needs_are_counted():
     """Twice as high as those sought: of this soft disk they had filled 15 GB."""
-    soft = load_scene("published").replace("support.kind=contact", "material.young=3e9", "disk.radius=0.0927")
+    soft = load_scene("published").replace(
+        "support.kind=contact", "material.young=3e9", "disk.radius=0.0927"
+    )
     with pytest.raises(UnsolvableError, match="modes or more below 40000 Hz; no more than 600"):
         eigenmodes(soft.replace("disk.thickness=0.015", "disk.mass=1.1"), below=20e3)

@@ -1,8 +1,8 @@
 """Claim: the exported files say what the modes say, to the programs they are for.
 
-Source: universal file format, datasets 15 and 55; the Faust language. Oracles: pyuff reads back what was written; the
-Faust compiler accepts the program; what it makes is compiled, run and compared with the closed form of the oscillators.
-"""
+Source: universal file format, datasets 15 and 55; the Faust language. Oracles: pyuff reads back
+what was written; the closed form of an oscillator after an impulse, from the numbers in the Faust
+program; what the Faust compiler makes of the program, compiled and run, must be the same."""
 
 import re
 import shutil
@@ -13,9 +13,11 @@ import pytest
 from click.testing import CliRunner
 from scipy.signal import lfilter
 
-from modal import Material, Plate, as_faust, as_faust_library, plate_modes, write_uff
+from modal import Material, Plate, as_faust, as_faust_library, eigenmodes, plate_modes, write_uff
+from modal.export import STRIKE_PEAK
 from sonify.__main__ import main
 from sonify.export import export_modes
+from sonify.plan.preflight import planned
 from sonify.scene import load_scene
 from sonify.scene_errors import InputError
 
@@ -24,15 +26,20 @@ STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 
 @pytest.fixture(scope="module")
 def modes():
-    return plate_modes(Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27), 23e3)
+    return plate_modes(
+        Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27), 23e3
+    )
 
 
 def test_universal_file_keeps_shapes_and_frequencies(modes, tmp_path):
     pyuff = pytest.importorskip("pyuff", reason="the optional package pyuff is not installed")
     write_uff(modes, tmp_path / "modes.uff")
     sets = pyuff.UFF(str(tmp_path / "modes.uff")).read_sets()
-    nodes, shapes = sets[0], sets[1:]
-    assert np.stack([nodes["x"], nodes["y"], nodes["z"]], axis=1) == pytest.approx(modes.body.points, abs=1e-6)
+    nodes = sets[0]
+    shapes = sets[1:]
+    assert np.stack([nodes["x"], nodes["y"], nodes["z"]], axis=1) == pytest.approx(
+        modes.body.points, abs=1e-6
+    )
     assert len(shapes) == len(modes)
     for one, f, u in zip(shapes, modes.frequency, modes.body.displacement, strict=True):
         assert one["freq"] == pytest.approx(f, rel=1e-5)
@@ -57,16 +64,24 @@ struct dsp { virtual ~dsp() {} };
 <<includeIntrinsic>>
 <<includeclass>>
 int main() {
-  static double force[400], velocity[400];
-  std::fill(force + 1, force + 400, 1.0);
-  double *in[] = {force}, *out[] = {velocity};
+  static double strike[4800], velocity[4800];
+  strike[0] = 1.0;
+  double *in[] = {strike}, *out[] = {velocity};
   mydsp disk;
   disk.init(48000);
-  disk.compute(400, in, out);
+  disk.compute(4800, in, out);
   for (double v : velocity) std::printf("%.17g\\n", v);
 }
 """
-needs_faust = pytest.mark.skipif(not shutil.which("faust"), reason="the Faust compiler is not installed")
+needs_faust = pytest.mark.skipif(
+    not shutil.which("faust"), reason="the Faust compiler is not installed"
+)
+needs_compiler = pytest.mark.skipif(not shutil.which("c++"), reason="there is no C++ compiler")
+SUPPORTS = {
+    "patch": ("published", "support.kind=patch"),
+    "free": ("published", "support.kind=free"),
+    "contact": ("granite", "support.kind=contact"),
+}
 
 
 def compiled(folder, program, *options):
@@ -78,13 +93,77 @@ def compiled(folder, program, *options):
     return (folder / "disk.cpp").read_text()
 
 
-def step_response(modes, gain=1.0, t60_scale=1.0, frequency_scale=1.0):
-    """Velocity (400,) [m/s] at 48 kHz one sample after a force of 1 N sets in at the second one."""
-    phi, t = modes.at_rim(0.0)[:, 0, 2], np.arange(399)[:, None] / 48e3
-    damped = np.sqrt((2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2) * frequency_scale
-    heard = phi**2 * (damped < np.pi * 48e3)
-    exact = (heard / damped * np.exp(-modes.decay_rate / t60_scale * t) * np.sin(damped * t)).sum(axis=1)
-    return gain * np.append(0.0, exact)
+def struck(folder, library, scales=(1.0, 1.0, 1.0)):
+    """What a compiled library answers to a strike of one sample of 1, (4800,) at 48 kHz."""
+    (folder / "disk.lib").write_text(library)
+    (folder / "plain.cpp").write_text(PLAIN_CPP)
+    compiled(folder, f'process = library("disk.lib").disk{scales};', "-double", "-a", "plain.cpp")
+    subprocess.run(
+        ["c++", "-O1", "disk.cpp", "-o", "disk"], cwd=folder, check=True, capture_output=True
+    )
+    printed = subprocess.run([folder / "disk"], capture_output=True, text=True, check=True).stdout
+    return np.array(printed.split(), float)
+
+
+def written(program):
+    """Angular rates, decay rates and gains (3, m) that a Faust program holds."""
+    rows = re.findall(r"mode\((\d[^)]*)\)", program)
+    return np.array([[float(x) for x in row.split(",")] for row in rows]).T
+
+
+def response(rate, decay, gain, scales=(1.0, 1.0, 1.0)):
+    """Velocity (4800,) at 48 kHz of q'' + 2 d q' + w^2 q = 0 from q = 0 and q' = gain, in closed
+    form."""
+    loudness, t60_scale, frequency_scale = scales
+    v = rate * frequency_scale
+    d = decay / t60_scale
+    t = np.arange(4800)[:, None] / 48e3
+    heard = gain * (v < np.pi * 48e3)
+    return loudness * (heard * np.exp(-d * t) * (np.cos(v * t) - d / v * np.sin(v * t))).sum(axis=1)
+
+
+@pytest.fixture(scope="module", params=SUPPORTS)
+def exported(request, tmp_path_factory):
+    """The Faust program of a disk on each support, as the command writes it by default, and the
+    modes in it."""
+    name, kind = SUPPORTS[request.param]
+    scene = load_scene(name).replace(kind, "numerics.accuracy=draft")
+    path = export_modes(scene, "faust", tmp_path_factory.mktemp("faust") / "disk.dsp")
+    return path.read_text("utf-8"), planned(scene)[1]
+
+
+def test_the_program_is_heard_wherever_the_disk_is_held(exported):
+    """The peak after a unit strike, from the numbers in the file alone; a mode counts that has a
+    share of it."""
+    program, modes = exported
+    rate, decay, gain = written(program)
+    peak = np.abs(response(rate, decay, gain)).max()
+    assert 0.1 < peak < 1
+    assert peak == pytest.approx(STRIKE_PEAK, rel=1e-9)
+    assert len(gain) == len(modes)
+    assert np.count_nonzero(gain > 0.01) >= 2
+    assert f'declare peak "{peak:g} after a unit strike' in program
+    assert 'declare strike "axially at the bottom edge, 180 degrees' in program
+
+
+def test_the_file_states_the_velocity_that_its_numbers_stand_for(exported):
+    """Modal mass 1: an impulse of 1 N s moves the struck point at the sum of the squares of the
+    shapes there."""
+    program, modes = exported
+    mobility = np.square(modes.at_rim(np.pi)[:, 0, 2])
+    assert written(program)[2] == pytest.approx(STRIKE_PEAK * mobility / mobility.sum(), abs=1e-12)
+    stated = float(re.search(r'declare scale "1.0 = (\S+) m/s', program)[1])
+    assert stated * STRIKE_PEAK == pytest.approx(mobility.sum(), rel=1e-5)
+
+
+@needs_faust
+@needs_compiler
+def test_the_compiled_program_has_the_peak_of_its_numbers(exported, tmp_path):
+    program, _ = exported
+    heard = struck(tmp_path, program.partition("process =")[0])
+    expected = response(*written(program))
+    assert 0.1 < np.abs(heard).max() < 1
+    assert heard == pytest.approx(expected, abs=1e-9)
 
 
 @needs_faust
@@ -95,35 +174,66 @@ def test_faust_program_compiles(modes, tmp_path):
 
 
 @needs_faust
-@pytest.mark.skipif(not shutil.which("c++"), reason="there is no C++ compiler")
+@needs_compiler
 @pytest.mark.parametrize("scales", [(1.0, 1.0, 1.0), (2.0, 0.01, 1.3)])
-def test_the_compiled_faust_library_gives_the_exact_step_response(modes, tmp_path, scales):
-    """At 1.3 times their frequencies two of the five modes are beyond half the sample rate, and silent."""
-    (tmp_path / "disk.lib").write_text(as_faust_library(modes))
-    (tmp_path / "plain.cpp").write_text(PLAIN_CPP)
-    compiled(tmp_path, f'process = library("disk.lib").disk{scales};', "-double", "-a", "plain.cpp")
-    subprocess.run(["c++", "-O1", "disk.cpp", "-o", "disk"], cwd=tmp_path, check=True, capture_output=True)
-    told = subprocess.run([tmp_path / "disk"], capture_output=True, text=True, check=True).stdout
-    exact = step_response(modes, *scales)
-    assert np.array(told.split(), float) == pytest.approx(exact, abs=1e-9 * np.abs(exact).max())
+def test_the_compiled_faust_library_is_the_exact_response(modes, tmp_path, scales):
+    """At 1.3 times their frequencies two of the five modes are beyond half the sample rate, and
+    silent."""
+    library = as_faust_library(modes, 0.3)
+    expected = response(*written(library), scales)
+    assert struck(tmp_path, library, scales) == pytest.approx(
+        expected, abs=1e-9 * np.abs(expected).max()
+    )
 
 
-def test_faust_recursion_is_the_exact_step_response(modes):
-    rows = [[float(x) for x in row.split(",")] for row in re.findall(r"mode\((\d[^)]*)\)", as_faust(modes))]
-    assert len(rows) == len(modes)
-    step, force = 1 / 48e3, np.append(0.0, np.ones(399))
-    sounded = 0.0
-    for w, d, g in rows:
+def test_faust_recursion_is_the_exact_response(modes):
+    """Without Faust: the filter that the library writes, from the numbers in it."""
+    step = 1 / 48e3
+    strike = np.append(1.0, np.zeros(4799))
+    sounded = np.zeros(4800)
+    for w, d, g in written(as_faust(modes)).T:
         r = np.exp(-d * step)
-        recursion = [1, -2 * r * np.cos(w * step), r * r]
-        sounded = sounded + lfilter([0, g * r * np.sin(w * step)], recursion, np.diff(force, prepend=0))
-    exact = step_response(modes)
-    assert sounded == pytest.approx(exact, abs=1e-6 * np.abs(exact).max())
+        first = -r * (np.cos(w * step) + d / w * np.sin(w * step))
+        sounded += lfilter([g, g * first], [1, -2 * r * np.cos(w * step), r * r], strike)
+    assert sounded == pytest.approx(response(*written(as_faust(modes))), abs=1e-9)
+
+
+@pytest.mark.parametrize("strike", ["0", "-4.9", "365", "nan", "inf", "here"])
+def test_a_strike_where_the_disk_cannot_move_is_refused_in_one_line(strike, tmp_path):
+    path = tmp_path / "disk.dsp"
+    asked = ["export", "modes", "--as", "faust", "--strike", strike, "--out", str(path)]
+    answer = CliRunner().invoke(main, asked)
+    assert (answer.exit_code, len(answer.stderr.splitlines())) == (2, 1)
+    assert "--strike" in answer.stderr
+    assert not path.exists()
+
+
+def test_a_strike_near_the_patch_and_anywhere_on_a_free_disk_is_taken(tmp_path):
+    free = load_scene("published").replace("support.kind=free", "numerics.accuracy=draft")
+    for scene, angle in (("published", 20.0), (free, 0.0)):
+        program = export_modes(scene, "faust", tmp_path / "disk.dsp", strike_deg=angle).read_text(
+            "utf-8"
+        )
+        assert f"{angle:g} degrees from the contact" in program
+        assert np.abs(response(*written(program))).max() == pytest.approx(STRIKE_PEAK, rel=1e-9)
+
+
+def test_the_library_refuses_the_held_arc_itself():
+    held = eigenmodes(load_scene("published").replace("numerics.accuracy=draft"), below=5e3)
+    with pytest.raises(ValueError, match="strike at 0 degrees: the disk is held there"):
+        as_faust_library(held, 0.0)
+
+
+def test_only_faust_is_struck(tmp_path):
+    with pytest.raises(InputError, match="--strike = 90"):
+        export_modes("published", "vtu", tmp_path / "disk.vtu", strike_deg=90.0)
 
 
 def test_a_disk_without_modes_is_not_written(modes):
     with pytest.raises(ValueError, match="no mode"):
-        as_faust_library(plate_modes(Plate(radius=0.001, thickness=0.001, material=STEEL, density=7737.27), 23e3))
+        as_faust_library(
+            plate_modes(Plate(radius=0.001, thickness=0.001, material=STEEL, density=7737.27), 23e3)
+        )
 
 
 def test_an_overdamped_mode_is_not_written(modes):
@@ -135,16 +245,22 @@ def test_an_overdamped_mode_is_not_written(modes):
 
 
 def test_the_command_writes_a_whole_file_and_names_it(tmp_path):
-    told = CliRunner().invoke(main, ["export", "modes", "--as", "faust", "--out", str(tmp_path / "disk.dsp")])
+    told = CliRunner().invoke(
+        main, ["export", "modes", "--as", "faust", "--out", str(tmp_path / "disk.dsp")]
+    )
     assert (told.exit_code, told.stdout.split()) == (0, [str(tmp_path / "disk.dsp")])
     assert (tmp_path / "disk.dsp").read_text("utf-8").startswith('declare name "disk"')
     assert [file.name for file in tmp_path.iterdir()] == ["disk.dsp"]
 
 
 def test_the_command_refuses_in_one_line_what_has_no_modes_and_writes_nothing(tmp_path):
-    scene = load_scene("published").replace("disk.radius=2e-3", "disk.thickness=1e-3", "disk.mass=1e-4")
+    scene = load_scene("published").replace(
+        "disk.radius=2e-3", "disk.thickness=1e-3", "disk.mass=1e-4"
+    )
     with pytest.raises(InputError, match="no mode"):
         export_modes(scene.replace("support.kind=free"), "faust", tmp_path / "none.dsp")
-    told = CliRunner().invoke(main, ["export", "modes", "nowhere", "--as", "vtu", "--out", str(tmp_path / "none.vtu")])
+    told = CliRunner().invoke(
+        main, ["export", "modes", "nowhere", "--as", "vtu", "--out", str(tmp_path / "none.vtu")]
+    )
     assert (told.exit_code, len(told.stderr.splitlines())) == (2, 1)
     assert list(tmp_path.iterdir()) == []

@@ -1,24 +1,30 @@
-"""Claim: the solver converges as theory says, holds static limits, and a disk on points has no modes worth the name.
+"""Claim: the solver converges as theory says, holds static limits, and a disk on points has no
+modes worth the name.
 
-Source: eigenvalues of smooth problems converge with twice the degree of the elements; u ~ r^(1/2) at a patch edge
-gives order 1 on uniform meshes, twice that where cells are squared about it; in three dimensions u ~ 1/r at a point
-load, so a held point resists as its size.
-Oracles: fitted slopes; static deflections computed by another program.
-"""
+Source: eigenvalues of smooth problems converge with twice the degree of the elements; u ~ r^(1/2)
+at a patch edge gives order 1 on uniform meshes, twice that where cells are squared about it; in
+three dimensions u ~ 1/r at a point load, so a held point resists as its size. Oracles: fitted
+slopes; static deflections computed by another program."""
 
 import numpy as np
 import pytest
 from scipy.sparse.linalg import spsolve
 from skfem import ElementHex2
 
+from benchmarks.charts.stability_modes import bending_by_polynomials, bending_of_solid, free_disk
 from modal import FreeDisk, Material, Plate, Support
-from modal.elements.elastic import assemble, lowest
-from modal.elements.patch import held_modes, meshes, resolving, solve, solve_class
-from modal.mesh.half_disk import Blocks, half_disk
+from modal.elements.elastic import assemble, lowest_eigenpairs
+from modal.elements.patch import (
+    held_modes,
+    mesh_sizes,
+    resolving_mesh_size,
+    solve_class,
+    solve_classes,
+)
+from modal.mesh.half_disk import MeshSize, half_disk
 from modal.mesh.sector import extrude, hexahedra, sector
-from modal.mesh.symmetry import Mirror, classes, free_unknowns, on_patch
-from modal.spectral.converge import all_pairs, amplitudes
-from sonify.charts.stability_modes import bending, free_disk, polynomials
+from modal.mesh.symmetry import Mirror, free_unknowns, on_patch, symmetry_classes
+from modal.spectral.p_refinement import all_eigenpairs, displacement_amplitudes
 
 STEEL = Material(young=195e9, poisson=0.28)
 DENSITY = 0.4387 / (np.pi * 0.03755**2 * 0.0128)
@@ -35,27 +41,35 @@ HELD, SWING = Support(half_angle_deg=45), Mirror(y=1, z=-1)
 
 def order(errors):
     """The slopes between successive meshes, in a straight line on to cells of no size."""
-    local, size = -np.diff(np.log(errors)) / np.diff(np.log(SPLITS)), 1 / np.sqrt(SPLITS[1:] * SPLITS[:-1])
+    local = -np.diff(np.log(errors)) / np.diff(np.log(SPLITS))
+    size = 1 / np.sqrt(SPLITS[1:] * SPLITS[:-1])
     return np.polyfit(size, local, 1)[1]
 
 
 def swings(rings):
     """Relative errors of the lowest swing of the held disk on meshes ever finer."""
-    exact = FreeDisk(plate=DISK).held(HELD, 12e3)[classes(True).index(SWING)].frequency[0]
+    exact = FreeDisk(plate=DISK).held(HELD, 12e3)[symmetry_classes(True).index(SWING)].frequency[0]
     found = []
     for split in SPLITS:
-        part = sector(DISK.radius, DISK.thickness, HELD, Blocks(width=np.pi / 4, depth=0.5, rings=rings, split=split))
+        part = sector(
+            DISK.radius,
+            DISK.thickness,
+            HELD,
+            MeshSize(width=np.pi / 4, depth=0.5, rings=rings, split=split),
+        )
         solid = assemble(part.mesh, ElementHex2(), STEEL, DENSITY, 4)
         held = on_patch(solid.points, DISK.radius, np.deg2rad(HELD.half_angle_deg), part.patch)
-        values = solve_class(solid, part, SWING, DISK, HELD, held, 0.0, below=np.inf, exactly=1).values
+        values = solve_class(
+            solid, part, SWING, DISK, HELD, held, 0.0, below=np.inf, exact_count=1
+        ).values
         found.append(np.sqrt(values[0]) / (2 * np.pi))
     return np.array(found) / exact - 1
 
 
 def test_order_4_without_a_patch():
     """Quadratic elements without singularity: eigenvalues converge as h^4."""
-    found = np.array([bending(DISK, free_disk(DISK, "Q2", split)) for split in SPLITS])
-    assert order(found / polynomials(DISK, (14, 8)) - 1) == pytest.approx(4, abs=0.1)
+    found = np.array([bending_of_solid(DISK, free_disk(DISK, "Q2", split)) for split in SPLITS])
+    assert order(found / bending_by_polynomials(DISK, (14, 8)) - 1) == pytest.approx(4, abs=0.1)
 
 
 def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
@@ -63,52 +77,66 @@ def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
 
 
 def test_squared_cells_about_the_edge_double_the_order():
-    """Linear functions of the plane w are the u ~ r^(1/2) that spoils the order; one ring of its cells is enough.
+    """Linear functions of the plane w are the u ~ r^(1/2) that spoils the order; one ring of its
+    cells is enough.
 
     On these meshes: on finer ones, the corners where the edge meets the faces are what is left.
     """
-    plain, squared = swings(rings=0), swings(rings=1)
+    plain = swings(rings=0)
+    squared = swings(rings=1)
     assert slope(1 / SPLITS, squared) > 1.9
     assert squared[-1] < 0.1 * plain[-1]
 
 
 def on_neighbouring_points(size, mirror):
-    """Lowest frequency [Hz] of a class of the quarter disk held at the nodes within 0.6 size R of (R, 0, 0)."""
-    plane = half_disk(size, Blocks(width=np.pi / 8, depth=0.38, rings=0))
+    """Lowest frequency [Hz] of a class of the quarter disk held at the nodes within 0.6 size R of
+    (R, 0, 0)."""
+    plane = half_disk(size, MeshSize(width=np.pi / 8, depth=0.38, rings=0))
     heights = np.append(0.0, size * 2.0 ** np.arange(20))
-    heights = np.append(heights[heights < 0.7 * DISK.thickness / 2 / DISK.radius], DISK.thickness / 2 / DISK.radius)
+    heights = np.append(
+        heights[heights < 0.7 * DISK.thickness / 2 / DISK.radius], DISK.thickness / 2 / DISK.radius
+    )
     mesh = hexahedra(extrude(plane * DISK.radius, heights * DISK.radius))
     solid = assemble(mesh, ElementHex2(), STEEL, DENSITY, 4)
     held = np.linalg.norm(solid.points - [DISK.radius, 0, 0], axis=1) < 0.6 * size * DISK.radius
     free = free_unknowns(solid.points, held, ("radial", "tangential", "axial"), mirror, DISK.radius)
-    values, *_ = lowest(free.T @ solid.stiffness @ free, free.T @ solid.mass @ free, np.inf, exactly=1)
+    values, *_ = lowest_eigenpairs(
+        free.T @ solid.stiffness @ free, free.T @ solid.mass @ free, np.inf, exact_count=1
+    )
     return np.sqrt(values[0]) / (2 * np.pi)
 
 
 @pytest.mark.parametrize(("y", "exponent"), [(1, 0.5), (-1, 1.5)])
 def test_held_points_never_converge(y, exponent):
-    """A held translation falls as h^(1/2), a held rotation as h^(3/2): points hold nothing in the limit."""
+    """A held translation falls as h^(1/2), a held rotation as h^(3/2): points hold nothing in the
+    limit."""
     sizes = 0.02 * 0.5 ** np.arange(4)
     frequency = [on_neighbouring_points(size, Mirror(y=y, z=1)) for size in sizes]
     assert slope(sizes, frequency) == pytest.approx(exponent, abs=0.06)
 
 
 def static_far_rim(component, mirror):
-    """Displacement [m] of the far rim under a base acceleration of 1 m/s^2, by a static solve on the same mesh."""
-    size = resolving(meshes("standard", DISK, Support())[0], DISK, 60e3)
-    part, solid, _ = solve(DISK, Support(), size, {"below": 0.0, "exactly": 1})
+    """Displacement [m] of the far rim under a base acceleration of 1 m/s^2, by a static solve on
+    the same mesh."""
+    size = resolving_mesh_size(mesh_sizes("standard", DISK, Support())[0], DISK, 60e3)
+    part, solid, _ = solve_classes(DISK, Support(), size, {"below": 0.0, "exact_count": 1})
     held = on_patch(solid.points, DISK.radius, np.deg2rad(Support().half_angle_deg), part.patch)
     free = free_unknowns(solid.points, held, Support().held, mirror, DISK.radius)
     load = np.zeros((len(solid.points), 3))
     load[:, component] = 1.0
-    answer = spsolve((free.T @ solid.stiffness @ free).tocsc(), free.T @ (solid.mass @ load.ravel()))
+    answer = spsolve(
+        (free.T @ solid.stiffness @ free).tocsc(), free.T @ (solid.mass @ load.ravel())
+    )
     far = np.argmin(np.linalg.norm(solid.points - [-DISK.radius, 0, DISK.thickness / 2], axis=1))
     return (free @ answer).reshape(-1, 3)[far, component]
 
 
-@pytest.mark.parametrize(("component", "mirror", "expected"), [(1, (-1, 1), 5.19e-8), (2, (1, -1), 3.50e-8)])
+@pytest.mark.parametrize(
+    ("component", "mirror", "expected"), [(1, (-1, 1), 5.19e-8), (2, (1, -1), 3.50e-8)]
+)
 def test_static_deflection_under_base_acceleration(component, mirror, expected):
-    """sum_k phi_k Gamma_k / w_k^2 is the static solution, so shapes, participation and frequencies fit together."""
+    """sum_k phi_k Gamma_k / w_k^2 is the static solution, so shapes, participation and frequencies
+    fit together."""
     modes = held_modes(DISK, Support(), 60e3, "standard")
     far = modes.at_rim([np.pi])[:, 0, component] * (1 if component == 2 else -1)
     by_modes = (far * modes.participation[:, component] / (2 * np.pi * modes.frequency) ** 2).sum()
@@ -118,11 +146,13 @@ def test_static_deflection_under_base_acceleration(component, mirror, expected):
 
 
 def test_static_deflection_of_the_free_disk():
-    """1 N spread over the +-5 degree arc of a free disk moves the far rim by 2.303e-9 m beyond its rigid motion."""
+    """1 N spread over the +-5 degree arc of a free disk moves the far rim by 2.303e-9 m beyond its
+    rigid motion."""
     zeta, weight = np.polynomial.legendre.leggauss(10)
-    moved, arc = 0.0, np.deg2rad(5)
-    for pairs in all_pairs(DISK, 200e3, 1e-4):
+    moved = 0.0
+    arc = np.deg2rad(5)
+    for pairs in all_eigenpairs(DISK, 200e3, 1e-4):
         n = pairs.problem.n
-        axial = amplitudes(DISK, pairs, np.ones(1), zeta)[2, :, 0] @ weight / 2
+        axial = displacement_amplitudes(DISK, pairs, np.ones(1), zeta)[2, :, 0] @ weight / 2
         moved += (-1) ** n * np.sinc(n * arc / np.pi) * (axial**2 / pairs.values).sum()
     assert moved == pytest.approx(2.3030e-9, rel=5e-3)

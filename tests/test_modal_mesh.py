@@ -1,9 +1,10 @@
-"""Claim: the cells about a patch fill the disk without folds or gaps, and hold the field of its edge exactly.
+"""Claim: the cells about a patch fill the disk without folds or gaps, and hold the field of its
+edge exactly.
 
-Source: at an edge between held and free sides u ~ r^(1/2) (Williams 1952); quarter-point elements hold it along their
-sides (Henshell & Shaw 1975, Barsoum 1976), squared ones all over.
-Oracles: sqrt(z) itself; the volume of a cylinder; every side of a cell belongs to two cells or to the boundary.
-"""
+Source: at an edge between held and free sides u ~ r^(1/2) (Williams 1952); quarter-point elements
+hold it along their sides (Henshell & Shaw 1975, Barsoum 1976), squared ones all over. Oracles:
+sqrt(z) itself; the volume of a cylinder; every side of a cell belongs to two cells or to the
+boundary."""
 
 from itertools import product
 
@@ -13,25 +14,26 @@ from arithmetic import gamma
 from skfem.quadrature import get_quadrature
 
 from modal import Material, Plate, Support
-from modal.accuracy import COARSE, MIDDLE, NARROW, ROUGH, WIDE
-from modal.elements.patch import resolving
-from modal.elements.sample import locate, mapped, quadratic
-from modal.mesh.half_disk import Blocks, about_edge, half_disk
+from modal.accuracy import COARSE_MESH, MIDDLE_MESH, NARROW_MESH, ROUGH_MESH, WIDE_MESH
+from modal.elements.patch import resolving_mesh_size
+from modal.elements.sample import locate, map_from_square, quadratic_shapes
+from modal.mesh.half_disk import MeshSize, half_disk, singular_edge_blocks
 from modal.mesh.sector import sector
 
-PLAIN = Blocks(width=np.pi / 8, depth=0.38, rings=0)
+PLAIN = MeshSize(width=np.pi / 8, depth=0.38, rings=0)
 
 
 def interpolation_errors(block, power):
-    """Largest error of the biquadratic interpolant of z^power on a block, at points of its image, and over rounding.
+    """Largest error of the biquadratic interpolant of z^power on a block, at points of its image,
+    and over rounding.
 
-    The image is that of its nine nodes, as the cell has it. Rounding is that of the field, and of z times its slope.
-    """
+    The image is that of its nine nodes, as the cell has it. Rounding is that of the field, and of z
+    times its slope."""
     nodes = block(*np.meshgrid([0, 0.5, 1], [0, 0.5, 1], indexing="ij"))
     u, v = np.meshgrid(np.linspace(0.05, 0.95, 7), np.linspace(0.05, 0.95, 7))
 
     def interpolated(values):
-        return np.einsum("abi,abj,ij->ab", quadratic(u), quadratic(v), values)
+        return np.einsum("abi,abj,ij->ab", quadratic_shapes(u), quadratic_shapes(v), values)
 
     corners = nodes @ [1, 1j]
     z = interpolated(corners)
@@ -42,28 +44,50 @@ def interpolation_errors(block, power):
 
 
 def test_squared_cells_hold_the_square_root_exactly():
-    ring, inner = about_edge(NARROW)[:4], about_edge(NARROW)[4:]
+    ring = singular_edge_blocks(NARROW_MESH)[:4]
+    inner = singular_edge_blocks(NARROW_MESH)[4:]
     assert max(interpolation_errors(block, 0.5)[1] for block in inner) < 1
     assert max(interpolation_errors(block, 1)[1] for block in inner) < 1
     assert 1e-3 < max(interpolation_errors(block, 0.5)[0] for block in ring) < 0.03
-    assert max(interpolation_errors(block, 0.5)[0] for block in about_edge(PLAIN)) > 0.1
+    assert max(interpolation_errors(block, 0.5)[0] for block in singular_edge_blocks(PLAIN)) > 0.1
 
 
 def test_squared_cells_touch_the_edge_and_the_sides_it_parts():
     """On the sides of a half turn z is real: free to the right of the edge, held to the left."""
-    blocks = about_edge(MIDDLE)
+    blocks = singular_edge_blocks(MIDDLE_MESH)
     edge = [block(np.zeros(1), np.zeros(1)) for block in blocks]
     assert np.abs(edge).sum(axis=2).min() == 0
-    corners = np.concatenate([block(*np.meshgrid([0, 1], [0, 1])).reshape(-1, 2) for block in blocks])
+    corners = np.concatenate(
+        [block(*np.meshgrid([0, 1], [0, 1])).reshape(-1, 2) for block in blocks]
+    )
     assert corners[:, 1].min() == pytest.approx(0, abs=gamma(10))
     assert corners[:, 0].min() == -1
     assert corners[:, 0].max() == 1
 
 
-PATCHES = [(5, 0.34, 0.5), (39, 0.34, 0.24), (180, 1.2, 0.96), (3, 0.34, 0.984), (10, 0.1, 0.3), (0.5, 2, 0.05)]
-DISK = Plate(radius=0.03755, thickness=0.001, material=Material(young=195e9, poisson=0.28), density=7739.0)
-THIN = {f"thin, {name}": resolving(size, DISK, 2e4) for name, size in (("narrow", NARROW), ("wide", WIDE))}
-SIZES = {"middle": MIDDLE, "narrow": NARROW, "wide": WIDE, "rough": ROUGH, "coarse": COARSE, **THIN}
+PATCHES = [
+    (5, 0.34, 0.5),
+    (39, 0.34, 0.24),
+    (180, 1.2, 0.96),
+    (3, 0.34, 0.984),
+    (10, 0.1, 0.3),
+    (0.5, 2, 0.05),
+]
+DISK = Plate(
+    radius=0.03755, thickness=0.001, material=Material(young=195e9, poisson=0.28), density=7739.0
+)
+THIN = {
+    f"thin, {name}": resolving_mesh_size(size, DISK, 2e4)
+    for name, size in (("narrow", NARROW_MESH), ("wide", WIDE_MESH))
+}
+SIZES = {
+    "middle": MIDDLE_MESH,
+    "narrow": NARROW_MESH,
+    "wide": WIDE_MESH,
+    "rough": ROUGH_MESH,
+    "coarse": COARSE_MESH,
+    **THIN,
+}
 WHOLE = [
     (1, 0.34, 1),
     (8, 0.05, 1),
@@ -76,14 +100,18 @@ WHOLE = [
 
 
 def sectors(half_angle_deg, aspect, share, size):
-    for position in ("middle", "bottom")[: 1 if share == 1 else 2]:  # over the whole height they are the same
+    for position in ("middle", "bottom")[
+        : 1 if share == 1 else 2
+    ]:  # over the whole height they are the same
         support = Support(half_angle_deg=half_angle_deg, height=share * aspect, position=position)
         yield sector(1.0, aspect, support, size)
 
 
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize(("half_angle_deg", "aspect", "share"), PATCHES)
-def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(half_angle_deg, aspect, share, size):
+def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(
+    half_angle_deg, aspect, share, size
+):
     for part in sectors(half_angle_deg, aspect, share, SIZES[size]):
         mesh = part.mesh
         x, y, z = mesh.p[:, mesh.facets[:, mesh.f2t[1] < 0]]
@@ -118,6 +146,8 @@ def test_every_point_of_a_face_is_found_in_a_cell_that_holds_it(half_angle_deg, 
     """Where a point is sought in the wrong cell its displacement is that of another point."""
     cells = half_disk(np.deg2rad(half_angle_deg), SIZES[size])
     places = np.random.default_rng(0).random((len(cells), 20, 2))
-    points = mapped(cells[:, None], places)[0].reshape(-1, 2)
+    points = map_from_square(cells[:, None], places)[0].reshape(-1, 2)
     cell, place = locate(points, cells)
-    assert np.abs(mapped(cells[cell][:, None], place[:, None])[0][:, 0] - points).max() < 1e-7
+    assert (
+        np.abs(map_from_square(cells[cell][:, None], place[:, None])[0][:, 0] - points).max() < 1e-7
+    )

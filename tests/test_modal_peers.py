@@ -1,36 +1,43 @@
 """Claim: other finite-element programs find the same modes of the same disk, on a patch and free.
 
-Source: CalculiX's elements C3D10 and C3D20, NGSolve's curved tetrahedra. Oracles: both programs, which share with ours
-at most the mesh; frequencies by another method for the disk on its patch, and by Ritz for the free one.
-"""
+Source: CalculiX's elements C3D10 and C3D20, NGSolve's curved tetrahedra. Oracles: both programs,
+which share with ours at most the mesh; frequencies by another method for the disk on its patch, and
+by Ritz for the free one."""
 
 import shutil
 
 import numpy as np
 import pytest
 
+from benchmarks.cases.modes_case import modes_case
+from benchmarks.methods.plain_finite_elements import plain_modes
+from benchmarks.peers.finite_element_programs import calculix, calculix_modes, ngsolve_modes
+from benchmarks.timed_runs import Failure
 from modal import Support, eigenmodes
-from modal.accuracy import MIDDLE
+from modal.accuracy import MIDDLE_MESH
 from modal.elements.patch import held_modes
 from modal.elements.unfold import whole_mesh
 from modal.mesh.sector import sector
 from modal.mesh.symmetry import on_patch
-from sonify.charts.modes_case import modes_case
-from sonify.charts.peer_elements import calculix, calculix_modes, ngsolve_modes
-from sonify.charts.plain_elements import plain_modes
-from sonify.charts.records import Failure
 
-needs_calculix = pytest.mark.skipif(not shutil.which("ccx"), reason="CalculiX (ccx) is not installed")
+needs_calculix = pytest.mark.skipif(
+    not shutil.which("ccx"), reason="CalculiX (ccx) is not installed"
+)
 
 
 def graded(case, support):
-    """Frequencies [Hz] by CalculiX's 20-node hexahedra on the whole disk, its mesh that of the standard level."""
-    part = sector(case.plate.radius, case.plate.thickness, support, MIDDLE)
+    """Frequencies [Hz] by CalculiX's 20-node hexahedra on the whole disk, its mesh that of the
+    standard level."""
+    part = sector(case.plate.radius, case.plate.thickness, support, MIDDLE_MESH)
     points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
     held = np.zeros(0, int)
     if part.patch:
-        held = np.flatnonzero(on_patch(points, case.plate.radius, np.deg2rad(support.half_angle_deg), part.patch))
-    return np.array(calculix(case, points, cells[:, :20], np.intersect1d(held, cells[:, :20])).values)
+        held = np.flatnonzero(
+            on_patch(points, case.plate.radius, np.deg2rad(support.half_angle_deg), part.patch)
+        )
+    return np.array(
+        calculix(case, points, cells[:, :20], np.intersect1d(held, cells[:, :20])).values
+    )
 
 
 @needs_calculix
@@ -43,7 +50,8 @@ def test_calculix_is_within_a_percent_on_graded_hexahedra(kind):
 @needs_calculix
 @pytest.mark.parametrize("position", ["middle", "bottom"])
 def test_calculix_agrees_on_a_patch_over_part_of_the_thickness(position):
-    case, support = modes_case("patch"), Support(height=0.0064, position=position)
+    case = modes_case("patch")
+    support = Support(height=0.0064, position=position)
     ours = held_modes(case.plate, support, 20.5e3, "standard").frequency
     assert graded(case, support) == pytest.approx(ours[:9], rel=0.01)
 
@@ -51,13 +59,19 @@ def test_calculix_agrees_on_a_patch_over_part_of_the_thickness(position):
 @needs_calculix
 @pytest.mark.parametrize("kind", ["patch", "free"])
 def test_calculix_and_scikit_fem_agree_on_the_same_tetrahedra(kind):
-    case, mesh = modes_case(kind), ("P2 tetrahedra", 3, 1)
-    assert calculix_modes(case, *mesh).values == pytest.approx(plain_modes(case, *mesh).values, rel=2e-3)
+    case = modes_case(kind)
+    mesh = ("P2 tetrahedra", 3, 1)
+    assert calculix_modes(case, *mesh).values == pytest.approx(
+        plain_modes(case, *mesh).values, rel=2e-3
+    )
 
 
-@pytest.mark.parametrize(("kind", "refinements", "tolerance"), [("patch", 4, 0.02), ("free", 0, 0.003)])
+@pytest.mark.parametrize(
+    ("kind", "refinements", "tolerance"), [("patch", 4, 0.02), ("free", 0, 0.003)]
+)
 def test_ngsolve_is_as_near_as_its_mesh_allows(kind, refinements, tolerance):
-    """Its tetrahedra are not flat along the edge of the patch, where they would have to be far smaller for more."""
+    """Its tetrahedra are not flat along the edge of the patch, where they would have to be far
+    smaller for more."""
     pytest.importorskip("ngsolve", reason="NGSolve is not installed")
     case = modes_case(kind)
     theirs = np.array(ngsolve_modes(case, "P3 tetrahedra", refinements, 1).values)

@@ -1,4 +1,5 @@
-"""Claim: the picture of the modes shows every mode at a slant and from above, labelled with its frequency.
+"""Claim: the picture of the modes shows every mode at a slant and from above, labelled with its
+frequency.
 
 Oracle: the ink in the panels; the area and the volume that the drawn surface encloses.
 """
@@ -12,8 +13,8 @@ import pytest
 import skfem
 
 from modal import Body, Material, Plate, Support, plate_modes
+from sonify.report.lit_polygons import skin
 from sonify.report.mode_shapes import caption, draw_modes, edges, stiff_share, top_face
-from sonify.report.solid_view import skin
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 DISK = Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27)
@@ -27,7 +28,10 @@ def modes():
 def ink(image, rows, columns):
     """Share of coloured pixels in one part of a picture."""
     height, width = image.shape[:2]
-    part = image[int(rows[0] * height) : int(rows[1] * height), int(columns[0] * width) : int(columns[1] * width)]
+    part = image[
+        int(rows[0] * height) : int(rows[1] * height),
+        int(columns[0] * width) : int(columns[1] * width),
+    ]
     return (part.std(axis=2) > 0.05).mean()
 
 
@@ -51,13 +55,16 @@ def green(modes, path, support):
 
 
 def test_the_patch_is_drawn_as_wide_as_it_is(modes, tmp_path):
-    """Oracle: an arc of 95 pixels' radius, 5/72 in wide at 100 pixels an inch, in the picture of every mode."""
+    """Oracle: an arc of 95 pixels' radius, 5/72 in wide at 100 pixels an inch, in the picture of
+    every mode."""
     path = tmp_path / "modes.png"
     assert green(modes, path, None) == green(modes, path, Support(kind="free")) == 0
     for angle in (2, 5, 40, 180):
         for height in (None, 0.004):
             pixels = green(modes, path, Support(half_angle_deg=angle, height=height))
-            assert pixels == pytest.approx(len(modes) * 2 * np.deg2rad(angle) * 95 * 500 / 72, rel=0.4)
+            assert pixels == pytest.approx(
+                len(modes) * 2 * np.deg2rad(angle) * 95 * 500 / 72, rel=0.4
+            )
 
 
 @pytest.mark.parametrize("cell", [skfem.MeshHex1, skfem.MeshTet1, skfem.MeshTet2, skfem.MeshHex2])
@@ -65,7 +72,9 @@ def test_the_skin_of_a_cube_is_its_six_sides(cell, tmp_path):
     linear = skfem.MeshHex1 if "Hex" in cell.__name__ else skfem.MeshTet1
     cell.from_mesh(linear.init_tensor(*[np.linspace(0, 1, 3)] * 3)).save(str(tmp_path / "cube.vtu"))
     (block,) = (read := meshio.read(tmp_path / "cube.vtu")).cells
-    body = Body(points=read.points, cells=block.data, cell_type=block.type, displacement=read.points[None])
+    body = Body(
+        points=read.points, cells=block.data, cell_type=block.type, displacement=read.points[None]
+    )
     corners = body.points[skin(body)]
     sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
     if corners.shape[1] == 4:
@@ -92,24 +101,39 @@ def test_a_disk_without_modes_says_so(tmp_path):
 
 
 def test_the_modes_of_a_table_are_below_those_of_the_disk(tmp_path):
-    """Two made-up shapes on a square: ink in the two cells below, none in the third."""
+    """Two made-up shapes on a square: ink in the two cells below, none in the third; the scale is
+    below all cells."""
     none = plate_modes(Plate(radius=0.003, thickness=0.001, material=STEEL, density=7737.27), 20e3)
     points = np.stack(np.meshgrid(*[np.linspace(0, 0.4, 21)] * 2), axis=-1).reshape(-1, 2)
     face = np.array([points[:, 0] - 0.2, points[:, 1] - 0.2])
-    draw_modes(none, tmp_path / "table.png", slanted=False, table=(points, face, ["1: 100 Hz", "2: 200 Hz"], 2))
+    draw_modes(
+        none,
+        tmp_path / "table.png",
+        slanted=False,
+        table=(points, face, ["1: 100 Hz", "2: 200 Hz"], 2),
+    )
     image = matplotlib.image.imread(tmp_path / "table.png")[..., :3]
-    shares = [ink(image, (0.7, 0.95), (column / 5, (column + 1) / 5)) for column in range(3)]
+    shares = [ink(image, (0.6, 0.8), (column / 5, (column + 1) / 5)) for column in range(3)]
     assert min(shares[:2]) > 0.3
     assert shares[2] < 0.01
 
 
 def test_a_stiff_disk_that_turns_about_its_patch_swings():
-    """Oracle: the field of a rotation about a point of the rim; half of it where as much again is bending."""
+    """Oracle: the field of a rotation about a point of the rim; half of it where as much again is
+    bending."""
     angle = 2 * np.pi * np.arange(64) / 64
-    c, s = np.cos(angle), np.sin(angle)
+    c = np.cos(angle)
+    s = np.sin(angle)
     turned = np.column_stack([-s, 1 - c, 0 * c])  # e_z x (x - e_x), radial and tangential
-    bent = np.column_stack([0 * c, 0 * c, np.cos(2 * angle)]) * np.sqrt(2 * np.square(turned).sum() / 64)
-    names = {"partner": [-1] * 2, "parity": ["even"] * 2, "family": ["extensional"] * 2, "order": [0] * 2}
+    bent = np.column_stack([0 * c, 0 * c, np.cos(2 * angle)]) * np.sqrt(
+        2 * np.square(turned).sum() / 64
+    )
+    names = {
+        "partner": [-1] * 2,
+        "parity": ["even"] * 2,
+        "family": ["extensional"] * 2,
+        "order": [0] * 2,
+    }
     rims = {"rim_angle": angle, "rim_shape": np.array([turned, turned + bent])}
     modes = SimpleNamespace(frequency=[800.0, 900.0], decay_rate=[0.0, 0.0], **names, **rims)
     assert [stiff_share(modes, i) for i in (0, 1)] == pytest.approx([1, 0.5])
@@ -120,6 +144,10 @@ def test_a_stiff_disk_that_turns_about_its_patch_swings():
 
 def test_captions_say_what_a_mode_is(modes):
     assert caption(modes, 0) == "1: 10603 Hz, T60 0.69 s\nflexural, even, order 2"
-    silent = SimpleNamespace(frequency=modes.frequency, decay_rate=0 * modes.decay_rate, decay_time=modes.decay_time)
-    vars(silent).update(parity=modes.parity, partner=modes.partner, family=modes.family, order=modes.order)
+    silent = SimpleNamespace(
+        frequency=modes.frequency, decay_rate=0 * modes.decay_rate, decay_time=modes.decay_time
+    )
+    vars(silent).update(
+        parity=modes.parity, partner=modes.partner, family=modes.family, order=modes.order
+    )
     assert "T60" not in caption(silent, 0)

@@ -1,8 +1,8 @@
 """Claim: the damping of a mode by the sound it radiates follows from its shape on the faces.
 
-Source: Rayleigh's integral. Oracles: radiation resistance of a baffled piston, rho c A (1 - J_1(2 k a)/(k a)); monopole
-and dipole for long waves; Lamb's disk without a baffle; the integral summed point by point.
-"""
+Source: Rayleigh's integral. Oracles: radiation resistance of a baffled piston, rho c A (1 - J_1(2 k
+a)/(k a)); monopole and dipole for long waves; Lamb's disk without a baffle; the integral summed
+point by point."""
 
 from dataclasses import replace
 
@@ -19,7 +19,9 @@ STEEL = Material(young=195e9, poisson=0.28, loss_factor=2e-4)
 
 @pytest.fixture(scope="module")
 def modes():
-    return plate_modes(Plate(radius=RADIUS, thickness=0.0128, material=STEEL, density=7737.27), 23e3)
+    return plate_modes(
+        Plate(radius=RADIUS, thickness=0.0128, material=STEEL, density=7737.27), 23e3
+    )
 
 
 def test_two_faces_moving_as_pistons(modes):
@@ -30,7 +32,9 @@ def test_two_faces_moving_as_pistons(modes):
 
 
 def test_each_face_takes_its_part(modes):
-    assert radiation_decay(modes, (TOP,)) + radiation_decay(modes, (BOTTOM,)) == pytest.approx(radiation_decay(modes))
+    assert radiation_decay(modes, (TOP,)) + radiation_decay(modes, (BOTTOM,)) == pytest.approx(
+        radiation_decay(modes)
+    )
     still = modes.face_shape.copy()
     still[:, TOP] = 0
     assert np.abs(radiation_decay(replace(modes, face_shape=still), (TOP,))).max() == 0
@@ -46,14 +50,16 @@ def slowed(modes, frequency, shape):
 def test_long_waves_hear_the_volume_flow_of_each_face(modes):
     """A monopole in front of a wall: P = rho w^2 Q^2/(4 pi c) with the peak flow Q = w_mean A v."""
     shape = (1 - (modes.face_radius / RADIUS) ** 2)[:, None] + 0 * modes.face_angle
-    slow, flow = slowed(modes, 20.0, shape), np.pi * RADIUS**2 / 2
+    slow = slowed(modes, 20.0, shape)
+    flow = np.pi * RADIUS**2 / 2
     power = AIR_DENSITY * (2 * np.pi * 20.0) ** 2 * flow**2 / (4 * np.pi * SOUND_SPEED)
     assert radiation_decay(slow)[0] == pytest.approx(2 * power, rel=1e-3)
 
 
 @pytest.mark.parametrize("turn", [np.cos, np.sin])
 def test_long_waves_hear_a_tilt_as_a_dipole(modes, turn):
-    """With D = k sin(t) cos(p) int w x dA, int |D|^2 over a half space is (2 pi/3) k^2 (pi a^3/4)^2 for w = x/a."""
+    """With D = k sin(t) cos(p) int w x dA, int |D|^2 over a half space is (2 pi/3) k^2 (pi a^3/4)^2
+    for w = x/a."""
     slow = slowed(modes, 20.0, np.outer(modes.face_radius / RADIUS, turn(modes.face_angle)))
     rate = 2 * np.pi * 20.0
     square = 2 * np.pi / 3 * (rate / SOUND_SPEED) ** 2 * (np.pi * RADIUS**3 / 4) ** 2
@@ -62,15 +68,19 @@ def test_long_waves_hear_a_tilt_as_a_dipole(modes, turn):
 
 
 def test_without_a_baffle_a_heaving_disk_radiates_as_much_less_as_said(modes):
-    """Lamb (1932), section 102: the resistance of a free disk is 8 rho c pi a^2 (k a)^4/(27 pi^2) for long waves."""
+    """Lamb (1932), section 102: the resistance of a free disk is 8 rho c pi a^2 (k a)^4/(27 pi^2)
+    for long waves."""
     ka = 0.1
     slow = slowed(modes, ka * SOUND_SPEED / (2 * np.pi * RADIUS), 1.0)
     free = 8 * AIR_DENSITY * SOUND_SPEED * np.pi * RADIUS**2 * ka**4 / (27 * np.pi**2)
-    assert radiation_decay(slow)[0] / (free / 2) == pytest.approx(27 * np.pi**2 / (8 * ka**2), rel=0.01)
+    assert radiation_decay(slow)[0] / (free / 2) == pytest.approx(
+        27 * np.pi**2 / (8 * ka**2), rel=0.01
+    )
 
 
 def test_hankel_transforms_are_the_integral_summed_point_by_point(modes):
-    sine, azimuth = np.array([0.2, 0.7, 1.0]), np.array([0.3, 2.1])
+    sine = np.array([0.2, 0.7, 1.0])
+    azimuth = np.array([0.3, 2.1])
     parts = directivity(modes, sine)
     order = np.arange(parts.shape[1])
     turns = np.stack([np.cos(np.outer(order, azimuth)), np.sin(np.outer(order, azimuth))])
@@ -84,7 +94,8 @@ def test_hankel_transforms_are_the_integral_summed_point_by_point(modes):
 
 
 def test_orders_that_the_face_angles_do_not_show_do_not_radiate(modes):
-    """On 64 angles cos 60 theta is cos 4 theta, which radiates, and cos 32 theta is all that is left of its pair."""
+    """On 64 angles cos 60 theta is cos 4 theta, which radiates, and cos 32 theta is all that is
+    left of its pair."""
     assert len(modes.face_angle) == 64
     for order in (4, 31, 32, 60):
         shape = np.cos(order * modes.face_angle) + 0 * modes.face_radius[:, None]

@@ -1,8 +1,9 @@
-"""Claim: two methods that share no mesh and no boundary condition agree on the disk held on a patch.
+"""Claim: two methods that share no mesh and no boundary condition agree on the disk held on a
+patch.
 
-Source: free modes with residual flexibility (component mode synthesis after MacNeal and Rubin) against finite elements.
-Oracle: each is the other's; for +-5 degrees also another program's elements of high degree, converged to 3e-5.
-"""
+Source: free modes with residual flexibility (component mode synthesis after MacNeal and Rubin)
+against finite elements. Oracle: each is the other's; for +-5 degrees also another program's
+elements of high degree, converged to 3e-5."""
 
 from dataclasses import replace
 from math import pi
@@ -11,10 +12,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from benchmarks.cases.modes_case import modes_case
 from modal import FreeDisk, Material, Plate, Support, eigenmodes
 from modal.elements.patch import held_modes
-from modal.synthesis.patches import Richness
-from sonify.charts.modes_case import modes_case
+from modal.synthesis.free_disk import Richness
 
 RADIUS, THICKNESS, DENSITY = 0.03755, 0.0128, 0.4387 / (pi * 0.03755**2 * 0.0128)
 STEEL = Material(young=195e9, poisson=0.28)
@@ -72,7 +73,8 @@ OTHERS = {
 def test_other_disks_are_right_to_2_percent_too(name):
     """Synthesis is within 1.3e-3 of itself with more of everything on all of these."""
     poisson, aspect, support = OTHERS[name]
-    material, below = Material(young=195e9, poisson=poisson), min(20e3, 60e3 * aspect)
+    material = Material(young=195e9, poisson=poisson)
+    below = min(20e3, 60e3 * aspect)
     disk = Plate(radius=RADIUS, thickness=aspect * RADIUS, material=material, density=DENSITY)
     frequency = FreeDisk(plate=disk).frequencies(support, below)
     elements = held_modes(disk, support, 1.02 * below, "standard")
@@ -110,16 +112,24 @@ WIDE = {"narrow": 0.5, "45 degrees": 45, "60 degrees": 60, "130 degrees": 130}
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["published", *WIDE, *OTHERS])
 def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
-    """Oracle: synthesis with twice as much of everything, where it differs by more than its own estimate.
+    """Oracle: synthesis with twice as much of everything, where it differs by more than its own
+    estimate.
 
     What is wrong by less comes of parts of both signs that cancel; its estimate stays below 2e-4.
     """
-    poisson, aspect, support = OTHERS.get(name, (0.28, 0.34, Support(half_angle_deg=WIDE.get(name, 5))))
-    material, below = Material(young=195e9, poisson=poisson), min(20e3, 60e3 * aspect)
+    poisson, aspect, support = OTHERS.get(
+        name, (0.28, 0.34, Support(half_angle_deg=WIDE.get(name, 5)))
+    )
+    material = Material(young=195e9, poisson=poisson)
+    below = min(20e3, 60e3 * aspect)
     disk = Plate(radius=RADIUS, thickness=aspect * RADIUS, material=material, density=DENSITY)
     rich = Richness(size=(16, 10), around=14, through=8, cutoff=2.0)
-    found, exact = (FreeDisk(plate=disk, richness=r).held(support, below) for r in (Richness(), rich))
-    (f, estimate), (g, unsure) = (np.concatenate([[c.frequency, c.error] for c in k], axis=1) for k in (found, exact))
+    found, exact = (
+        FreeDisk(plate=disk, richness=r).held(support, below) for r in (Richness(), rich)
+    )
+    (f, estimate), (g, unsure) = (
+        np.concatenate([[c.frequency, c.error] for c in k], axis=1) for k in (found, exact)
+    )
     error = np.abs(f / g - 1)
     assert error.max() < 1e-3
     large = error > 5e-5
@@ -129,26 +139,38 @@ def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
 
 
 def test_holding_two_components_lowers_every_frequency(free_disk):
-    two, three = (free_disk.frequencies(Support(held=held), below=20e3)[:9] for held in (TWO, Support().held))
+    two, three = (
+        free_disk.frequencies(Support(held=held), below=20e3)[:9] for held in (TWO, Support().held)
+    )
     assert (two < three).all()
     assert two[0] < 0.05 * three[0]
 
 
-@pytest.mark.parametrize(("held", "motions"), [(("radial",), 2), (("axial",), 3), (("radial", "axial"), 1)])
+@pytest.mark.parametrize(
+    ("held", "motions"), [(("radial",), 2), (("axial",), 3), (("radial", "axial"), 1)]
+)
 def test_components_that_leave_the_disk_loose_are_refused(held, motions):
     disk = SimpleNamespace(radius=RADIUS, thickness=THICKNESS, mass=DISK.mass, shape="solid")
+    numerics = SimpleNamespace(accuracy="standard")
+    scene = SimpleNamespace(
+        disk=disk, material=STEEL, support=Support(held=held), numerics=numerics
+    )
     with pytest.raises(ValueError, match=f"{motions} rigid-body"):
-        eigenmodes(SimpleNamespace(disk=disk, material=STEEL, support=Support(held=held)))
+        eigenmodes(scene)
 
 
-def test_synthesis_refuses_plates_whose_edge_is_not_free_and_patches_that_leave_one_loose(free_disk):
+def test_synthesis_refuses_plates_whose_edge_is_not_free_and_patches_that_leave_one_loose(
+    free_disk,
+):
     with pytest.raises(ValueError, match="free edge"):
         FreeDisk(plate=replace(DISK, edge="clamped"))
     with pytest.raises(ValueError, match="1 rigid-body"):
         free_disk.frequencies(Support(held=("radial", "axial")), below=20e3)
 
 
-@pytest.mark.parametrize("wrong", [{"edge": "foo"}, {"radius": -1.0}, {"inner_radius": 0.04}, {"density": 0.0}])
+@pytest.mark.parametrize(
+    "wrong", [{"edge": "foo"}, {"radius": -1.0}, {"inner_radius": 0.04}, {"density": 0.0}]
+)
 def test_a_plate_that_is_none_is_refused(wrong):
     with pytest.raises(ValueError, match=r"edge = 'foo'|a plate has"):
         replace(DISK, **wrong)

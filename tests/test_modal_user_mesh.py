@@ -1,4 +1,5 @@
-"""Claim: a mesh made elsewhere gives the same modes, and one that will not do is refused with a sentence that says why.
+"""Claim: a mesh made elsewhere gives the same modes, and one that will not do is refused with a
+sentence that says why.
 
 Oracle: the disk of the +-5 degree table, written to files by this test and read back.
 """
@@ -13,11 +14,11 @@ import pytest
 import skfem
 
 from modal import FreeDisk, Material, Plate, Support, mesh_modes, plate_modes, write_vtu
-from modal.elements.given_mesh import elements, level, pairs
 from modal.elements.patch import held_modes
-from modal.elements.unfold import VTK_HEXAHEDRON27
-from modal.mesh.half_disk import Blocks, half_disk
-from modal.mesh.read import Hushed, patch_facets, read_mesh
+from modal.elements.user_mesh import discretise, elastic_eigenpairs, lagrange_elements
+from modal.mesh.half_disk import MeshSize, half_disk
+from modal.mesh.hexahedron import VTK_HEXAHEDRON27
+from modal.mesh.read import SilencedStream, patch_facets, read_mesh
 from modal.mesh.sector import extrude, hexahedra
 
 RADIUS, THICKNESS, MASS = 0.03755, 0.0128, 0.4387
@@ -28,7 +29,10 @@ REFERENCE = np.array([800.52, 1080.07, 2261.27, 7266.64])
 
 
 def curved(rings=2):
-    cells = half_disk(np.deg2rad(5), Blocks(width=np.pi / 8, depth=0.38, rings=rings, lead=0.5)) * RADIUS
+    cells = (
+        half_disk(np.deg2rad(5), MeshSize(width=np.pi / 8, depth=0.38, rings=rings, lead_ratio=0.5))
+        * RADIUS
+    )
     cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
     return hexahedra(extrude(cells, np.linspace(-THICKNESS / 2, THICKNESS / 2, 2)))
 
@@ -52,9 +56,12 @@ def test_curved_hexahedra_give_the_table(tmp_path):
     assert modes.residual.max() < 1e-8
 
 
-@pytest.mark.parametrize("support", [Support(), Support(height=THICKNESS / 2, held=("tangential", "axial"))])
+@pytest.mark.parametrize(
+    "support", [Support(), Support(height=THICKNESS / 2, held=("tangential", "axial"))]
+)
 def test_the_mesh_written_with_the_modes_gives_them_back(tmp_path, support):
-    """Cells squared about the patch edge, where their sides meet at a straight angle, are neither flat nor folded."""
+    """Cells squared about the patch edge, where their sides meet at a straight angle, are neither
+    flat nor folded."""
     given = held_modes(Plate(**SOLID), support, 8e3, "standard")
     write_vtu(given, tmp_path / "modes.vtu")
     again = frequencies(tmp_path / "modes.vtu", support, refine=False)
@@ -63,16 +70,20 @@ def test_the_mesh_written_with_the_modes_gives_them_back(tmp_path, support):
 
 def free_hexahedra(path, split, thickness=THICKNESS, layers=1):
     """Curved hexahedra of the free disk, split^2 per block of the plane in every layer."""
-    cells = half_disk(np.pi, Blocks(width=np.pi / 4, depth=0.5, rings=0, split=split)) * RADIUS
+    cells = half_disk(np.pi, MeshSize(width=np.pi / 4, depth=0.5, rings=0, split=split)) * RADIUS
     cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
-    hexahedra(extrude(cells, np.linspace(-thickness / 2, thickness / 2, layers + 1))).save(str(path))
+    hexahedra(extrude(cells, np.linspace(-thickness / 2, thickness / 2, layers + 1))).save(
+        str(path)
+    )
 
 
 @pytest.mark.parametrize("refine", [True, False])
 def test_the_error_estimate_bounds_the_error_of_a_free_disk(tmp_path, refine):
     exact = plate_modes(Plate(**SOLID), 30e3).frequency
     free_hexahedra(tmp_path / "disk.vtu", 1)
-    modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=24e3, refine=refine)
+    modes = mesh_modes(
+        tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=24e3, refine=refine
+    )
     error = modes.frequency / exact[: len(modes)] - 1
     assert len(modes) == np.count_nonzero(exact < 24e3)
     assert (error <= modes.error).mean() >= 0.9
@@ -81,7 +92,8 @@ def test_the_error_estimate_bounds_the_error_of_a_free_disk(tmp_path, refine):
 
 
 def test_a_pair_spans_the_plane_of_the_exact_pair(tmp_path):
-    """The mesh turns the two shapes of a pair as it likes; the plane they span is what can be compared."""
+    """The mesh turns the two shapes of a pair as it likes; the plane they span is what can be
+    compared."""
     exact = plate_modes(Plate(**SOLID), 12e3)
     free_hexahedra(tmp_path / "disk.vtu", 1)
     modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=12e3)
@@ -93,12 +105,19 @@ def test_a_pair_spans_the_plane_of_the_exact_pair(tmp_path):
 
 @pytest.mark.parametrize("half_angle_deg", [5, 22.5])
 def test_the_error_estimate_bounds_the_error_on_a_patch(tmp_path, half_angle_deg):
-    """Oracle: synthesis, which has no mesh. Cells are 5 or 22.5 degrees wide and not graded to the patch."""
-    support, disk = Support(half_angle_deg=half_angle_deg), Plate(**SOLID)
+    """Oracle: synthesis, which has no mesh. Cells are 5 or 22.5 degrees wide and not graded to the
+    patch."""
+    support = Support(half_angle_deg=half_angle_deg)
+    disk = Plate(**SOLID)
     exact = FreeDisk(plate=disk).frequencies(support, 20e3)
-    cells = half_disk(np.deg2rad(half_angle_deg), Blocks(width=np.pi / 8, depth=0.38, rings=0)) * RADIUS
+    cells = (
+        half_disk(np.deg2rad(half_angle_deg), MeshSize(width=np.pi / 8, depth=0.38, rings=0))
+        * RADIUS
+    )
     cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
-    hexahedra(extrude(cells, np.linspace(-THICKNESS / 2, THICKNESS / 2, 2))).save(str(tmp_path / "disk.vtu"))
+    hexahedra(extrude(cells, np.linspace(-THICKNESS / 2, THICKNESS / 2, 2))).save(
+        str(tmp_path / "disk.vtu")
+    )
     modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, support, below=20e3)
     error = modes.frequency / exact[: len(modes)] - 1
     assert (error <= modes.error).mean() >= 0.9
@@ -113,20 +132,32 @@ def test_linear_tetrahedra_are_promoted_because_they_lock(tmp_path, suffix):
     meshio.Mesh(tets.p.T, [("tetra", tets.t.T)]).write(path, **options)
     assert frequencies(path, refine=False).frequency == pytest.approx(REFERENCE, rel=0.1)
     mesh = read_mesh(path)
-    linear, quadratic = elements(mesh)
-    as_given = level(mesh, patch_facets(mesh, Support()), linear, [quadratic.doflocs.T], STEEL, DENSITY)
-    assert np.sqrt(pairs(as_given, Support().held, 8e3, 0.0)[0][0]) > 1.15 * 2 * np.pi * REFERENCE[0]
+    linear, quadratic = lagrange_elements(mesh)
+    as_given = discretise(
+        mesh, patch_facets(mesh, Support()), linear, [quadratic.doflocs.T], STEEL, DENSITY
+    )
+    assert (
+        np.sqrt(elastic_eigenpairs(as_given, Support().held, 8e3, 0.0)[0][0])
+        > 1.15 * 2 * np.pi * REFERENCE[0]
+    )
 
 
 def test_a_named_surface_holds_the_body(tmp_path):
     mesh = straight()
-    rim = mesh.facets_satisfying(lambda x: np.hypot(x[0], x[1]) > 0.9 * RADIUS, boundaries_only=True)
+    rim = mesh.facets_satisfying(
+        lambda x: np.hypot(x[0], x[1]) > 0.9 * RADIUS, boundaries_only=True
+    )
     middle = mesh.p[:, mesh.facets[:, rim]].mean(axis=1)
-    held = rim[(np.abs(np.arctan2(middle[1], middle[0])) < np.deg2rad(5)) & (np.hypot(*middle[:2]) > 0.98 * RADIUS)]
+    held = rim[
+        (np.abs(np.arctan2(middle[1], middle[0])) < np.deg2rad(5))
+        & (np.hypot(*middle[:2]) > 0.98 * RADIUS)
+    ]
     held = held[np.ptp(mesh.p[2, mesh.facets[:, held]], axis=0) > 0]
     mesh.with_boundaries({"clamp": held}).save(str(tmp_path / "disk.vtu"))
     named = frequencies(tmp_path / "disk.vtu", patch="clamp", refine=False)
-    assert named.frequency == pytest.approx(frequencies(tmp_path / "disk.vtu", refine=False).frequency, rel=1e-9)
+    assert named.frequency == pytest.approx(
+        frequencies(tmp_path / "disk.vtu", refine=False).frequency, rel=1e-9
+    )
     with pytest.raises(ValueError, match="no surface 'grip', only \\['clamp'\\]"):
         frequencies(tmp_path / "disk.vtu", patch="grip")
 
@@ -142,7 +173,9 @@ def test_a_free_mesh_has_six_rigid_modes_left_out(tmp_path):
 @pytest.mark.parametrize("refine", [True, False])
 def test_a_body_without_modes_below_the_limit_gives_none(tmp_path, kind, refine):
     curved().save(str(tmp_path / "disk.vtu"))
-    modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind=kind), below=100, refine=refine)
+    modes = mesh_modes(
+        tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind=kind), below=100, refine=refine
+    )
     assert len(modes) == len(modes.error) == 0
     assert modes.rim_shape.shape == (0, 128, 3)
     assert modes.face_shape.shape == (0, 2, 16, 64)
@@ -153,7 +186,9 @@ def test_a_free_cylinder_thicker_than_its_radius_has_six_rigid_modes_too(tmp_pat
     """Oracle: the spectral solution."""
     thick = Plate(**SOLID | {"thickness": aspect * RADIUS})
     free_hexahedra(tmp_path / "thick.vtu", 1, thick.thickness, layers=2 * aspect)
-    modes = mesh_modes(tmp_path / "thick.vtu", STEEL, DENSITY, Support(kind="free"), below=28e3, refine=False)
+    modes = mesh_modes(
+        tmp_path / "thick.vtu", STEEL, DENSITY, Support(kind="free"), below=28e3, refine=False
+    )
     exact = plate_modes(thick, 30e3).frequency[: len(modes)]
     assert len(modes) >= 3
     assert modes.frequency == pytest.approx(exact, rel=0.02)
@@ -176,14 +211,19 @@ def corners_and_edges(mesh):
 def test_hexahedra_of_20_nodes_are_the_curved_ones(tmp_path, suffix):
     mesh = curved()
     mesh.save(str(tmp_path / "disk27.vtu"))
-    meshio.Mesh(mesh.doflocs.T, [("hexahedron20", corners_and_edges(mesh))]).write(tmp_path / f"disk20{suffix}")
-    both = [frequencies(tmp_path / name, refine=False) for name in ("disk27.vtu", f"disk20{suffix}")]
+    meshio.Mesh(mesh.doflocs.T, [("hexahedron20", corners_and_edges(mesh))]).write(
+        tmp_path / f"disk20{suffix}"
+    )
+    both = [
+        frequencies(tmp_path / name, refine=False) for name in ("disk27.vtu", f"disk20{suffix}")
+    ]
     assert both[1].frequency == pytest.approx(both[0].frequency, rel=2e-4)
     assert both[1].mass == pytest.approx(MASS, rel=1e-3)
 
 
 def test_curved_tetrahedra_are_cut_along_their_curves(tmp_path):
-    """A tetrahedron cut in eight is the same body: the mass stays to round-off, and frequencies fall."""
+    """A tetrahedron cut in eight is the same body: the mass stays to round-off, and frequencies
+    fall."""
     mesh = skfem.MeshTet2.from_mesh(straight().to_meshtet())
     mesh.doflocs[2] *= 1 + 0.3 * (mesh.doflocs[0] / RADIUS) ** 2
     mesh.save(str(tmp_path / "disk.vtu"))
@@ -196,7 +236,12 @@ def test_curved_tetrahedra_are_cut_along_their_curves(tmp_path):
 
 def test_wedges_are_refused_by_name(tmp_path):
     mesh = skfem.MeshWedge1()
-    refused(tmp_path, mesh.p.T, [("wedge", mesh.t.T)], "cells .*wedge.* known is one of")
+    refused(
+        tmp_path,
+        mesh.p.T,
+        [("wedge", mesh.t.T)],
+        "cells .*wedge.* all must be of the same type, one of",
+    )
 
 
 def write(path, points, cells):
@@ -210,7 +255,7 @@ def refused(tmp_path, points, cells, match, **kwargs):
 
 
 def test_while_a_mesh_is_read_other_threads_still_write(capsys):
-    with redirect_stdout(Hushed(sys.stdout)):
+    with redirect_stdout(SilencedStream(sys.stdout)):
         print("of the reader")
         other = Thread(target=print, args=["of another"])
         other.start()
@@ -224,13 +269,14 @@ def test_a_cell_with_a_node_that_is_none_is_refused(tmp_path):
     cells[7, 3] = mesh.p.shape[1]
     path = tmp_path / "bad.mesh"
     write(path, mesh.p.T, [("tetra", cells)])
-    with pytest.raises(ValueError, match="a cell has a node that is none of"):
+    with pytest.raises(ValueError, match="a cell has a node number outside 0 to"):
         read_mesh(path)
 
 
 def test_meshes_that_will_not_do(tmp_path):
     mesh = straight()
-    points, cells = mesh.p.T, mesh.to_meshtet().t.T
+    points = mesh.p.T
+    cells = mesh.to_meshtet().t.T
     refused(tmp_path, 1e3 * points, [("tetra", cells)], "millimetres")
     refused(tmp_path, points, [("triangle", cells[:, :3])], "no volume cells")
     refused(tmp_path, points * [1, 1, 0], [("tetra", cells)], "flat or folded")
@@ -242,6 +288,11 @@ def test_meshes_that_will_not_do(tmp_path):
     mesh.save(str(tmp_path / "good.vtu"))
     bricks = meshio.read(tmp_path / "good.vtu").cells[0].data.copy()
     bricks[7] = bricks[7][[4, 5, 6, 7, 0, 1, 2, 3]]
-    refused(tmp_path, points, [("hexahedron", bricks)], "1 of 60 cells are numbered inside out, the first is 7")
+    refused(
+        tmp_path,
+        points,
+        [("hexahedron", bricks)],
+        "1 of 60 cells are numbered inside out, the first is 7",
+    )
     narrow = Support(half_angle_deg=0.01)
     refused(tmp_path, points, [("tetra", cells)], "no facet", support=narrow)

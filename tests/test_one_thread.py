@@ -1,4 +1,5 @@
-"""Claim: BLAS has one thread while modes are sought or a scene is run, and afterwards as many as the user set.
+"""Claim: BLAS has one thread while modes are sought or a scene is run, and afterwards as many as
+the user set.
 
 Source: the matrices are small; two threads take twice the processor time of one and are slower.
 Oracle: threadpoolctl's own account of the libraries that are loaded.
@@ -12,16 +13,19 @@ import scipy.linalg  # noqa: F401  loads the BLAS that is asked about
 from threadpoolctl import threadpool_info, threadpool_limits
 
 from modal import eigenmodes
-from modal.one_thread import one_blas_thread
+from modal.blas_threads import one_blas_thread
 from sonify import run
 
 
 def blas_threads() -> set[int]:
-    return {library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"}
+    return {
+        library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"
+    }
 
 
 def set_threads(count: int) -> None:
-    """Set them from a thread that ends: threadpoolctl lets nobody undo what a living one has set."""
+    """Set them from a thread that ends: threadpoolctl lets nobody undo what a living one has
+    set."""
     setting = Thread(target=threadpool_limits, args=(count, "blas"))
     setting.start()
     setting.join()
@@ -45,7 +49,9 @@ def ask(*_):
     raise Asked(blas_threads())
 
 
-@pytest.mark.parametrize(("door", "work"), [(eigenmodes, "modal.solve.check"), (run, "sonify.pipeline.planned")])
+@pytest.mark.parametrize(
+    ("door", "work"), [(eigenmodes, "modal.solve.check_solvable"), (run, "sonify.pipeline.planned")]
+)
 def test_one_thread_inside_and_as_many_as_before_outside(door, work, scene, monkeypatch):
     monkeypatch.setattr(work, ask)
     with pytest.raises(Asked) as asked:

@@ -1,8 +1,9 @@
-"""Claim: the oscillators are exact for a force that is linear between samples and knots, whatever their damping.
+"""Claim: the oscillators are exact for a force that is linear between samples and knots, whatever
+their damping.
 
-Source: the solution of q'' + 2 d q' + w^2 q = g. Oracle: matrix exponentials of the augmented system (Van Loan 1978),
-piece by piece between samples and knots, which share no formula with the code; a closed form for order measurements.
-"""
+Source: the solution of q'' + 2 d q' + w^2 q = g. Oracle: matrix exponentials of the augmented
+system (Van Loan 1978), piece by piece between samples and knots, which share no formula with the
+code; a closed form for order measurements."""
 
 from itertools import pairwise
 
@@ -13,19 +14,23 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from sonify.sound.oscillators import Knots, OscillatorBank, free_response, no_knots
+from sonify.sound.oscillators import Knots, OscillatorBank, empty_knots, free_response
 
 RATE = 8000.0
 FREQUENCY = np.array([5.0, 100.0, 1000.0, 3999.0, 200.0, 300.0, 300.0, 40.0])
-DECAY = np.array([0.0, 0.5, 50.0, 3.0, 2 * np.pi * 200, 2 * np.pi * 300 * (1 - 1e-9), 2 * np.pi * 900, 1e4])
+DECAY = np.array(
+    [0.0, 0.5, 50.0, 3.0, 2 * np.pi * 200, 2 * np.pi * 300 * (1 - 1e-9), 2 * np.pi * 900, 1e4]
+)
 """No damping, little, much; critical, just below it, overdamped, heavily overdamped."""
 
 
 def exact(frequency, decay, g, knots, h):
-    """Accelerations at the samples g (k + 1,), by matrix exponentials over every straight piece of the force."""
+    """Accelerations at the samples g (k + 1,), by matrix exponentials over every straight piece of
+    the force."""
     w = 2 * np.pi * frequency
     M = np.array([[0, 1, 0, 0], [-w * w, -2 * decay, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0.0]])
-    x, out = np.zeros(2), []
+    x = np.zeros(2)
+    out = []
 
     def follow(x, duration, begin, end):
         return (expm(M * duration) @ [*x, begin, (end - begin) / duration])[:2]
@@ -33,11 +38,16 @@ def exact(frequency, decay, g, knots, h):
     for n, (now, then) in enumerate(pairwise(g)):
         out.append(now - w * w * x[0] - 2 * decay * x[1])
         inside = np.flatnonzero(knots.interval == n)
-        smooth, risen, end, left = now, 0.0, then - knots.jump[inside].sum(), h
+        smooth = now
+        risen = 0.0
+        end = then - knots.jump[inside].sum()
+        left = h
         for j in inside:
             line = smooth + (end - smooth) * knots.since[j] / (knots.since[j] + knots.until[j])
             x = follow(x, knots.since[j], smooth + risen, line + knots.bend[j] + risen)
-            smooth, risen, left = line + knots.bend[j], risen + knots.jump[j], knots.until[j]
+            smooth = line + knots.bend[j]
+            risen = risen + knots.jump[j]
+            left = knots.until[j]
         x = follow(x, left, smooth + risen, end + risen)
     return np.array(out)
 
@@ -71,7 +81,7 @@ def test_exact_at_every_damping_through_jumps_and_corners():
 def test_exact_for_any_oscillator(frequency, decay, seed):
     g = np.random.default_rng(seed).normal(size=(30, 1))
     g[0] = 0
-    expected = exact(frequency, decay, g[:, 0], no_knots(1), 1 / RATE)
+    expected = exact(frequency, decay, g[:, 0], empty_knots(1), 1 / RATE)
     found = OscillatorBank([frequency], [decay], RATE).advance(g)[:, 0]
     assert np.abs(found - expected).max() <= 1e-9 * np.abs(expected).max()
 
@@ -80,7 +90,9 @@ def test_blocks_of_any_size_give_the_same_samples():
     g, knots = some_force(len(FREQUENCY))
     whole = OscillatorBank(FREQUENCY, DECAY, RATE).advance(g, knots)
     for sizes in ([1] * 60, [7, 1, 12, 40], [20, 40], [3, 57], [5, 6, 7, 42]):
-        bank, parts, start = OscillatorBank(FREQUENCY, DECAY, RATE), [], 0
+        bank = OscillatorBank(FREQUENCY, DECAY, RATE)
+        parts = []
+        start = 0
         for size in sizes:
             here = (knots.interval >= start) & (knots.interval < start + size)
             part = Knots(knots.interval[here] - start, *(field[here] for field in knots[1:]))
@@ -101,21 +113,27 @@ def test_one_force_for_all_is_that_force_for_each():
 def test_never_grows():
     rng = np.random.default_rng(1)
     frequency = rng.uniform(1, 3999, 200)
-    bank = OscillatorBank(frequency, np.where(np.arange(200) % 2, 0.0, rng.uniform(0, 1e5, 200)), RATE)
+    bank = OscillatorBank(
+        frequency, np.where(np.arange(200) % 2, 0.0, rng.uniform(0, 1e5, 200)), RATE
+    )
     bank.settle(np.ones(200))
     acceleration = bank.advance(np.zeros((200001, 200)))
     assert np.abs(acceleration).max() <= 1 + 1e-6
 
 
 def test_rings_at_its_frequency_and_decays_at_its_rate():
-    frequency, decay = 440.0, 3.0
+    frequency = 440.0
+    decay = 3.0
     bank = OscillatorBank([frequency], [decay], RATE)
     bank.settle(np.ones(1))
     g = np.zeros((8001, 1))
     g[0] = 1.0
-    let_go = Knots(np.zeros(1, int), np.zeros(1), np.full(1, 1 / RATE), -np.ones((1, 1)), np.zeros((1, 1)))
+    let_go = Knots(
+        np.zeros(1, int), np.zeros(1), np.full(1, 1 / RATE), -np.ones((1, 1)), np.zeros((1, 1))
+    )
     found = bank.advance(g, let_go)[:, 0]
-    t, w = np.arange(8000) / RATE, 2 * np.pi * frequency
+    t = np.arange(8000) / RATE
+    w = 2 * np.pi * frequency
     swing = np.sqrt(w**2 - decay**2)
     expected = -np.exp(-decay * t) * (np.cos(swing * t) - decay / swing * np.sin(swing * t))
     assert found[0] == pytest.approx(0, abs=gamma(20))  # the force goes just after the first sample
@@ -133,17 +151,25 @@ def test_settled_under_a_rising_force_there_is_no_ringing():
 def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(exactly, order):
     """A smooth force with a jump of known time, against the closed form.
 
-    The jump lies in the middle of a step of 1/200 of the time, so that it does of every third of a step.
-    """
-    w, d, end, v = 2 * np.pi * 50.0, 20.0, 0.05, 2 * np.pi * 30.0
+    The jump lies in the middle of a step of 1/200 of the time, so that it does of every third of a
+    step."""
+    w = 2 * np.pi * 50.0
+    d = 20.0
+    end = 0.05
+    v = 2 * np.pi * 30.0
     at = end * 56.5 / 200
 
     def answer(t):  # to sin(v t) from rest at 0, and to a unit step at `at`
         z = 1 / (w * w - v * v + 2j * d * v)
         c, s = free_response(w, d, t)
-        q0, v0 = -z.imag, -v * z.real
+        q0 = -z.imag
+        v0 = -v * z.real
         sine = -(v**2) * (z * np.exp(1j * v * t)).imag
-        return sine + (-(w**2) * (c + d * s) + 2 * d * w**2 * s) * q0 + (-2 * d * c - (w**2 - 2 * d**2) * s) * v0
+        return (
+            sine
+            + (-(w**2) * (c + d * s) + 2 * d * w**2 * s) * q0
+            + (-2 * d * c - (w**2 - 2 * d**2) * s) * v0
+        )
 
     def after_step(t):
         c, s = free_response(w, d, t)
@@ -158,13 +184,26 @@ def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(ex
         time = np.arange(k + 2) * h
         where = at if exactly else (n + 1) * h
         until = max((n + 1) * h - where, 0.0)
-        knots = Knots(np.array([n]), np.array([h - until]), np.array([until]), np.ones((1, 1)), np.zeros((1, 1)))
+        knots = Knots(
+            np.array([n]),
+            np.array([h - until]),
+            np.array([until]),
+            np.ones((1, 1)),
+            np.zeros((1, 1)),
+        )
         g = np.sin(v * time) + (np.arange(k + 2) > n)
-        errors.append(abs(OscillatorBank([w / 2 / np.pi], [d], 1 / h).advance(g[:, None], knots)[k, 0] - expected))
+        errors.append(
+            abs(
+                OscillatorBank([w / 2 / np.pi], [d], 1 / h).advance(g[:, None], knots)[k, 0]
+                - expected
+            )
+        )
     assert -np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(order, abs=0.1)
 
 
-@pytest.mark.parametrize(("frequency", "decay"), [(0.0, 1.0), (4000.0, 1.0), (-1.0, 1.0), (100.0, -1.0), (np.nan, 1.0)])
+@pytest.mark.parametrize(
+    ("frequency", "decay"), [(0.0, 1.0), (4000.0, 1.0), (-1.0, 1.0), (100.0, -1.0), (np.nan, 1.0)]
+)
 def test_what_is_out_of_range_is_refused(frequency, decay):
     with pytest.raises(ValueError, match=r"frequencies|decay"):
         OscillatorBank([frequency], [decay], RATE)

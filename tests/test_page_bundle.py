@@ -1,7 +1,8 @@
-"""Claim: the script and the style of the page are what their sources and the locked libraries build, bit for bit.
+"""Claim: the script and the style of the page are what their sources and the locked libraries
+build, bit for bit.
 
-Source: sonify/report/web/package-lock.json. Oracle: building them anew. Skipped where there is no npm.
-"""
+Source: sonify/report/web/package-lock.json. Oracle: building them anew. Skipped where there is no
+npm."""
 
 import re
 import shutil
@@ -21,7 +22,9 @@ NPM = shutil.which("npm")
 def test_the_bundle_is_what_its_sources_build(tmp_path):
     web = tmp_path / "web"
     shutil.copytree(REPORT / "web", web, ignore=shutil.ignore_patterns("node_modules"))
-    subprocess.run([NPM, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=web, check=True, timeout=300)
+    subprocess.run(
+        [NPM, "ci", "--ignore-scripts", "--no-audit", "--no-fund"], cwd=web, check=True, timeout=300
+    )
     subprocess.run(["node", "build.mjs", str(tmp_path)], cwd=web, check=True, timeout=300)
     for name in ("page.js", "page.css", "page.licenses.txt"):
         assert (tmp_path / name).read_bytes() == (REPORT / "templates" / name).read_bytes(), name
@@ -35,6 +38,7 @@ def test_the_page_says_under_which_licences_its_libraries_stand():
 
 
 def test_the_stretcher_is_in_the_bundle_once_as_text():
-    """It is loaded when it is needed, by an address of its own; a second copy of its 110 kB would be dead weight."""
+    """It is loaded when it is needed, by an address of its own; a second copy of its 110 kB would
+    be dead weight."""
     text = (REPORT / "templates" / "page.js").read_text(encoding="utf-8")
     assert len(re.findall(r"registerProcessor\(", text)) == 1

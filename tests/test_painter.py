@@ -1,5 +1,5 @@
-"""Claim: a picture drawn in a process beside is that drawn in this one, whatever becomes of that process; scripts need
-no guard, and nothing is left running.
+"""Claim: a picture drawn in a process beside is that drawn in this one, whatever becomes of that
+process; scripts need no guard, and nothing is left running.
 
 Oracle: the same bytes from the same function called here.
 """
@@ -18,9 +18,13 @@ import pytest
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.report import pictures
-from sonify.report.painter import Painter, drawn
+from sonify.report.render_worker import Painter, drawn
 
-CURVES = {"curves": [(np.arange(5.0), np.arange(5.0) ** i) for i in range(6)], "weight": 1.0}
+ROWS = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
+CURVES = {
+    "motion": dict.fromkeys(("time", "inclination", "energy", "force"), np.arange(5.0))
+    | {"weight": 1.0, "centre": ROWS[:2], "rates": ROWS, "before_end": ROWS[:, ::-1]}
+}
 
 
 @pytest.fixture
@@ -49,27 +53,41 @@ def test_a_process_that_is_ended_leaves_no_pipe():
 
 def test_where_no_process_can_be_had_this_one_draws(monkeypatch):
     monkeypatch.setattr(sys, "executable", "")
-    assert Painter().draw("motion", "draw_motion", lambda: CURVES).result() == drawn("motion", "draw_motion", CURVES)
+    assert Painter().draw("motion", "draw_motion", lambda: CURVES).result() == drawn(
+        "motion", "draw_motion", CURVES
+    )
 
 
 def test_what_goes_wrong_there_is_raised_here(painter):
-    with pytest.raises(TypeError, match="weight"):
-        painter.draw("motion", "draw_motion", lambda: {"curves": CURVES["curves"]}).result()
+    with pytest.raises(TypeError, match="time"):
+        painter.draw("motion", "draw_motion", lambda: {"motion": {}}).result()
 
 
 def test_the_modes_of_a_disk_are_drawn_once_however_it_moves(monkeypatch):
     drawn = []
-    monkeypatch.setattr(pictures, "painter", lambda: SimpleNamespace(draw=lambda *work: drawn.append(work) or Future()))
-    scene, plan = load_scene("published"), SimpleNamespace(accuracy="draft", highest_mode=2e4)
+    monkeypatch.setattr(
+        pictures,
+        "painter",
+        lambda: SimpleNamespace(draw=lambda *work: drawn.append(work) or Future()),
+    )
+    scene = load_scene("published")
+    plan = SimpleNamespace(accuracy="draft", highest_mode=2e4)
     found = SimpleNamespace(scene=scene, plan=plan, modes=np.arange(3.0), table=None, motion=None)
-    slides, other = scene.replace("friction.mu_static=0.4"), np.arange(4.0)
+    slides = scene.replace("friction.mu_static=0.4")
+    other = np.arange(4.0)
     pictures._of_the_modes.cache_clear()
-    first, again = (pictures._begun("modes", SimpleNamespace(**vars(found) | {"scene": s})) for s in (scene, slides))
+    first, again = (
+        pictures._begun("modes", SimpleNamespace(**vars(found) | {"scene": s}))
+        for s in (scene, slides)
+    )
     third = pictures._begun("modes", SimpleNamespace(**vars(found) | {"modes": other}))
     pictures._of_the_modes.cache_clear()
     assert first is again
     assert first is not third
-    assert [work[2]()["modes"].tolist() for work in drawn] == [[0.0, 1.0, 2.0], [0.0, 1.0, 2.0, 3.0]]
+    assert [work[2]()["modes"].tolist() for work in drawn] == [
+        [0.0, 1.0, 2.0],
+        [0.0, 1.0, 2.0, 3.0],
+    ]
 
 
 @pytest.mark.slow
@@ -90,9 +108,12 @@ def test_modes_are_solved_beside_once_that_process_is_ready_and_are_the_same(pai
 
 SCRIPT = """
 import numpy as np
-from sonify.report.painter import painter
-data = {"curves": [(np.arange(5.0), np.arange(5.0))] * 6, "weight": 1.0}
-print(painter()._process.result().pid, len(painter().draw("motion", "draw_motion", lambda: data).result()), flush=True)
+from sonify.report.render_worker import painter
+rows = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
+data = dict.fromkeys(("time", "inclination", "energy", "force"), rows[1])
+data |= {"weight": 1.0, "centre": rows[:2], "rates": rows, "before_end": rows[:, ::-1]}
+picture = painter().draw("motion", "draw_motion", lambda: {"motion": data}).result()
+print(painter()._process.result().pid, len(picture), flush=True)
 END
 """
 

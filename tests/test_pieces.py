@@ -6,19 +6,26 @@ Source: `RigidMotion.at`. Oracle: scipy's PPoly, which adds the same terms in th
 import numpy as np
 from scipy.interpolate import PPoly
 
-from dynamics.pieces import MANY, Pieces
+from dynamics.piecewise_polynomial import MIN_COMPILED_TIMES, Pieces
 
 
 def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
-    """Each of the order + 1 terms is rounded at most 2 (order + 1) times in its power, its product and the sum."""
+    """Each of the order + 1 terms is rounded at most 2 (order + 1) times in its power, its product
+    and the sum."""
     random = np.random.default_rng(3)
     x = np.cumsum(random.uniform(0.1, 2.0, 31))
     c = random.standard_normal((21, 30, 11))
-    at = np.concatenate([x[:-1], random.uniform(x[0], x[-1], 2 * MANY)])
+    at = np.concatenate([x[:-1], random.uniform(x[0], x[-1], 2 * MIN_COMPILED_TIMES)])
     piece = np.searchsorted(x[:-1], at, side="right") - 1
-    path, bar = Pieces(c, x), 2 * 2 * 21 * np.finfo(float).eps * PPoly(np.abs(c), x)(at)
-    some = range(0, len(at), MANY // 2)
-    few = np.hstack([path(at[i : i + MANY // 2], piece[i : i + MANY // 2]) for i in some])
+    path = Pieces(c, x)
+    bar = 2 * 2 * 21 * np.finfo(float).eps * PPoly(np.abs(c), x)(at)
+    some = range(0, len(at), MIN_COMPILED_TIMES // 2)
+    few = np.hstack(
+        [
+            path(at[i : i + MIN_COMPILED_TIMES // 2], piece[i : i + MIN_COMPILED_TIMES // 2])
+            for i in some
+        ]
+    )
     for values in (few, path(at, piece)):
         assert (np.abs(values.T - PPoly(c, x)(at)) <= bar).all()
     assert np.array_equal(path(x[:-1], np.arange(30)).T, c[-1])

@@ -1,9 +1,8 @@
-"""Claim: whatever the scene, energy never rises, the contact presses, friction stays in its cone, and the way of
-integrating does not matter.
+"""Claim: whatever the scene, energy never rises, the contact presses, friction stays in its cone,
+and the way of integrating does not matter.
 
-Source: sections 3 and 6.3 of the paper; Hairer & Wanner for the order of an integrator.
-Oracle: inequalities that hold for every solution; a second integrator; the same one at another order.
-"""
+Source: sections 3 and 6.3 of the paper; Hairer & Wanner for the order of an integrator. Oracle:
+inequalities that hold for every solution; a second integrator; the same one at another order."""
 
 from importlib.util import find_spec
 from math import sqrt
@@ -35,11 +34,14 @@ def scenes(draw, integrator="auto", span=15.0):
     omega = tuple(draw(st.floats(low, high)) for low, high in ((-3, 3), (-8, 8), (-20, 20)))
     release = {"inclination_deg": draw(st.floats(3, 70)), "omega": omega}
     chi = scene(disk=disk).disk.time_unit
-    return scene({"integrator": integrator, "time_limit": span * chi}, disk=disk, release=release, **friction)
+    return scene(
+        {"integrator": integrator, "time_limit": span * chi}, disk=disk, release=release, **friction
+    )
 
 
 def solved(wanted):
-    """Return the motion; a release that leaves the plane at once, or has no solution, is refused and not counted."""
+    """Return the motion; a release that leaves the plane at once, or has no solution, is refused
+    and not counted."""
     try:
         return simulate(wanted)
     except ImpossibleContactError:
@@ -76,7 +78,8 @@ def test_both_integrators_agree(wanted):
     assert ours.outcome is other.outcome
     assert [s[1:] for s in ours.transitions] == [s[1:] for s in other.transitions]
     t = np.linspace(0, min(ours.t[-1], other.t[-1]), 50)[:-1]
-    a, b = ours.at(t), other.at(t)
+    a = ours.at(t)
+    b = other.at(t)
     np.testing.assert_allclose(a, b, rtol=1e-7, atol=1e-8)
 
 
@@ -87,11 +90,14 @@ def test_each_order_of_the_series_gains_e_squared_through_transitions():
     t = np.linspace(1, 39.9, 60) * chi
 
     def run(tolerance):
-        return simulate(scene({"integrator": "taylor", "tolerance": tolerance, "time_limit": 40 * chi}))
+        return simulate(
+            scene({"integrator": "taylor", "tolerance": tolerance, "time_limit": 40 * chi})
+        )
 
     exact = run(1e-16)
     assert len({s.guard for s in exact.transitions}) >= 3
-    orders, errors = [], []
+    orders = []
+    errors = []
     for tolerance in (1e-6, 3e-7, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11):
         motion = run(tolerance)
         orders.append(motion.path.c.shape[0] - 1)

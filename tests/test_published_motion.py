@@ -1,7 +1,7 @@
 """Claim: the motion of the published case is solved to the accuracy that the problem itself allows.
 
-Source: Kessler & O'Reilly (2002), (7.1), (7.3), (7.4), with the errata of (5.3), (6.1), (7.2) corrected.
-Oracle: an independent simulation in quadruple precision (tests/references/motion.json).
+Source: Kessler & O'Reilly (2002), (7.1), (7.3), (7.4), with the errata of (5.3), (6.1), (7.2)
+corrected. Oracle: an independent simulation in quadruple precision (tests/references/motion.json).
 """
 
 import json
@@ -17,7 +17,9 @@ from dynamics import Motion, Outcome, simulate
 from sonify import load_scene
 
 REFERENCE = json.loads((Path(__file__).parent / "references" / "motion.json").read_text())
-taylor = pytest.param("taylor", marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed"))
+taylor = pytest.param(
+    "taylor", marks=pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
+)
 
 
 @pytest.fixture(scope="module", params=[taylor, "dop853"])
@@ -43,20 +45,24 @@ def test_inclination_load_and_energy(motion, last, tolerance):
 
 def test_velocities_angles_and_path(motion):
     some, _ = samples(motion, 130)
-    chi, radius = motion.disk.time_unit, motion.disk.radius
+    chi = motion.disk.time_unit
+    radius = motion.disk.radius
     state = motion.at(np.array([s["tau"] for s in some]) * chi)
     scales = {"theta": 1, "x": radius, "y": radius, "w1": 1 / chi, "w2": 1 / chi, "w3": 1 / chi}
     columns = {"theta": 0, "x": 3, "y": 4, "w1": 5, "w2": 6, "w3": 7, "u1": 8, "u2": 9}
     for name, column in columns.items():
         ours = state[:, column] / scales.get(name, radius / chi)
-        np.testing.assert_allclose(ours, [s[name] for s in some], rtol=1e-9, atol=1e-8, err_msg=name)
+        np.testing.assert_allclose(
+            ours, [s[name] for s in some], rtol=1e-9, atol=1e-8, err_msg=name
+        )
 
 
 def test_times_and_loads_of_the_transitions(motion):
     chi = motion.disk.time_unit
     ours = [s for s in motion.transitions if s.before != s.after]
     unit = motion.disk.mass * motion.disk.radius / chi**2
-    jumps, known = motion.jumps, REFERENCE["transitions"]
+    jumps = motion.jumps
+    known = REFERENCE["transitions"]
     assert len(known) == 8
     for got, want in zip(ours[: len(known)], known, strict=True):
         assert f"{got.before}->{got.after}" == want["kind"]
@@ -67,10 +73,13 @@ def test_times_and_loads_of_the_transitions(motion):
 
 
 def test_at_a_jump_the_force_is_the_one_after_it(motion):
-    """A time in seconds, divided by its unit, may round to just before the instant it was made from."""
+    """A time in seconds, divided by its unit, may round to just before the instant it was made
+    from."""
     jumps = motion.jumps
     assert len(jumps.t) > 100
-    np.testing.assert_allclose(motion.force(jumps.t), jumps.after, rtol=1e-9, atol=1e-9 * motion.disk.weight)
+    np.testing.assert_allclose(
+        motion.force(jumps.t), jumps.after, rtol=1e-9, atol=1e-9 * motion.disk.weight
+    )
 
 
 def test_counts_of_slips(motion):
@@ -92,13 +101,16 @@ def test_end(motion):
 
 
 def test_the_shipped_scene_is_the_published_case():
-    shipped, ours = load_scene("published"), scene()
+    shipped = load_scene("published")
+    ours = scene()
     assert shipped.disk == ours.disk
     assert shipped.release == ours.release
     k = [shipped.friction.arm_nutation, shipped.friction.arm_rolling, shipped.friction.arm_pivoting]
     np.testing.assert_allclose(np.array(k) / shipped.disk.radius, [1e-4, 8e-4, 8e-3], rtol=gamma(4))
     state = simulate(shipped.replace("numerics.time_limit=9.0")).at(100 * shipped.disk.time_unit)
-    assert state[0, 1] == pytest.approx(next(s["beta"] for s in REFERENCE["samples"] if s["tau"] == 100), rel=1e-8)
+    assert state[0, 1] == pytest.approx(
+        next(s["beta"] for s in REFERENCE["samples"] if s["tau"] == 100), rel=1e-8
+    )
 
 
 def test_first_load(motion):

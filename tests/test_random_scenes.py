@@ -1,5 +1,6 @@
-"""Claim: whatever legal scene is drawn, its motion comes to an end that has a name and passes every check of a run, or
-is refused by name at the first instant; nothing crashes, hangs or becomes a number that is none.
+"""Claim: whatever legal scene is drawn, its motion comes to an end that has a name and passes every
+check of a run, or is refused by name at the first instant; nothing crashes, hangs or becomes a
+number that is none.
 
 Source: sections 3 and 4 of the paper; sonify/claims/checks.py.
 Oracle: balances and inequalities that hold for every solution.
@@ -17,12 +18,18 @@ from hypothesis import strategies as st
 from scenes import scene
 
 from dynamics import ImpossibleContactError, Outcome, simulate
-from dynamics.steady import flat_square
-from sonify.claims.checks import dissipation_never_falls, energy_balance, friction_cone, pushing_contact
+from dynamics.steady_motion import flat_square
+from sonify.claims.checks import (
+    dissipation_never_falls,
+    energy_balance,
+    friction_cone,
+    pushing_contact,
+)
 
 SCENES, MOST_SECONDS = 300, 60.0
 TURNS, UNITS = 200.0, 30.0
-"""What a motion is given: so many turns of the contact at the first inclination, but at most so many units chi."""
+"""What a motion is given: so many turns of the contact at the first inclination, but at most so
+many units chi."""
 
 
 def decades(random, low, high):
@@ -33,12 +40,19 @@ def decades(random, low, high):
 def any_disk(random):
     """Draw a disk, from a millimetre to metres and from paper to pipe."""
     radius = decades(random, 1e-3, 10)
-    thickness, mass = radius * decades(random, 1e-3, 4), decades(random, 1e-6, 1e4)
-    return {"radius": radius, "thickness": thickness, "mass": mass, "shape": random.choice(["solid", "shell"])}
+    thickness = radius * decades(random, 1e-3, 4)
+    mass = decades(random, 1e-6, 1e4)
+    return {
+        "radius": radius,
+        "thickness": thickness,
+        "mass": mass,
+        "shape": random.choice(["solid", "shell"]),
+    }
 
 
 def any_friction(random):
-    """Draw coefficients, often nearly equal ones, at times none or infinite ones; and arms over the radius."""
+    """Draw coefficients, often nearly equal ones, at times none or infinite ones; and arms over the
+    radius."""
     mu = random.choice([decades(random, 0.01, 2)] * 8 + [0.0, inf])
     ratio = random.choice([1.0, 1.001, 1.01, random.uniform(1, 4)])
     resisted = random.choice([(0, 0, 0), (1, 1, 1), (1, 1, 1), (0, 0, 1)])
@@ -48,8 +62,10 @@ def any_friction(random):
 
 def any_dissipation(random, disk):
     """Draw a further law of dissipation, or none."""
-    strength, b = decades(random, 1e-7, 1e-2), random.choice([2.5, 4.0])
-    chi, inertia = disk.time_unit, strength * disk.mass * disk.radius**2
+    strength = decades(random, 1e-7, 1e-2)
+    b = random.choice([2.5, 4.0])
+    chi = disk.time_unit
+    inertia = strength * disk.mass * disk.radius**2
     laws = [
         {"viscous_moment": inertia / chi, "viscous_force": strength * disk.mass / chi},
         {"contour_moment": inertia / chi**2},
@@ -60,11 +76,15 @@ def any_dissipation(random, disk):
 
 @st.composite
 def scenes(draw):
-    """Draw a scene, released at rest, anyhow or near a steady motion, from a hundredth of a degree to 80."""
-    random = draw(st.randoms(use_true_random=True))  # hypothesis' own numbers would come as small changes of a few
+    """Draw a scene, released at rest, anyhow or near a steady motion, from a hundredth of a degree
+    to 80."""
+    random = draw(
+        st.randoms(use_true_random=True)
+    )  # hypothesis' own numbers would come as small changes of a few
     shape = any_disk(random)
     disk = scene(disk=shape).disk
-    inclination_deg, chi = decades(random, 0.01, 80), disk.time_unit
+    inclination_deg = decades(random, 0.01, 80)
+    chi = disk.time_unit
     beta = radians(inclination_deg)
     fastest = sqrt(flat_square(disk.aspect, disk.gyration) / beta) / chi
     spread = random.choice([0.0, 0.01, 0.1, 1.0]) * fastest * sin(beta)
@@ -80,7 +100,8 @@ def scenes(draw):
 
 
 def solved(wanted):
-    """Return the motion of a scene, None where it is refused at the first instant; AssertionError where it hangs."""
+    """Return the motion of a scene, None where it is refused at the first instant; AssertionError
+    where it hangs."""
     started = process_time()
 
     def watch(t, inclination, doing):
@@ -119,7 +140,12 @@ def test_every_scene_ends_with_a_name_and_passes_its_checks():
 
     judge()
     assert ends.total() == SCENES
-    assert ends[None] <= 0.1 * SCENES  # released so fast that the disk leaves the table, or no contact is possible
+    assert (
+        ends[None] <= 0.1 * SCENES
+    )  # released so fast that the disk leaves the table, or no contact is possible
     assert ends[Outcome.STALLED] + ends[Outcome.CASCADE] <= 0.01 * SCENES
-    elsewhere = {Outcome.AIRBORNE, Outcome.LEFT_TABLE}  # there is neither air nor a table with an edge
+    elsewhere = {
+        Outcome.AIRBORNE,
+        Outcome.LEFT_TABLE,
+    }  # there is neither air nor a table with an edge
     assert {*Outcome} - {Outcome.STALLED, Outcome.CASCADE} - elsewhere <= {*ends}

@@ -1,7 +1,8 @@
-"""Claim: `serve` shows what is in its folder, in pieces where a player asks for pieces, and nothing that is elsewhere.
+"""Claim: `serve` shows what is in its folder, in pieces where a player asks for pieces, and nothing
+that is elsewhere.
 
-Source: RFC 9110, section 14 (ranges); the README's command line. Oracle: the bytes of the files on disk.
-"""
+Source: RFC 9110, section 14 (ranges); the README's command line. Oracle: the bytes of the files on
+disk."""
 
 import json
 import queue
@@ -15,7 +16,16 @@ import pytest
 from sonify.scene_errors import InputError
 from sonify.serve import serve
 
-RECORD = {"scene": {"name": "one"}, "outcome": {"sentence": "it lies"}, "findings": [{"holds": True}, {"holds": False}]}
+RECORD = {
+    "scene": {"name": "one"},
+    "outcome": {"sentence": "it lies"},
+    "findings": [{"holds": True}, {"holds": False}],
+}
+PASSED = {"name": "no sample is clipped", "value": 0.9, "expected": 1.0, "tolerance": 0.0}
+PASSED |= {"one_sided": True, "passed": True}
+FAILED = PASSED | {"name": "energy adds up", "value": 2.5e-7, "expected": 0.0, "tolerance": 1e-8}
+FAILED |= {"one_sided": False, "passed": False}
+RECORD["checks"] = [PASSED]
 NUMBERS = '{"name": "one"}'
 
 
@@ -26,8 +36,14 @@ def root(tmp_path_factory):
     for place in ("one", "deep/two"):
         (root / place).mkdir(parents=True)
         (root / place / "run.json").write_text(json.dumps(RECORD))
-        (root / place / "report.html").write_text(f'<script type="application/json" class="run">{NUMBERS}</script>')
+        (root / place / "report.html").write_text(
+            f'<script type="application/json" class="run">{NUMBERS}</script>'
+        )
+    (root / "bad").mkdir()
+    checks = {"checks": [PASSED, FAILED, FAILED | {"name": "mass", "value": "inf"}]}
+    (root / "bad" / "run.json").write_text(json.dumps(RECORD | checks))
     (root / "one" / "sound.wav").write_bytes(bytes(range(200)))
+    (root / "one" / "motion.npz").write_bytes(b"<script>")
     (root / "broken").mkdir()
     (root / "broken" / "run.json").write_text("{}")
     (top / "secret.txt").write_text("secret")
@@ -58,6 +74,37 @@ def test_the_list_names_every_finished_run(get):
     assert 'href="runs/deep/two/"' in page
     assert "1 of 2" in page
     assert "broken" not in page
+
+
+def test_the_list_says_which_check_failed(get):
+    page = get("/").body.decode()
+    assert page.count("all 1 passed") == 2
+    assert "FAILED: energy adds up: 2.5e-07, expected 0 ± 1e-08" in page
+    assert "FAILED: mass: inf, expected 0 ± 1e-08" in page
+    assert "FAILED: no sample" not in page
+
+
+EVERY = ["/", "/runs/one/", "/runs/one", "/runs/one/sound.wav", "/nothing"]
+EVERY += ["/compare?a=one&b=deep/two"]
+
+
+@pytest.mark.parametrize("path", EVERY)
+@pytest.mark.parametrize("options", [{}, {"Host": "elsewhere.example"}, {"Range": "bytes=500-"}])
+def test_every_response_forbids_what_a_page_does_not_need(get, path, options):
+    """A page holds its scripts and pictures; nothing may come from, or go to, another server."""
+    headers = get(path, **options).headers
+    assert headers["x-content-type-options"] == "nosniff"
+    assert headers["referrer-policy"] == "no-referrer"
+    allowed = dict(rule.split(" ", 1) for rule in headers["content-security-policy"].split("; "))
+    assert allowed["default-src"] == allowed["base-uri"] == allowed["frame-ancestors"] == "'none'"
+    known = {"'none'", "'self'", "data:", "'unsafe-inline'", "'wasm-unsafe-eval'"}
+    assert {word for words in allowed.values() for word in words.split()} == known
+    assert "data:" in allowed["script-src"].split()  # the stretcher
+    assert {"'self'", "data:"} <= set(allowed["media-src"].split())
+
+
+def test_a_file_that_no_browser_shows_is_not_sent_as_a_page(get):
+    assert get("/runs/one/motion.npz").headers["content-type"] == "application/octet-stream"
 
 
 def test_a_page_and_its_files_are_those_on_disk(get, root):

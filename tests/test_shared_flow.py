@@ -1,8 +1,9 @@
-"""Claim: scenes that differ in numbers share what is compiled, threads share nothing that changes, memory stays flat.
+"""Claim: scenes that differ in numbers share what is compiled, threads share nothing that changes,
+memory stays flat.
 
-Source: the numbers of a scene are arguments of the compiled flow; each run has an integrator of its own.
-Oracle: the number of compilations; the same scenes solved one after the other, byte by byte; the process's memory.
-"""
+Source: the numbers of a scene are arguments of the compiled flow; each run has an integrator of its
+own. Oracle: the number of compilations; the same scenes solved one after the other, byte by byte;
+the process's memory."""
 
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -16,7 +17,7 @@ from dynamics import Loads, OwnLaw, simulate
 from dynamics.equations import Law
 from dynamics.hybrid import StalledError
 from dynamics.regime import Regime
-from dynamics.simulation import chosen_integrator, prepare
+from dynamics.simulation import chosen_integrator, compile_in_background
 
 INTEGRATORS = ["taylor", "dop853"]
 LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
@@ -46,7 +47,9 @@ def written(motion) -> bytes:
 @pytest.mark.parametrize("threads", [2, 4])
 def test_threads_write_the_same_bytes(integrator, impatient, threads):
     numerics = {"integrator": integrator, "time_limit": 2.0}
-    scenes = [scene(numerics, k2=k2, mu_static=mu) for k2, mu in ((8e-4, 0.4), (2e-3, 0.35), (4e-4, 0.31))] * 2
+    scenes = [
+        scene(numerics, k2=k2, mu_static=mu) for k2, mu in ((8e-4, 0.4), (2e-3, 0.35), (4e-4, 0.31))
+    ] * 2
     with ThreadPoolExecutor(threads) as pool:
         together = list(pool.map(simulate, scenes))
     alone = [simulate(one) for one in scenes[:3]] * 2
@@ -60,13 +63,20 @@ def numbers(i: int, integrator: str):
         0.2 + 1e-3 * i,
         disk={"radius": 0.03 + 1e-4 * i, "thickness": 0.01 + 1e-5 * i},
         numerics={"integrator": integrator, "time_limit": 0.02},
-        dissipation={"power_coefficient": 1e-9 * (i + 1), "power_exponent": 2.2 + 0.013 * i, "viscous_force": 1e-6 * i},
+        dissipation={
+            "power_coefficient": 1e-9 * (i + 1),
+            "power_exponent": 2.2 + 0.013 * i,
+            "viscous_force": 1e-6 * i,
+        },
     )
 
 
 def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(integrator):
-    compiled, process = chosen_integrator(integrator)[1].__globals__["compiled"], Process()
-    ends, misses, used = set(), [], []
+    compiled = chosen_integrator(integrator)[1].__globals__["compiled"]
+    process = Process()
+    ends = set()
+    misses = []
+    used = []
     for i in range(1, 52):
         ends.add(simulate(numbers(i, integrator)).state[-1, 10])
         misses.append(compiled.cache_info().misses)
@@ -86,7 +96,8 @@ class Drag(OwnLaw):
 
 
 def test_numbers_of_a_law_of_ones_own_are_not_compiled_in(integrator):
-    compiled, ends = chosen_integrator(integrator)[1].__globals__["compiled"], []
+    compiled = chosen_integrator(integrator)[1].__globals__["compiled"]
+    ends = []
     for factor in (1e-3, 2e-3):
         ends.append(simulate(numbers(1, integrator), loads=Drag(factor)).state[-1, 10])
         misses = compiled.cache_info().misses
@@ -97,9 +108,12 @@ def test_numbers_of_a_law_of_ones_own_are_not_compiled_in(integrator):
 
 def test_what_most_motions_need_is_compiled_before_they_ask():
     taylor = pytest.importorskip("dynamics.taylor", reason="heyoka is not installed")
-    wanted = scene({"tolerance": 1e-10, "time_limit": 1.5, "integrator": "taylor"}, dissipation={"viscous_force": 1e-9})
+    wanted = scene(
+        {"tolerance": 1e-10, "time_limit": 1.5, "integrator": "taylor"},
+        dissipation={"viscous_force": 1e-9},
+    )
     before = taylor.compiled.cache_info().misses
-    prepare(wanted)
+    compile_in_background(wanted)
     assert taylor.compiled.cache_info().misses == before + 2
     assert {t.after for t in simulate(wanted).transitions} == {"roll", "slide"}
     assert taylor.compiled.cache_info().misses == before + 2
@@ -107,13 +121,20 @@ def test_what_most_motions_need_is_compiled_before_they_ask():
 
 def test_a_wait_for_the_compiler_is_announced(integrator):
     told = []
-    simulate(scene({"time_limit": 1.5, "integrator": integrator}), lambda t, _, doing: told.append((t, doing)))
+    simulate(
+        scene({"time_limit": 1.5, "integrator": integrator}),
+        lambda t, _, doing: told.append((t, doing)),
+    )
     assert told[0] == (0.0, "compiling the flow of 'roll'")
-    assert [doing for _, doing in told if doing] == [f"compiling the flow of '{kind}'" for kind in ("roll", "slide")]
+    assert [doing for _, doing in told if doing] == [
+        f"compiling the flow of '{kind}'" for kind in ("roll", "slide")
+    ]
     assert told[-1] == (pytest.approx(1.5), "")
 
 
 def test_a_series_that_is_not_finite_stops_the_run(integrator):
     lost = [0.7, 0.0, 0.2, float("nan"), *[0.0] * 7]
     with pytest.raises(StalledError, match="nan"):
-        chosen_integrator(integrator)[1](lost, Regime(False, (False,) * 3, (1.0,) * 3), LAW, None, 1e-5, 1.0, 1e-12)
+        chosen_integrator(integrator)[1](
+            lost, Regime(False, (False,) * 3, (1.0,) * 3), LAW, None, 1e-5, 1.0, 1e-12
+        )

@@ -1,8 +1,8 @@
-"""Claim: the slip acceleration in every direction follows from three, and the directions along their own are all found.
+"""Claim: the slip acceleration in every direction follows from three, and the directions along
+their own are all found.
 
-Source: (4.6) and (5.3), rational in the slip direction. Oracle: the balance laws solved for each direction by itself,
-and the changes of sign of udot x s on a fine circle.
-"""
+Source: (4.6) and (5.3), rational in the slip direction. Oracle: the balance laws solved for each
+direction by itself, and the changes of sign of udot x s on a fine circle."""
 
 import math
 
@@ -11,18 +11,30 @@ import pytest
 
 from dynamics.dissipation import Resistance
 from dynamics.equations import Law
+from dynamics.incipient_slip import slip_push
 from dynamics.regime import FLOAT, Branch, Regime
-from dynamics.slip_direction import slip_push
 
 LOADS = Resistance(((0.01, 1.0),), 0.02, 0.03, False)
 
 
 def cases():
-    """Yield random states, regimes of sliding and laws, among them some with stuck turnings and with loads."""
+    """Yield random states, regimes of sliding and laws, among them some with stuck turnings and
+    with loads."""
     draw = np.random.default_rng(5)
     for i in range(60):
-        y = [math.sqrt(draw.uniform(0.01, 1.2)), *draw.normal(size=3), *draw.normal(size=2) * (i % 3), *[0.0] * 5]
-        law = Law(draw.uniform(0, 1), draw.choice([1.0, 2.0]), 0.5, draw.uniform(0.05, 2), *draw.uniform(0, 0.05, 3))
+        y = [
+            math.sqrt(draw.uniform(0.01, 1.2)),
+            *draw.normal(size=3),
+            *draw.normal(size=2) * (i % 3),
+            *[0.0] * 5,
+        ]
+        law = Law(
+            draw.uniform(0, 1),
+            draw.choice([1.0, 2.0]),
+            0.5,
+            draw.uniform(0.05, 2),
+            *draw.uniform(0, 0.05, 3),
+        )
         regime = Regime(True, tuple(draw.random(3) < 0.3), tuple(draw.choice([-1.0, 1.0], 3)))
         yield y, regime, Branch.of(regime, law, LOADS if i % 2 else None), law
 
@@ -30,7 +42,9 @@ def cases():
 def accelerations(y, regime, branch, law, angles):
     slip = y[0] * y[4], y[0] * y[5]
     for angle in angles:
-        yield FLOAT.contact_along(y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law)
+        yield FLOAT.contact_along(
+            y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law
+        )
 
 
 ROUNDING = 100 * np.finfo(float).eps
@@ -38,29 +52,50 @@ ROUNDING = 100 * np.finfo(float).eps
 
 
 def bar(push, inertia):
-    """Return what rounding may do: the terms cancel, and so do those of the inertia that divides them."""
-    return ROUNDING * (1 + sum(map(abs, push[2:])) / abs(inertia) * (1 + (abs(push.a) + abs(push.b)) / abs(inertia)))
+    """Return what rounding may do: the terms cancel, and so do those of the inertia that divides
+    them."""
+    return ROUNDING * (
+        1
+        + sum(map(abs, push[2:])) / abs(inertia) * (1 + (abs(push.a) + abs(push.b)) / abs(inertia))
+    )
 
 
 @pytest.mark.parametrize("added", [0j, 0.3 - 0.2j])
 def test_every_direction_follows_from_three(added):
     for y, regime, branch, law in cases():
-        push, angles = slip_push(y, branch, regime.senses, law).plus(added), np.linspace(-3, 3, 7)
-        for angle, contact in zip(angles, accelerations(y, regime, branch, law, angles), strict=True):
+        push = slip_push(y, branch, regime.senses, law).with_added_rate(added)
+        angles = np.linspace(-3, 3, 7)
+        for angle, contact in zip(
+            angles, accelerations(y, regime, branch, law, angles), strict=True
+        ):
             near = bar(push, contact.inertia)
-            assert push.along(angle, 0.0) == pytest.approx(contact.du1 + added.real, abs=near)
-            assert push.along(angle, math.pi / 2) == pytest.approx(contact.du2 + added.imag, abs=near)
+            assert push.acceleration_along(angle, 0.0) == pytest.approx(
+                contact.du1 + added.real, abs=near
+            )
+            assert push.acceleration_along(angle, math.pi / 2) == pytest.approx(
+                contact.du2 + added.imag, abs=near
+            )
 
 
 def test_every_direction_along_its_own_acceleration_is_found():
-    grid, several = np.linspace(-math.pi, math.pi, 1001), 0
+    grid = np.linspace(-math.pi, math.pi, 1001)
+    several = 0
     for y, regime, branch, law in cases():
         push = slip_push(y, branch, regime.senses, law)
-        found = np.array(sorted(math.remainder(nu, 2 * math.pi) for nu in push.own()))
+        found = np.array(
+            sorted(math.remainder(nu, 2 * math.pi) for nu in push.aligned_directions())
+        )
         solved = list(accelerations(y, regime, branch, law, grid))
-        across = np.array([c.du2 * math.cos(nu) - c.du1 * math.sin(nu) for c, nu in zip(solved, grid, strict=True)])
+        across = np.array(
+            [
+                c.du2 * math.cos(nu) - c.du1 * math.sin(nu)
+                for c, nu in zip(solved, grid, strict=True)
+            ]
+        )
         solvable = np.array([c.inertia > 0 for c in solved])
-        turns = np.flatnonzero(((across[1:] > 0) != (across[:-1] > 0)) & solvable[1:] & solvable[:-1])
+        turns = np.flatnonzero(
+            ((across[1:] > 0) != (across[:-1] > 0)) & solvable[1:] & solvable[:-1]
+        )
         for turn in turns:
             assert ((found > grid[turn] - 1e-9) & (found < grid[turn + 1] + 1e-9)).any()
         assert len(found) >= len(turns) > 0
@@ -76,7 +111,7 @@ def test_the_direction_that_stops_a_slip_points_against_it():
     for y, regime, branch, law in cases():
         axis = math.atan2(y[5], y[4])
         push = slip_push(y, branch, regime.senses, law)
-        for angle in push.against(axis):
+        for angle in push.directions_parallel_to(axis):
             contact = next(accelerations(y, regime, branch, law, [angle]))
             across = contact.du2 * math.cos(axis) - contact.du1 * math.sin(axis)
             assert across == pytest.approx(0.0, abs=bar(push, contact.inertia))

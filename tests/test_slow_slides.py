@@ -1,20 +1,30 @@
-"""Claim: a slide so slow that its direction is stiff is followed by few implicit steps, to the digits of explicit ones.
+"""Claim: a slide so slow that its direction is stiff is followed by few implicit steps, to the
+digits of explicit ones.
 
-Source: collocation at Gauss-Chebyshev points (Hairer & Wanner 1996, IV.5), in polar slip. Oracle: the same slide in
-explicit steps, which are as short as the direction asks and of another method; the pieces of a motion, counted.
-"""
+Source: collocation at Gauss-Chebyshev points (Hairer & Wanner 1996, IV.5), in polar slip. Oracle:
+the same slide in explicit steps, which are as short as the direction asks and of another method;
+the pieces of a motion, counted."""
 
 import numpy as np
 import pytest
 
 from dynamics import simulate
-from dynamics.implicit_steps import ACCURACY, INTEGRAL, NODES, ORDER, SERIES, TO_POWERS
+from dynamics.integrators.gauss_collocation import (
+    ACCURACY,
+    INTEGRAL,
+    NODES,
+    ORDER,
+    SERIES,
+    TO_POWERS,
+)
 from dynamics.rolling import RollingDisk
 from sonify import load_scene
 
 
 def equal(name, span, ratio=1.0):
-    scene = load_scene(name).replace(f"numerics.time_limit={span}", "air.film=none", "contact.law=rigid")
+    scene = load_scene(name).replace(
+        f"numerics.time_limit={span}", "air.film=none", "contact.law=rigid"
+    )
     return scene.replace(f"friction.mu_static={ratio * scene.friction.mu_dynamic}")
 
 
@@ -33,14 +43,16 @@ def test_implicit_steps_follow_what_explicit_steps_follow(monkeypatch, name, spa
 
 
 def test_a_slide_without_a_jump_takes_no_more_pieces_than_one_with():
-    """Equal frictions bring as many pieces as unequal ones to a motion as long, where explicit steps have no bound."""
+    """Equal frictions bring as many pieces as unequal ones to a motion as long, where explicit
+    steps have no bound."""
     unequal = load_scene("published").replace("numerics.time_limit=12", "air.film=none")
     assert len(simulate(equal("published", 12.0)).t) < 2 * len(simulate(unequal).t)
 
 
 @pytest.mark.parametrize("ratio", [1.0, 1.001])
 def test_the_force_at_a_start_is_against_the_slip_that_begins(ratio):
-    """The direction of the slip a little later, extrapolated to the start by a parabola, whose error is its cube."""
+    """The direction of the slip a little later, extrapolated to the start by a parabola, whose
+    error is its cube."""
     motion = simulate(equal("published", 4.0, ratio))
     starts = [e.t for e in motion.transitions if e.before == "roll" and e.after == "slide"]
     assert len(starts) > 10
@@ -58,7 +70,10 @@ def test_the_force_at_a_start_is_against_the_slip_that_begins(ratio):
 def test_the_weights_integrate_polynomials_exactly():
     """Of degree below ORDER, from 0 to the nodes; the powers are those of the same integral."""
     for degree in range(ORDER):
-        values, wanted = NODES**degree, NODES ** (degree + 1) / (degree + 1)
+        values = NODES**degree
+        wanted = NODES ** (degree + 1) / (degree + 1)
         np.testing.assert_allclose(INTEGRAL @ values, wanted, atol=1e-14)
         powers = TO_POWERS @ (SERIES @ values)
-        np.testing.assert_allclose(np.polynomial.polynomial.polyval(NODES, powers), wanted, atol=1e-13)
+        np.testing.assert_allclose(
+            np.polynomial.polynomial.polyval(NODES, powers), wanted, atol=1e-13
+        )

@@ -1,13 +1,13 @@
-"""Claim: the copy for small loudspeakers is the pressure A-weighted and made loud by a gain alone, and every file says
-what it is.
+"""Claim: the copy for small loudspeakers is the pressure A-weighted and made loud by a gain alone,
+and every file says what it is.
 
-Source: IEC 61672-1, annex E; ITU-R BS.1770-4; EBU R 128. Oracle: the weighting in closed form; sines of known loudness
-and true peak; readers other than the writer.
-"""
+Source: IEC 61672-1, annex E; ITU-R BS.1770-4; EBU R 128. Oracle: the weighting in closed form;
+sines of known loudness and true peak; readers other than the writer."""
 
 import re
 import subprocess
 import wave
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -15,8 +15,18 @@ import pytest
 import soundfile
 from scipy.signal import resample_poly, sosfreqz
 
+from dynamics import Outcome
 from sonify.hearing.loudness import a_weighting_db, loudness_lufs
-from sonify.sound.listening import FINER, LOUDNESS_LUFS, OVERSHOOT, a_weighting, audible, energy_below, true_peak
+from sonify.sound.audible_modes import RingDown
+from sonify.sound.playback import (
+    LOUDNESS_LUFS,
+    MAX_OVERSHOOT,
+    TRUE_PEAK_OVERSAMPLING,
+    a_weighting,
+    audible,
+    energy_below,
+    true_peak,
+)
 from sonify.sound.pressure import COLUMNS, Sound, Track, with_sum
 from sonify.sound.wav import write_sound
 
@@ -33,9 +43,12 @@ def sine(frequency, seconds=2.0, size=1.0, phase=0.0):
 
 @pytest.mark.parametrize("rate", [8000, 44100, 48000, 192000])
 def test_the_filter_weighs_as_the_standard_at_any_sample_rate(rate):
-    """Within class 1 of IEC 61672-1, table 3: 1 dB from 20 Hz (there 2.5 dB) to 4 kHz, and 0.1 dB to rate / 4."""
+    """Within class 1 of IEC 61672-1, table 3: 1 dB from 20 Hz (there 2.5 dB) to 4 kHz, and 0.1 dB
+    to rate / 4."""
     frequency = np.geomspace(20, rate / 3, 200)
-    apart = 20 * np.log10(np.abs(sosfreqz(a_weighting(rate), worN=frequency, fs=rate)[1])) - a_weighting_db(frequency)
+    apart = 20 * np.log10(
+        np.abs(sosfreqz(a_weighting(rate), worN=frequency, fs=rate)[1])
+    ) - a_weighting_db(frequency)
     assert np.abs(apart).max() < 0.5
     assert np.abs(apart[frequency < rate / 4]).max() < 0.1
 
@@ -49,7 +62,9 @@ def test_a_tone_of_1_khz_keeps_its_level_and_one_of_100_hz_loses_19_db():
 
 def test_any_sound_comes_out_as_loud():
     for size in (1e-6, 1.0, 1e3):
-        assert loudness_lufs(audible(track(sine(440.0, size=size)))) == pytest.approx(LOUDNESS_LUFS, abs=0.01)
+        assert loudness_lufs(audible(track(sine(440.0, size=size)))) == pytest.approx(
+            LOUDNESS_LUFS, abs=0.01
+        )
 
 
 def test_a_click_is_held_below_the_true_peak_by_its_gain():
@@ -61,21 +76,30 @@ def test_a_click_is_held_below_the_true_peak_by_its_gain():
 
 
 def test_a_true_peak_lies_between_the_samples():
-    """BS.1770-4, annex 2: a sine of a quarter of the rate, sampled 45 degrees off its crests, reads 3 dB low."""
+    """BS.1770-4, annex 2: a sine of a quarter of the rate, sampled 45 degrees off its crests, reads
+    3 dB low."""
     source = track(sine(RATE / 4, phase=np.pi / 4))
     assert np.abs(source.read()).max() == pytest.approx(0.5**0.5, rel=1e-6)
     assert 20 * np.log10(true_peak(source)) == pytest.approx(0.0, abs=0.2)
 
 
 def test_a_true_peak_is_found_in_whichever_part_it_is_and_no_quiet_part_can_hold_it():
-    """What is left out is so much quieter than the rest that no weights of the filter, signs aside, make up for it."""
-    weights = np.abs(resample_poly(np.eye(1, 401, 200)[0], FINER, 1)).reshape(-1, FINER).sum(axis=0)
-    assert weights.max() < OVERSHOOT
-    quiet, crest = sine(RATE / 4, 4.0, 0.5), sine(RATE / 4, 0.1, phase=np.pi / 4)
+    """What is left out is so much quieter than the rest that no weights of the filter, signs aside,
+    make up for it."""
+    weights = (
+        np.abs(resample_poly(np.eye(1, 401, 200)[0], TRUE_PEAK_OVERSAMPLING, 1))
+        .reshape(-1, TRUE_PEAK_OVERSAMPLING)
+        .sum(axis=0)
+    )
+    assert weights.max() < MAX_OVERSHOOT
+    quiet = sine(RATE / 4, 4.0, 0.5)
+    crest = sine(RATE / 4, 0.1, phase=np.pi / 4)
     for n in (0, 70_000, 150_000):
         samples = quiet.copy()
         samples[n : n + len(crest)] = crest
-        assert true_peak(track(samples)) == pytest.approx(np.abs(resample_poly(samples, FINER, 1)).max(), rel=1e-6)
+        assert true_peak(track(samples)) == pytest.approx(
+            np.abs(resample_poly(samples, TRUE_PEAK_OVERSAMPLING, 1)).max(), rel=1e-6
+        )
 
 
 def test_silence_and_a_tenth_of_a_second_pass():
@@ -98,7 +122,9 @@ def test_the_energy_is_where_the_tones_are():
 def folder(tmp_path_factory):
     folder = tmp_path_factory.mktemp("sound")
     parts = np.column_stack([sine(f, size=0.01) for f in (50.0, 100.0, 1000.0, 2000.0)])
+    ringing = RingDown(frequency=np.zeros(0), decay_rate=np.zeros(0), without_film=np.zeros(0))
     none = {"modes_heard": 0, "source_end": 1.0, "energy_time": np.zeros(0), "energy": np.zeros(0)}
+    none |= {"ringing": ringing, "outcome": Outcome.SETTLED}
     sound = Sound(name="four sines", sample_rate=RATE, columns=with_sum(parts), **none)
     write_sound(sound, folder)
     return SimpleNamespace(path=folder, sound=sound)
@@ -107,18 +133,42 @@ def folder(tmp_path_factory):
 def test_every_file_says_what_it_is(folder):
     for name in ("pressure", "sound", "audible", *(f"stems/{name}" for name in COLUMNS[1:])):
         with soundfile.SoundFile(folder.path / f"{name}.wav") as file:
-            assert file.title == f"Euler's disk, four sines: {name.removeprefix('stems/').replace('_', ' ')}"
+            assert (
+                file.title
+                == f"Euler's disk, four sines: {name.removeprefix('stems/').replace('_', ' ')}"
+            )
             assert file.software.startswith("eulers-disk-sonify")
             scale = float(re.search(r"1\.0 = (\S+) pascal", file.comment).group(1))
-            true = {"sound": folder.sound.full_scale, "audible": folder.sound.audible.full_scale}.get(name, 1.0)
+            true = {
+                "sound": folder.sound.full_scale,
+                "audible": folder.sound.audible.full_scale,
+            }.get(name, 1.0)
             assert scale == pytest.approx(true, rel=1e-5)
             assert ("not the pressure" in file.comment) == (name == "audible")
+
+
+@pytest.mark.parametrize("outcome", Outcome)
+def test_every_file_says_that_the_end_is_missing_where_it_is(folder, tmp_path, outcome):
+    """Of a motion that came to rest nothing is missing."""
+    write_sound(replace(folder.sound, outcome=outcome), tmp_path)
+    comments = [soundfile.SoundFile(path).comment for path in tmp_path.rglob("*.wav")]
+    assert len(comments) == 3 + len(folder.sound.names)
+    for comment in comments:
+        assert (
+            (outcome.sentence in comment)
+            == ("its end is missing" in comment)
+            == (outcome is not Outcome.SETTLED)
+        )
 
 
 def test_other_programs_read_the_files(folder):
     for name in ("sound", "audible"):
         with wave.open(str(folder.path / f"{name}.wav")) as file:
-            assert (file.getframerate(), file.getsampwidth(), file.getnframes()) == (RATE, 3, folder.sound.samples)
+            assert (file.getframerate(), file.getsampwidth(), file.getnframes()) == (
+                RATE,
+                3,
+                folder.sound.samples,
+            )
     ffmpeg = pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
     asked = [ffmpeg.get_ffmpeg_exe(), "-i", str(folder.path / "pressure.wav")]
     told = subprocess.run(asked, capture_output=True, text=True, check=False).stderr

@@ -1,8 +1,9 @@
-"""Claim: the stem of the contact is what an elastic, rough contact adds to the force, radiated by the same disk.
+"""Claim: the stem of the contact is what an elastic, rough contact adds to the force, radiated by
+the same disk.
 
-Source: linear systems; Rayleigh's integral over a disk; the resonance of the contact (dynamics/coupled/resonance.py).
-Oracle: transfer functions in closed form, the same force put in by hand, symmetry, repetition.
-"""
+Source: linear systems; Rayleigh's integral over a disk; the resonance of the contact
+(dynamics/compliant/law/linearised.py). Oracle: transfer functions in closed form, the same force
+put in by hand, symmetry, repetition."""
 
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
@@ -15,18 +16,18 @@ from scipy.signal import welch
 from scipy.special import jv
 
 from dynamics import Outcome, simulate
-from dynamics.coupled.filter import predicted_spectrum
-from dynamics.coupled.from_scene import law_table
-from dynamics.coupled.profile import SMOOTH
+from dynamics.compliant.law.height_profile import SMOOTH
+from dynamics.compliant.law.linear_response import predicted_spectrum
+from dynamics.compliant.model_inputs import law_table
 from dynamics.motion import Jumps
 from modal import eigenmodes
 from modal.radiation import SOUND_SPEED
 from sonify import load_scene
 from sonify.scene import from_document
-from sonify.sound.contact import AddedByContact, Filter, low_pass, thinned
-from sonify.sound.drive import in_patch_frame, rigid_acceleration
+from sonify.sound.modal_forcing import in_patch_frame, rigid_acceleration
 from sonify.sound.radiation import piston_strength
 from sonify.sound.render import Renderer
+from sonify.sound.sources.contact import ContactFilter, ContactVibration, decimate, low_pass
 
 RATE = 48000
 HEARD = RATE // 2
@@ -35,8 +36,15 @@ HEARD = RATE // 2
 
 @pytest.fixture(scope="module")
 def rough():
-    changes = "support.kind=free", "contact.law=elastic", "numerics.contact=filter", "numerics.time_limit=0.6"
-    return load_scene("published").replace(*changes, "roughness.rms=1e-8", "material.loss_factor=0.05")
+    changes = (
+        "support.kind=free",
+        "contact.law=elastic",
+        "numerics.contact=filter",
+        "numerics.time_limit=0.6",
+    )
+    return load_scene("published").replace(
+        *changes, "roughness.rms=1e-8", "material.loss_factor=0.05"
+    )
 
 
 @pytest.fixture(scope="module")
@@ -50,25 +58,37 @@ def rows(scene, moved, size=1 << 16, wanted=(0, 1)):
 
 def test_the_other_stems_are_those_of_the_rigid_contact_and_the_sum_has_one_more(rough, moved):
     rigid = rough.replace("contact.law=rigid")
-    assert Renderer(rough, *moved).names == ("heave", "tilt", "ringing_smooth", "ringing_jumps", "contact")
+    assert Renderer(rough, *moved).names == (
+        "heave",
+        "tilt",
+        "ringing_smooth",
+        "ringing_jumps",
+        "contact",
+    )
     assert np.array_equal(rows(rigid, moved), rows(rough, moved)[:, :4])
 
 
 def test_the_bits_depend_on_neither_block_nor_thread(rough, moved):
-    """Of the stem as it is written, and of the force behind it. In double precision, sums of products differ in their
-    last bits with where a thread's memory begins."""
+    """Of the stem as it is written, and of the force behind it. In double precision, sums of
+    products differ in their last bits with where a thread's memory begins."""
     once = rows(rough, moved)[:, 4].astype(np.float32)
     with ThreadPoolExecutor(2) as pool:
-        others = list(pool.map(lambda size: rows(rough, moved, size)[:, 4].astype(np.float32), (777, 1 << 16)))
+        others = list(
+            pool.map(lambda size: rows(rough, moved, size)[:, 4].astype(np.float32), (777, 1 << 16))
+        )
     assert all(np.array_equal(once, other) for other in others)
     assert once.any()
 
 
 @pytest.mark.slow
 def test_another_seed_is_another_sound_as_loud(rough, moved):
-    """Noise a hundred hertz wide for half a second: correlations of 1/sqrt(100), levels that differ by half of it."""
+    """Noise a hundred hertz wide for half a second: correlations of 1/sqrt(100), levels that differ
+    by half of it."""
     smooth = rows(without_roughness(rough), moved)[:, 4]
-    stems = [(rows(rough.replace(f"roughness.seed={seed}"), moved)[:, 4] - smooth)[:HEARD] for seed in range(3)]
+    stems = [
+        (rows(rough.replace(f"roughness.seed={seed}"), moved)[:, 4] - smooth)[:HEARD]
+        for seed in range(3)
+    ]
     levels = [np.sqrt(np.mean(stem**2)) for stem in stems]
     assert levels == pytest.approx([np.mean(levels)] * 3, rel=4 / 2 / np.sqrt(100))
     assert abs(np.corrcoef(stems)[np.triu_indices(3, 1)]).max() < 4 / np.sqrt(100)
@@ -87,12 +107,15 @@ def without_roughness(scene):
 
 def steadily(disk, beta, seconds):
     """Return the motion of a disk that slides steadily under its weight."""
-    speed, weight = steady_speed(disk, beta), [0.0, 0.0, disk.weight]
+    speed = steady_speed(disk, beta)
+    weight = [0.0, 0.0, disk.weight]
     none = Jumps(np.zeros(0), np.zeros((0, 3)), np.zeros((0, 3)))
 
     def at(t):
         state = np.zeros((len(t), 11))
-        state[:, 0], state[:, 1], state[:, 2] = steady_rate(disk, beta) * t, beta, -speed / disk.radius * t
+        state[:, 0] = steady_rate(disk, beta) * t
+        state[:, 1] = beta
+        state[:, 2] = -speed / disk.radius * t
         return state
 
     return SimpleNamespace(
@@ -105,24 +128,35 @@ def steadily(disk, beta, seconds):
 
 @pytest.mark.parametrize("beta", [0.1, 0.01])
 def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(rough, beta):
-    """The spectrum of N' by the mobility and the heights, times the pressure of a disk that heaves and tilts.
+    """The spectrum of N' by the mobility and the heights, times the pressure of a disk that heaves
+    and tilts.
 
-    A disk turning under the listener: of the tilt half the power, none together with the heave. Without modes; only the
-    table is rough, since the edge would repeat and have lines.
-    """
-    seconds, scene = 8.0, rough.replace("roughness.rms_edge=0.0")
-    disk, elevation, distance = scene.disk, np.radians(scene.audio.elevation_deg), scene.audio.distance
-    speed, motion = steady_speed(disk, beta), steadily(disk, beta, seconds)
+    A disk turning under the listener: of the tilt half the power, none together with the heave.
+    Without modes; only the table is rough, since the edge would repeat and have lines."""
+    seconds = 8.0
+    scene = rough.replace("roughness.rms_edge=0.0")
+    disk = scene.disk
+    elevation = np.radians(scene.audio.elevation_deg)
+    distance = scene.audio.distance
+    speed = steady_speed(disk, beta)
+    motion = steadily(disk, beta, seconds)
     free = eigenmodes(scene, below=18e3)
-    added = AddedByContact(scene, motion, *Renderer(scene.replace("contact.law=rigid"), motion, free, []).sources)
+    added = ContactVibration(
+        scene, motion, *Renderer(scene.replace("contact.law=rigid"), motion, free, []).sources
+    )
     n = int(seconds * RATE)
-    pressure = added.from_rest(np.zeros(0), None)(SimpleNamespace(t=np.arange(n + 1) / RATE))[RATE:, 0]
+    pressure = added.start_rendering(np.zeros(0), None)(SimpleNamespace(t=np.arange(n + 1) / RATE))[
+        RATE:, 0
+    ]
     f, power = welch(pressure, RATE, nperseg=1 << 13)
     x = np.maximum(2 * np.pi * f, 1.0) * disk.radius * np.cos(elevation) / SOUND_SPEED
     turn = rigid_acceleration(in_patch_frame([[0.0, 0.0, 1.0]], np.array([beta])), disk)[0, 4]
     near = disk.radius * np.cos(elevation) / distance * (2 * jv(2, x) / x - 2 * jv(3, x)) / x
-    heave, tilt = 2 * jv(1, x) / x / disk.mass, disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
-    theory = predicted_spectrum(law_table(scene), scene.roughness, beta, disk.weight, speed, f[1:], rolls=False)
+    heave = 2 * jv(1, x) / x / disk.mass
+    tilt = disk.radius * turn * np.hypot(2 * jv(2, x) / x, near)
+    theory = predicted_spectrum(
+        law_table(scene), scene.roughness, beta, disk.weight, speed, f[1:], rolls=False
+    )
     expected = piston_strength(disk.radius, distance) ** 2 * (heave**2 + tilt**2 / 2)[1:] * theory
     around = slice(f.searchsorted(300.0), f.searchsorted(6000.0))
     assert power[1:][around].sum() == pytest.approx(expected[around].sum(), rel=0.15)
@@ -132,19 +166,28 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
 
 
 def test_decimation_keeps_what_is_below_half_the_rate():
-    """A Hann window of 16 samples falls within an eighth of the rate, to -44 dB; at the instants that are said."""
-    over, weight = 3, low_pass(3)
+    """A Hann window of 16 samples falls within an eighth of the rate, to -44 dB; at the instants
+    that are said."""
+    over = 3
+    weight = low_pass(3)
     t = np.arange(-len(weight) // 2 + 1, 3 * 400) / (over * RATE)
     for tone, kept in ((4e3, 1.0), (17e3, 1.0), (31e3, 0.0), (50e3, 0.0)):
-        found = thinned(np.cos(2 * np.pi * tone * t)[:, None], weight, over)[:, 0]
+        found = decimate(np.cos(2 * np.pi * tone * t)[:, None], weight, over)[:, 0]
         instants = np.arange(len(found)) / RATE + t[len(weight) // 2]
-        assert found == pytest.approx(kept * np.cos(2 * np.pi * tone * instants), abs=10 ** (-44 / 20))
+        assert found == pytest.approx(
+            kept * np.cos(2 * np.pi * tone * instants), abs=10 ** (-44 / 20)
+        )
 
 
 def test_filter_and_full_model_sound_alike_where_the_disk_rolls():
-    """Within 10 % where it rolls; the surfaces are the same, but the paths on them part by more than a wave."""
-    scene = load_scene("polished").replace("air.film=none", "numerics.time_limit=1.2", "material.loss_factor=0.05")
-    modes, heard, levels = eigenmodes(scene, below=18e3), slice(RATE // 4, int(1.1 * RATE)), {}
+    """Within 10 % where it rolls; the surfaces are the same, but the paths on them part by more
+    than a wave."""
+    scene = load_scene("polished").replace(
+        "air.film=none", "numerics.time_limit=1.2", "material.loss_factor=0.05"
+    )
+    modes = eigenmodes(scene, below=18e3)
+    heard = slice(RATE // 4, int(1.1 * RATE))
+    levels = {}
     for kind in ("filter", "full"):
         solved = scene.replace(f"numerics.contact={kind}", "numerics.accuracy=draft")
         motion = simulate(solved)
@@ -159,11 +202,15 @@ def test_filter_and_full_model_sound_alike_where_the_disk_rolls():
 @pytest.mark.slow
 def test_memory_does_not_grow_with_the_length(rough):
     """A steady disk for a tenth of a minute and for a whole one."""
-    table, peaks = law_table(rough), []
+    table = law_table(rough)
+    peaks = []
     for seconds in (6.0, 60.0):
         motion = steadily(rough.disk, 0.1, seconds)
         tracemalloc.start()
-        frames = sum(len(block) for block in Filter(motion, table, (SMOOTH, SMOOTH), RATE, 0.0).blocks())
+        frames = sum(
+            len(block)
+            for block in ContactFilter(motion, table, (SMOOTH, SMOOTH), RATE, 0.0).blocks()
+        )
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()
         assert frames == pytest.approx(seconds * RATE, abs=RATE)

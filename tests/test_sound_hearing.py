@@ -1,8 +1,8 @@
 """Claim: levels, A-weighting, threshold and loudness are those of the standards.
 
-Source: IEC 61672-1, table 3 (A-weighting at nominal frequencies, +-0.05 dB of rounding), ISO 226:2003, table 1, ITU-R
-BS.1770, the definition of the asper. Oracle: values printed in those tables; a sine of known pressure.
-"""
+Source: IEC 61672-1, table 3 (A-weighting at nominal frequencies, +-0.05 dB of rounding), ISO
+226:2003, table 1, ITU-R BS.1770, the definition of the asper. Oracle: values printed in those
+tables; a sine of known pressure."""
 
 import sys
 from itertools import pairwise
@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import soundfile
 
+from sonify.hearing.audio_source import BLOCK, SoundFile, pieces, stretch
 from sonify.hearing.loudness import (
     ISO_226,
     MissingExtraError,
@@ -20,7 +21,6 @@ from sonify.hearing.loudness import (
     loudness_lufs,
     roughness,
 )
-from sonify.hearing.source import BLOCK, SoundFile, pieces, stretch
 from sonify.hearing.spectrogram import spectrogram
 
 RATE = 48000
@@ -49,12 +49,16 @@ def test_a_weighting(frequency, expected):
     assert a_weighting_db(frequency) == pytest.approx(expected, abs=0.06)
 
 
-@pytest.mark.parametrize(("frequency", "threshold"), [(20, 78.5), (1000, 2.4), (3150, -6.0), (12500, 12.3)])
+@pytest.mark.parametrize(
+    ("frequency", "threshold"), [(20, 78.5), (1000, 2.4), (3150, -6.0), (12500, 12.3)]
+)
 def test_a_tone_at_the_threshold_is_just_heard(tmp_path, frequency, threshold):
     assert ISO_226[frequency] == threshold
     path = tone(tmp_path / "tone.wav", frequency, 20e-6 * 10 ** (threshold / 20))
     heard = audibility(path)
-    assert np.median(heard.above_threshold) == pytest.approx(0, abs=2.5)  # a neighbouring band leaks at 20 Hz
+    assert np.median(heard.above_threshold) == pytest.approx(
+        0, abs=2.5
+    )  # a neighbouring band leaks at 20 Hz
     louder = audibility(tone(path, frequency, 20e-6 * 10 ** ((threshold + 20) / 20)))
     assert np.median(louder.above_threshold - heard.above_threshold) == pytest.approx(20, abs=0.1)
 
@@ -68,14 +72,18 @@ def test_a_pascal_is_94_db(tmp_path):
 
 def test_loudness_of_a_full_scale_tone(tmp_path):
     """A 997 Hz sine of peak 0 dBFS in one channel reads -3.01 LKFS (BS.1770, note to annex 1)."""
-    assert loudness_lufs(tone(tmp_path / "tone.wav", 997.0, 1 / np.sqrt(2), 5.0)) == pytest.approx(-3.01, abs=0.1)
+    assert loudness_lufs(tone(tmp_path / "tone.wav", 997.0, 1 / np.sqrt(2), 5.0)) == pytest.approx(
+        -3.01, abs=0.1
+    )
 
 
 @pytest.mark.parametrize("rate", [44100, 48000])
 def test_an_asper_is_a_tone_of_60_db_fully_modulated_at_70_hz(tmp_path, rate):
-    """By definition; at 20 Hz and at 160 Hz it is far less rough, and a steady tone is not (Zwicker & Fastl, 11.1)."""
+    """By definition; at 20 Hz and at 160 Hz it is far less rough, and a steady tone is not (Zwicker
+    & Fastl, 11.1)."""
     pytest.importorskip("mosqito", reason="the extra `roughness` is not installed")
-    t, rough = np.arange(3 * rate) / rate, {}
+    t = np.arange(3 * rate) / rate
+    rough = {}
     for modulation, depth in ((70, 1.0), (20, 1.0), (160, 1.0), (70, 0.0)):
         sound = (1 + depth * np.sin(2 * np.pi * modulation * t)) * np.sin(2 * np.pi * 1000 * t)
         sound *= 20e-6 * 10 ** (60 / 20) / np.sqrt(np.mean(sound**2))
@@ -121,14 +129,18 @@ class InBlocks:
     sample_rate = RATE
 
     def __init__(self, samples, sizes=(1, 7000, 333)):
-        self.samples, self.frames, self.sizes = samples, len(samples), sizes
+        self.samples = samples
+        self.frames = len(samples)
+        self.sizes = sizes
 
     def blocks(self, start=0):
         edges = np.cumsum([start, *self.sizes * (1 + self.frames // sum(self.sizes))])
         return (self.samples[a:b] for a, b in pairwise(edges) if a < self.frames)
 
 
-@pytest.mark.parametrize(("step", "overlap", "start"), [(1000, 0, 0), (1000, 3000, 17), (50_000, 5, 0), (8, 90_000, 3)])
+@pytest.mark.parametrize(
+    ("step", "overlap", "start"), [(1000, 0, 0), (1000, 3000, 17), (50_000, 5, 0), (8, 90_000, 3)]
+)
 def test_pieces_are_the_samples_however_they_come(step, overlap, start):
     samples = np.random.default_rng(0).normal(size=(60_001, 2))
     source = InBlocks(samples)
@@ -146,11 +158,17 @@ def test_pieces_are_the_samples_however_they_come(step, overlap, start):
 def test_a_file_and_its_samples_look_and_sound_the_same(tmp_path):
     samples = np.random.default_rng(1).normal(scale=0.1, size=(3 * BLOCK + 5, 2)).astype(np.float32)
     soundfile.write(tmp_path / "noise.wav", samples, RATE, "FLOAT")
-    file, blocks = SoundFile(tmp_path / "noise.wav"), InBlocks(samples)
+    file = SoundFile(tmp_path / "noise.wav")
+    blocks = InBlocks(samples)
     assert (file.sample_rate, file.frames) == (RATE, len(samples))
     assert np.array_equal(stretch(file, 100, BLOCK + 200), samples[100 : BLOCK + 200])
-    for options in ({"window": 0.02}, {"window": 0.3, "span": (1.0, 2.5)}, {"window": 0.01, "columns": 20}):
-        seen, true = spectrogram(blocks, **options), spectrogram(file, **options)
+    for options in (
+        {"window": 0.02},
+        {"window": 0.3, "span": (1.0, 2.5)},
+        {"window": 0.01, "columns": 20},
+    ):
+        seen = spectrogram(blocks, **options)
+        true = spectrogram(file, **options)
         np.testing.assert_allclose(seen.power, true.power, rtol=1e-5, atol=0)
         assert np.array_equal(seen.time, true.time)
     assert loudness_lufs(blocks) == pytest.approx(loudness_lufs(file))
@@ -160,10 +178,14 @@ def test_the_power_in_a_window_is_that_of_a_transform_written_out(tmp_path):
     """Oracle: the sum |sum w x exp(-i w t)|^2 of one window, term by term."""
     samples = np.random.default_rng(2).normal(size=(RATE // 10, 1))
     seen = spectrogram(InBlocks(samples), 0.01)
-    size, column, bin_ = 480, 7, 31
+    size = 480
+    column = 7
+    bin_ = 31
     n = np.arange(size)
     window = 0.5 - 0.5 * np.cos(2 * np.pi * n / size)
     wave = np.exp(-2j * np.pi * seen.frequency[bin_] * n / RATE)
     value = window @ (samples[column * size // 4 :][:size, 0] * wave)
     assert seen.time[column] == pytest.approx((column * size // 4 + size / 2) / RATE)
-    assert seen.power[bin_, column] == pytest.approx(2 * abs(value) ** 2 / window.sum() ** 2, rel=1e-5)
+    assert seen.power[bin_, column] == pytest.approx(
+        2 * abs(value) ** 2 / window.sum() ** 2, rel=1e-5
+    )

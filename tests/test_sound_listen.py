@@ -1,9 +1,10 @@
-"""Claim: from a recording alone the end, the exponent and the pitch of a rising tone are found, with the errors stated.
+"""Claim: from a recording alone the end, the exponent and the pitch of a rising tone are found,
+with the errors stated.
 
-Source: the law f = a (t_end - t)^-p of a disk near its end. Oracle: synthetic recordings of known law, with a harmonic,
-steady carriers, hum, white noise from 30 to -10 dB, a room of 0.5 s reverberation time, and a second line from which
-the sound passes to the first; every error below is asserted.
-"""
+Source: the law f = a (t_end - t)^-p of a disk near its end. Oracle: synthetic recordings of known
+law, with a harmonic, steady carriers, hum, white noise from 30 to -10 dB, a room of 0.5 s
+reverberation time, and a second line from which the sound passes to the first; every error below is
+asserted."""
 
 import json
 import struct
@@ -16,28 +17,34 @@ from click.testing import CliRunner
 from scipy.signal import fftconvolve
 
 from sonify.__main__ import main
+from sonify.hearing.audio_source import SoundFile
 from sonify.hearing.loudness import HANN_BANDWIDTH
 from sonify.hearing.recording import LONGEST, RecordingError, listen, read
 from sonify.hearing.rising_tone import rising_tone
-from sonify.hearing.source import SoundFile
 from sonify.hearing.spectrogram import spectrogram
-from sonify.report.recording import own_folder, sentences
+from sonify.report.recording import own_folder
 
 RATE, END, LENGTH = 22050, 8.0, 10.0
 LAWS = [(1.0, 60.0), (0.5, 100.0), (0.33, 120.0)]
-"""Exponent and pitch one second before the end [Hz]: k2-type rolling friction, and two slower laws."""
+"""Exponent and pitch one second before the end [Hz]: k2-type rolling friction, and two slower
+laws."""
 
 
 def recording(exponent, pitch, snr_db, room=False, seed=0, rate=RATE):
-    """A rising tone with its octave; it swells towards the end, then there is silence; noise over all of it."""
+    """A rising tone with its octave; it swells towards the end, then there is silence; noise over
+    all of it."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(LENGTH * rate)) / rate
     left = np.maximum(END - t, 1e-3)
     phase = 2 * np.pi * np.cumsum(np.minimum(pitch * left**-exponent, 0.4 * rate)) / rate
-    sound = np.where(t < END, np.sin(phase) + 0.5 * np.sin(2 * phase), 0) * np.minimum(1, left**-0.3)
+    sound = np.where(t < END, np.sin(phase) + 0.5 * np.sin(2 * phase), 0) * np.minimum(
+        1, left**-0.3
+    )
     if room:
         late = np.arange(int(0.5 * rate)) / rate
-        sound = fftconvolve(sound, np.r_[1, 0.05 * rng.normal(size=len(late) - 1) * np.exp(-13.8 * late[1:])])[: len(t)]
+        sound = fftconvolve(
+            sound, np.r_[1, 0.05 * rng.normal(size=len(late) - 1) * np.exp(-13.8 * late[1:])]
+        )[: len(t)]
     noise = rng.normal(size=len(t))
     return sound + noise * sound.std() / noise.std() * 10 ** (-snr_db / 20)
 
@@ -55,7 +62,8 @@ def test_errors_in_noise(exponent, pitch, snr_db):
 @pytest.mark.parametrize("snr_db", [20, 0])
 @pytest.mark.parametrize(("exponent", "pitch"), LAWS)
 def test_errors_in_a_room(exponent, pitch, snr_db):
-    """The tone lingers in a room: the end is found late, by up to half the reverberation time for the slowest law."""
+    """The tone lingers in a room: the end is found late, by up to half the reverberation time for
+    the slowest law."""
     tone = rising_tone(recording(exponent, pitch, snr_db, room=True), RATE)
     assert -0.02 < tone.end - END < 0.25
     assert tone.exponent == pytest.approx(exponent, abs=0.09)
@@ -64,7 +72,11 @@ def test_errors_in_a_room(exponent, pitch, snr_db):
 
 def test_steady_carriers_do_not_distract(tmp_path):
     t = np.arange(int(LENGTH * RATE)) / RATE
-    sound = recording(1.0, 60.0, 30) + 2 * np.sin(2 * np.pi * 1086.7 * t) + 0.5 * np.sin(2 * np.pi * 7299.4 * t)
+    sound = (
+        recording(1.0, 60.0, 30)
+        + 2 * np.sin(2 * np.pi * 1086.7 * t)
+        + 0.5 * np.sin(2 * np.pi * 7299.4 * t)
+    )
     soundfile.write(tmp_path / "ringing.wav", 0.1 * sound, RATE, "FLOAT")
     heard = listen(tmp_path / "ringing.wav")
     assert heard.tone.end == pytest.approx(END, abs=0.015)
@@ -80,7 +92,9 @@ def test_hum_does_not_distract(hum):
     """35 Hz s/(t_end - t), less than 8 Hz for the first seconds, crosses the hum of the mains."""
     t = np.arange(int(LENGTH * RATE)) / RATE
     phase = -2 * np.pi * 35.0 * np.log(np.maximum(END - t, 5e-3))
-    tone = rising_tone(np.where(t < END, np.sin(phase), 0) + hum * np.sin(2 * np.pi * 50.0 * t), RATE)
+    tone = rising_tone(
+        np.where(t < END, np.sin(phase), 0) + hum * np.sin(2 * np.pi * 50.0 * t), RATE
+    )
     assert tone.exponent == pytest.approx(1.0, abs=min(0.01, 3 * tone.exponent_error))
     assert tone.end == pytest.approx(END, abs=min(0.005, 3 * tone.end_error))
 
@@ -89,42 +103,52 @@ def test_a_tone_far_below_what_rings_at_its_end_is_found():
     """As of a hoop: the modes ring 50 dB louder than the tone that excites them."""
     t = np.arange(int(LENGTH * RATE)) / RATE
     after = np.maximum(t - END + 0.05, 0)
-    ringing = sum(np.sin(2 * np.pi * f * after) * np.exp(-3 * after) for f in (3010.0, 7250.0, 9280.0))
+    ringing = sum(
+        np.sin(2 * np.pi * f * after) * np.exp(-3 * after) for f in (3010.0, 7250.0, 9280.0)
+    )
     tone = rising_tone(300 * ringing + recording(1.0, 156.0, 40), RATE)
     assert tone.exponent == pytest.approx(1.0, abs=min(0.01, 3 * tone.exponent_error))
     assert tone.at(END - 1.0) == pytest.approx(156.0, rel=0.01)
 
 
 def passing(seed, rate=16000):
-    """A recording of a law, exponent, end and noise drawn by chance, under hum; in two of three its loudest line is
-    first one 0.75 to 0.85 times as high (the nutation), which vanishes or stays. Returns it, the exponent and end."""
+    """A recording of a law, exponent, end and noise drawn by chance, under hum; in two of three its
+    loudest line is first one 0.75 to 0.85 times as high (the nutation), which vanishes or stays.
+    Returns it, the exponent and end."""
     rng = np.random.default_rng(seed)
-    exponent, end = rng.choice([0.25, 0.33, 0.5, 0.67, 0.8, 1.0, 1.2, 1.33]), rng.uniform(7, 9)
+    exponent = rng.choice([0.25, 0.33, 0.5, 0.67, 0.8, 1.0, 1.2, 1.33])
+    end = rng.uniform(7, 9)
     pitch = rng.uniform(60, 120) if exponent < 0.5 else rng.uniform(35, 120)
     t = np.arange(int((end + rng.uniform(0.5, 2)) * rate)) / rate
     left = np.maximum(end - t, 1e-3)
     phase = 2 * np.pi * np.cumsum(np.minimum(pitch * left**-exponent, 0.4 * rate)) / rate
     early = 1 / (1 + (left / rng.uniform(0.3, 3)) ** -7) * (seed % 3 > 0)
-    ratio, residue = rng.uniform(0.75, 0.85), 0.1 * (seed % 3 > 1)
+    ratio = rng.uniform(0.75, 0.85)
+    residue = 0.1 * (seed % 3 > 1)
     upper, lower = (np.sin(part) + 0.5 * np.sin(2 * part) for part in (phase, ratio * phase + 1))
     sound = np.where(t < end, (1 - early + residue) * upper + (early + residue) * lower, 0)
     sound *= np.minimum(3, left ** -rng.choice([0, 0.3, 0.6]))
-    hum = sum(a * np.sin(2 * np.pi * n * rng.choice([50, 60]) * t) for n, a in ((1, 1), (2, 0.5), (3, 0.5)))
+    hum = sum(
+        a * np.sin(2 * np.pi * n * rng.choice([50, 60]) * t)
+        for n, a in ((1, 1), (2, 0.5), (3, 0.5))
+    )
     noise = rng.normal(size=len(t)) * 10 ** (-rng.choice([30, 20, 10, 0]) / 20)
     return sound + sound.std() * (noise + rng.choice([0, 0.3, 1, 3]) * hum), exponent, end
 
 
 def assert_errors_cover(seeds):
-    """Nine of ten are heard, of these nine of ten are within twice the errors stated, which are small, and none is far
-    off."""
-    apart, stated = [], []
+    """Nine of ten are heard, of these nine of ten are within twice the errors stated, which are
+    small, and none is far off."""
+    apart = []
+    stated = []
     for seed in seeds:
         sound, exponent, end = passing(seed)
         tone = rising_tone(sound, 16000)
         if tone is not None:
             apart.append((tone.exponent - exponent, tone.end - end))
             stated.append((tone.exponent_error, tone.end_error))
-    apart, stated = np.abs(apart), np.array(stated)
+    apart = np.abs(apart)
+    stated = np.array(stated)
     assert len(apart) >= 0.9 * len(seeds)
     assert np.all(np.mean(apart < 2 * stated, axis=0) >= 0.9)
     assert np.all(apart < 5 * stated + (0.01, 0.005))
@@ -144,7 +168,9 @@ def test_the_repetition_of_the_envelope_is_found(tmp_path):
     """Noise that comes in bursts, ever faster: no tone rises, but the rate of the bursts does."""
     t = np.arange(int(LENGTH * RATE)) / RATE
     phase = 2 * np.pi * np.cumsum(np.minimum(40.0 / np.maximum(END - t, 1e-3), 2000)) / RATE
-    bursts = np.random.default_rng(3).normal(size=len(t)) * np.maximum(np.cos(phase), 0) ** 2 * (t < END)
+    bursts = (
+        np.random.default_rng(3).normal(size=len(t)) * np.maximum(np.cos(phase), 0) ** 2 * (t < END)
+    )
     soundfile.write(tmp_path / "bursts.wav", 0.1 * bursts, RATE, "FLOAT")
     repetition = listen(tmp_path / "bursts.wav").repetition
     assert repetition.end == pytest.approx(END, abs=0.05)
@@ -165,10 +191,12 @@ def test_a_steady_tone_does_not_rise():
 
 @pytest.mark.parametrize("rate", [8000, 44100, 96000])
 @pytest.mark.parametrize(
-    ("channels", "subtype", "suffix"), [(2, "PCM_16", ".wav"), (1, "PCM_24", ".flac"), (6, "FLOAT", ".aiff")]
+    ("channels", "subtype", "suffix"),
+    [(2, "PCM_16", ".wav"), (1, "PCM_24", ".flac"), (6, "FLOAT", ".aiff")],
 )
 def test_any_rate_channels_and_format(tmp_path, rate, channels, subtype, suffix):
-    path, sound = tmp_path / f"recording{suffix}", recording(1.0, 60.0, 20, rate=rate)
+    path = tmp_path / f"recording{suffix}"
+    sound = recording(1.0, 60.0, 20, rate=rate)
     soundfile.write(path, np.repeat(0.2 * sound[:, None], channels, axis=1), rate, subtype)
     heard = listen(path)
     assert heard.sample_rate == rate
@@ -185,7 +213,8 @@ def test_channels_that_cancel_are_heard(tmp_path):
     sound = 0.2 * recording(1.0, 60.0, 20)
     soundfile.write(tmp_path / "wide.wav", np.column_stack([sound, -sound]), RATE)
     assert listen(tmp_path / "wide.wav").tone.end == pytest.approx(END, abs=0.02)
-    wide, one = spectrogram(tmp_path / "wide.wav", 0.2), 0.04 * np.mean(recording(1.0, 60.0, 20) ** 2)
+    wide = spectrogram(tmp_path / "wide.wav", 0.2)
+    one = 0.04 * np.mean(recording(1.0, 60.0, 20) ** 2)
     total = wide.power.sum(axis=0).mean() / HANN_BANDWIDTH
     assert total == pytest.approx(one, rel=0.1)
 
@@ -205,7 +234,10 @@ BAD = {
     "empty file": (lambda path: path.write_bytes(b""), "not a sound file"),
     "text": (lambda path: path.write_text("no sound" * 100), "not a sound file"),
     "folder": (lambda path: path.mkdir(), "not a sound file"),
-    "header alone": (lambda path: path.write_bytes(b"RIFF" + struct.pack("<I", 36) + b"WAVE"), "not a sound file"),
+    "header alone": (
+        lambda path: path.write_bytes(b"RIFF" + struct.pack("<I", 36) + b"WAVE"),
+        "not a sound file",
+    ),
     "no samples": (lambda path: wav(path, []), "0 s long"),
     "one sample": (lambda path: wav(path, [0.5]), "s long"),
     "silent": (lambda path: wav(path, np.zeros(RATE)), "silent"),
@@ -217,7 +249,8 @@ BAD = {
 
 @pytest.mark.parametrize("kind", BAD)
 def test_a_bad_recording_is_one_line_and_writes_nothing(tmp_path, kind):
-    path, (make, message) = tmp_path / "bad.wav", BAD[kind]
+    path = tmp_path / "bad.wav"
+    (make, message) = BAD[kind]
     make(path)
     asked = CliRunner().invoke(main, ["listen", str(path), "--out", str(tmp_path / "out")])
     assert asked.exit_code == 2
@@ -235,24 +268,27 @@ def test_a_truncated_recording_is_heard_as_far_as_it_goes(tmp_path):
     heard = listen(path)
     assert heard.duration == pytest.approx(0.9 * LENGTH, rel=0.01)
     assert heard.missing == pytest.approx(0.1 * LENGTH, rel=0.01)
-    assert "truncated: its header promises 1.00" in " ".join(sentences(heard))
+    assert str(heard.truncation).endswith(
+        f"{heard.duration:.3f} s of sound are there, 10.000 s are announced"
+    )
     assert heard.tone.end == pytest.approx(END, abs=0.02)
 
 
 def test_a_whole_recording_and_one_whose_length_was_not_known_are_not_called_truncated(tmp_path):
     path = tmp_path / "piped.wav"
     wav(path, 0.1 * recording(1.0, 60.0, 20)[: 2 * RATE])
-    assert SoundFile(path).missing == 0
+    assert SoundFile(path).truncation is None
     piped = bytearray(path.read_bytes())
     size = piped.index(b"data") + 4
     piped[size : size + 4] = b"\xff" * 4
     path.write_bytes(piped)
     assert SoundFile(path).frames == 2 * RATE
-    assert SoundFile(path).missing == 0
+    assert SoundFile(path).truncation is None
 
 
 @pytest.mark.parametrize(
-    ("name", "why"), [("absent.wav", "No such file"), ("voice.m4a", "ffmpeg -i voice.m4a voice.wav")]
+    ("name", "why"),
+    [("absent.wav", "No such file"), ("voice.m4a", "ffmpeg -i voice.m4a voice.wav")],
 )
 def test_what_cannot_be_read_is_told_with_the_reason_and_what_helps(tmp_path, name, why):
     (tmp_path / "voice.m4a").write_bytes(b"\0\0\0\x18ftypM4A " + bytes(100))
@@ -270,12 +306,15 @@ def test_recordings_of_one_name_have_a_folder_each(tmp_path, monkeypatch):
         (tmp_path / "outputs/listen" / name / "heard.json").write_text(json.dumps(told))
     for name, foreign in enumerate(["{", "[]", "{}", "null", '"sound"', 9999 * "[", "\udcff"], 3):
         (tmp_path / "outputs/listen" / f"sound-{name}").mkdir()
-        (tmp_path / "outputs/listen" / f"sound-{name}" / "heard.json").write_text(foreign, "utf-8", "surrogateescape")
+        (tmp_path / "outputs/listen" / f"sound-{name}" / "heard.json").write_text(
+            foreign, "utf-8", "surrogateescape"
+        )
     assert own_folder("wednesday/sound.wav").name == "sound-10"
 
 
 def test_of_a_long_recording_the_part_around_its_loudest_second_is_heard(tmp_path):
-    path, seconds = tmp_path / "long.wav", int(LONGEST) + 400
+    path = tmp_path / "long.wav"
+    seconds = int(LONGEST) + 400
     with soundfile.SoundFile(path, "w", 8000, 1, "PCM_16") as file:
         quiet = 0.001 * np.random.default_rng(0).normal(size=8000)
         for second in range(seconds):

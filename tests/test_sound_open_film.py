@@ -1,9 +1,9 @@
-"""Claim: a disk that vibrates as a whole over an open film is heard as its face and the air out of its rim radiate.
+"""Claim: a disk that vibrates as a whole over an open film is heard as its face and the air out of
+its rim radiate.
 
-Source: the air of narrow gaps (Tijdeman 1975) that meets the air outside. Oracle: elements on one domain of air, film
-and outside together, of a flat disk and of one that leans; Rayleigh's integral over a thin disk; numbers found by other
-programs; a steady tone.
-"""
+Source: the air of narrow gaps (Tijdeman 1975) that meets the air outside. Oracle: elements on one
+domain of air, film and outside together, of a flat disk and of one that leans; Rayleigh's integral
+over a thin disk; numbers found by other programs; a steady tone."""
 
 import json
 from itertools import pairwise
@@ -19,13 +19,22 @@ from dynamics.film.reynolds import FilmMesh
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.plan.contact import LEANING, STEEP, THICK
-from sonify.sound import outside
+from sonify.sound import exterior_field
+from sonify.sound.exterior_field import ExteriorField, listener_pressure
+from sonify.sound.film_radiation import (
+    MEAN_GAPS,
+    MESH_CELLS,
+    MESH_GRADING,
+    RIM_ORDERS,
+    WAVENUMBERS,
+    couple_at_rim,
+    film_at,
+    radiated_multipoles,
+)
 from sonify.sound.force import ContactForce
-from sonify.sound.open_film import CELLS, GAPS, NEAREST, NUMBERS, ORDERS, coupled, film_at, radiated
-from sonify.sound.outside import Outside, heard
 from sonify.sound.radiation import listener_of, rayleigh
 from sonify.sound.render import Renderer
-from sonify.sound.vibrating import VibratingDisk
+from sonify.sound.sources.contact_vibration import VibratingDisk
 
 RADIUS, THICKNESS = 0.03755, 0.0128 / 0.03755
 DISTANCE, ELEVATION = 0.5 / RADIUS, np.pi / 4
@@ -34,13 +43,15 @@ FAR = 1.5 * np.hypot(1, THICKNESS + 0.3)
 
 def at_listener(n, k, answer):
     """The pressures (3,) of heave, tilt and flow at the listener."""
-    return heard(n, [k], FAR, DISTANCE, ELEVATION)[0] @ answer[1][0]
+    return listener_pressure(n, [k], FAR, DISTANCE, ELEVATION)[0] @ answer[1][0]
 
 
 def flush(n, k):
-    """The pressure of r^n cos n theta over a face in the baffle, by Rayleigh's integral, over density and radius."""
+    """The pressure of r^n cos n theta over a face in the baffle, by Rayleigh's integral, over
+    density and radius."""
     x, w = np.polynomial.legendre.leggauss(40)
-    radius, angle = (x + 1) / 2, 2 * np.pi * np.arange(64) / 64
+    radius = (x + 1) / 2
+    angle = 2 * np.pi * np.arange(64) / 64
     points = np.column_stack([np.outer(radius, f(angle)).ravel() for f in (np.cos, np.sin)])
     weights = np.repeat(w / 2 * radius, 64) * 2 * np.pi / 64
     place = DISTANCE * np.array([np.cos(ELEVATION), 0, np.sin(ELEVATION)])
@@ -52,14 +63,15 @@ def flush(n, k):
 @pytest.mark.parametrize("k", [0.3, 1.5, 3.0])
 def test_a_thin_disk_is_a_piston_in_the_baffle(n, k):
     """What its height of 0.0025 adds falls with it, and is 1.2 % at most."""
-    found = at_listener(n, k, Outside(0.00125, 0.00125, FAR).answers(n, [k]))[n]
+    found = at_listener(n, k, ExteriorField(0.00125, 0.00125, FAR).solve(n, [k]))[n]
     assert found == pytest.approx(flush(n, k), rel=0.015)
 
 
 def test_at_low_frequency_height_acts_as_another_program_found():
     """a0, b0, a1, b1 of dynamics/film at 0.5 m and 45 degrees, within 2 %."""
-    air, k = Outside(THICKNESS, 0.005, FAR), 0.1
-    heave, tilt = (at_listener(n, k, air.answers(n, [k])) / flush(n, k) for n in (0, 1))
+    air = ExteriorField(THICKNESS, 0.005, FAR)
+    k = 0.1
+    heave, tilt = (at_listener(n, k, air.solve(n, [k])) / flush(n, k) for n in (0, 1))
     x = THICKNESS
     assert abs(heave[0]) == pytest.approx(1.0, rel=0.02)
     assert abs(heave[2]) / 2 == pytest.approx(0.998, rel=0.02)
@@ -67,15 +79,17 @@ def test_at_low_frequency_height_acts_as_another_program_found():
     assert abs(tilt[2]) / 4 == pytest.approx(1 + 1.66 * x / (1 + 1.5 * x), rel=0.02)
 
 
-class Floating(Outside):
-    """A disk over an even gap, whose air is of one piece with that outside: no law of films and of rims."""
+class Floating(ExteriorField):
+    """A disk over an even gap, whose air is of one piece with that outside: no law of films and of
+    rims."""
 
     def __init__(self, gap):
-        super().__init__(THICKNESS, gap, FAR, cells=16, outwards=8)
+        super().__init__(THICKNESS, gap, FAR, face_cells=16, radial_cells=8)
         old = self._basis.mesh
         z = np.unique(old.p[1][(np.abs(old.p[0] - 1) < 1e-9) & (old.p[1] <= gap + 1e-9)])
         mesh = old + MeshQuad.init_tensor(1 - np.linspace(1, 0, 33) ** 1.7, z)
-        self._basis, facets = Basis(mesh, ElementQuad2()), mesh.boundary_facets()
+        self._basis = Basis(mesh, ElementQuad2())
+        facets = mesh.boundary_facets()
         ends = mesh.p[:, mesh.facets[:, facets]]
         r, z = ends.mean(axis=1)
         near = lambda height: (np.abs(z - height) < 1e-6) & (r < 1)  # noqa: E731
@@ -85,20 +99,28 @@ class Floating(Outside):
             (np.abs(r - 1) < 1e-6) & (z > gap),
             np.hypot(*ends).min(0) > 0.999 * FAR,
         )
-        top, bottom, side, self._beyond = (FacetBasis(mesh, ElementQuad2(), facets=facets[part]) for part in parts)
+        top, bottom, side, self._hemisphere = (
+            FacetBasis(mesh, ElementQuad2(), facets=facets[part]) for part in parts
+        )
         self._axis = self._basis.get_dofs(facets[r < 1e-9]).all()
-        self._forms = [form.assemble(self._basis) for form in (outside._slope, outside._around, outside._mass)]
-        load, places = outside._load.assemble, outside._places
+        self._forms = [
+            form.assemble(self._basis)
+            for form in (exterior_field._stiffness, exterior_field._azimuthal, exterior_field._mass)
+        ]
+        load = exterior_field._load.assemble
+        places = exterior_field._coordinates
         lift = load(side, weight=places(side)[1] - gap - THICKNESS / 2)
         heave, tilt = (
-            load(top, weight=places(top)[0] ** n) - load(bottom, weight=places(bottom)[0] ** n) for n in (0, 1)
+            load(top, weight=places(top)[0] ** n) - load(bottom, weight=places(bottom)[0] ** n)
+            for n in (0, 1)
         )
         self.loads = np.array([heave, tilt - lift, heave])
 
 
 def rim_and_beyond(gap, k):
-    """What `coupled` is told of the air outside a disk on this gap: pressures at the rim, multipoles."""
-    parts = [Outside(THICKNESS, gap, FAR).answers(n, [k]) for n in range(ORDERS + 1)]
+    """What `coupled` is told of the air outside a disk on this gap: pressures at the rim,
+    multipoles."""
+    parts = [ExteriorField(THICKNESS, gap, FAR).solve(n, [k]) for n in range(RIM_ORDERS + 1)]
     rim, beyond = (np.array([part[j][0] for part in parts]) for j in (0, 1))
     rim[:, 2] += 2 / np.pi * np.log(gap)
     return rim, beyond
@@ -107,15 +129,16 @@ def rim_and_beyond(gap, k):
 @pytest.mark.parametrize("gap", [0.02, 0.2])
 @pytest.mark.parametrize("k", [0.7, 2.1, 3.5])
 def test_film_and_air_outside_sound_as_one_air(gap, k):
-    """Without losses, over an even gap: 24 dB below the closed film to 15 dB above it, within 0.5 dB; the tilt of low
-    frequency, which is 16 dB below, within 1 dB."""
+    """Without losses, over an even gap: 24 dB below the closed film to 15 dB above it, within 0.5
+    dB; the tilt of low frequency, which is 16 dB below, within 1 dB."""
     mesh = FilmMesh(12, lambda x, y: 1 + 0 * x, nearest=9.0)
     velocities = [np.ones_like(mesh.height), mesh.points.real, mesh.points.imag]
-    film = mesh.at_rim(gap * mesh.height, -k * k * gap * mesh.height, velocities, ORDERS)
-    found, whole = coupled(gap, film, *rim_and_beyond(gap, k), wedge=False), Floating(gap)
+    film = mesh.at_rim(gap * mesh.height, -k * k * gap * mesh.height, velocities, RIM_ORDERS)
+    found = couple_at_rim(gap, film, *rim_and_beyond(gap, k), wedge=False)
+    whole = Floating(gap)
     for n, bar in ((0, 0.5), (1, 1.0 if k < 1 else 0.5)):
-        wave = heard(n, [k], FAR, DISTANCE, ELEVATION)[0]
-        true = wave @ whole.answers(n, [k])[1][0][:, n]
+        wave = listener_pressure(n, [k], FAR, DISTANCE, ELEVATION)[0]
+        true = wave @ whole.solve(n, [k])[1][0][:, n]
         assert 20 * np.log10(abs(wave @ found[n, :, n] / true)) == pytest.approx(0, abs=bar)
 
 
@@ -124,56 +147,79 @@ def test_film_and_air_outside_sound_as_one_air(gap, k):
     [(50e-6, 100, 0.958 - 0.146j), (20e-6, 170, 0.487 - 0.298j), (10e-6, 250, 0.205 - 0.172j)],
 )
 def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share):
-    """p = 1 - g0 of the flush piston, with g0 that another program found without the pressure of the air outside."""
-    k, air = 2 * np.pi * hertz * RADIUS / Air().sound_speed, Air()
-    film = film_at(FilmMesh(CELLS, nearest=NEAREST), gap / RADIUS, k, RADIUS, air)
-    found = coupled(gap / RADIUS, film, *rim_and_beyond(0.005, k))[0, :, 0]
-    assert heard(0, [k], FAR, DISTANCE, ELEVATION)[0] @ found / flush(0, k) == pytest.approx(1 - share, abs=0.03)
+    """p = 1 - g0 of the flush piston, with g0 that another program found without the pressure of
+    the air outside."""
+    k = 2 * np.pi * hertz * RADIUS / Air().sound_speed
+    air = Air()
+    film = film_at(FilmMesh(MESH_CELLS, nearest=MESH_GRADING), gap / RADIUS, k, RADIUS, air)
+    found = couple_at_rim(gap / RADIUS, film, *rim_and_beyond(0.005, k))[0, :, 0]
+    assert listener_pressure(0, [k], FAR, DISTANCE, ELEVATION)[0] @ found / flush(
+        0, k
+    ) == pytest.approx(1 - share, abs=0.03)
 
 
 def test_the_resonances_of_film_and_air_stay_while_the_disk_falls():
-    """From 0.12 to 0.01 rad a heave is loudest at 2.7 to 3 kHz, a tilt at 4.5 to 4.7 kHz, between by 10 dB and more
-    above half an octave below; a closed film has no such peak of a heave."""
+    """From 0.12 to 0.01 rad a heave is loudest at 2.7 to 3 kHz, a tilt at 4.5 to 4.7 kHz, between
+    by 10 dB and more above half an octave below; a closed film has no such peak of a heave."""
     scene = load_scene("granite")
-    pressure = np.abs(radiated(scene.disk, scene.air).at(DISTANCE, ELEVATION))
-    open_film = (GAPS > 0.008) & (GAPS < 0.15)
+    pressure = np.abs(radiated_multipoles(scene.disk, scene.air).pressure_at(DISTANCE, ELEVATION))
+    open_film = (MEAN_GAPS > 0.008) & (MEAN_GAPS < 0.15)
     for order, number in ((0, 1.96), (1, 3.18)):
-        loud, below = pressure[open_film, :, order, order], np.abs(NUMBERS - number / 2**0.5).argmin()
-        assert NUMBERS[loud.argmax(axis=1)] == pytest.approx(number, rel=0.05)
+        loud = pressure[open_film, :, order, order]
+        below = np.abs(WAVENUMBERS - number / 2**0.5).argmin()
+        assert WAVENUMBERS[loud.argmax(axis=1)] == pytest.approx(number, rel=0.05)
         assert (loud.max(axis=1) > 10**0.5 * loud[:, below])[1:3].all()
     assert pressure[0, :, 0, 0].max() < 2**0.5 * pressure[0, 12, 0, 0]
 
 
 def tone(hertz, rate, gap, seconds=0.5):
-    """A block of the vibration of a disk on a mean gap over the radius, which does not turn, with the listener at right
-    angles; its heave and its tilt are 1 and 2 m/s^2."""
+    """A block of the vibration of a disk on a mean gap over the radius, which does not turn, with
+    the listener at right angles; its heave and its tilt are 1 and 2 m/s^2."""
     t = np.arange(int(seconds * rate) + 1) / rate
-    swing, none = np.cos(2 * np.pi * hertz * t), np.zeros((0, 6))
-    heave, tilt, still = swing, 2 * swing, np.ones_like(t)
+    swing = np.cos(2 * np.pi * hertz * t)
+    none = np.zeros((0, 6))
+    heave = swing
+    tilt = 2 * swing
+    still = np.ones_like(t)
     samples = np.column_stack([heave, tilt, 0 * t, 0 * t, still, np.log(gap) * still])
-    return ContactForce(t=t, smooth=samples, steps=0 * samples, jump_time=np.zeros(0), jump=none, bend=none)
+    return ContactForce(
+        t=t, smooth=samples, steps=0 * samples, jump_time=np.zeros(0), jump=none, bend=none
+    )
 
 
 def test_a_steady_tone_is_heard_as_the_table_says():
     """Where heave and tilt both count and the film is open, at a place of the table."""
-    scene, gap, number = load_scene("granite"), 5, 18
-    rate, disk = scene.audio.sample_rate, scene.disk
-    source, turn = (
-        VibratingDisk(scene, listener_of(scene)),
-        NUMBERS[number] * scene.air.sound_speed / disk.radius / rate,
-    )
-    found = source.from_rest(None, None)(tone(turn * rate / (2 * np.pi), rate, GAPS[gap]))[:, 0]
+    scene = load_scene("granite")
+    gap = 5
+    number = 18
+    rate = scene.audio.sample_rate
+    disk = scene.disk
+    source = VibratingDisk(scene, listener_of(scene))
+    turn = WAVENUMBERS[number] * scene.air.sound_speed / disk.radius / rate
+    found = source.start_rendering(None, None)(
+        tone(turn * rate / (2 * np.pi), rate, MEAN_GAPS[gap])
+    )[:, 0]
     some = slice(rate // 4, rate // 4 + round(200 * 2 * np.pi / turn))
-    swing = np.exp(-1j * turn * (np.arange(len(found)) - source.late))
-    pressure = radiated(disk, scene.air).at(scene.audio.distance / disk.radius, np.radians(scene.audio.elevation_deg))
-    waves = (1j ** np.arange(ORDERS + 1)).real @ pressure[gap, number, : ORDERS + 1, :2] @ [1.0, 2.0]
-    assert 2 * np.mean((found * swing)[some]) == pytest.approx(waves * scene.air.density * disk.radius, rel=0.03)
+    swing = np.exp(-1j * turn * (np.arange(len(found)) - source.latency))
+    pressure = radiated_multipoles(disk, scene.air).pressure_at(
+        scene.audio.distance / disk.radius, np.radians(scene.audio.elevation_deg)
+    )
+    waves = (
+        (1j ** np.arange(RIM_ORDERS + 1)).real
+        @ pressure[gap, number, : RIM_ORDERS + 1, :2]
+        @ [1.0, 2.0]
+    )
+    assert 2 * np.mean((found * swing)[some]) == pytest.approx(
+        waves * scene.air.density * disk.radius, rel=0.03
+    )
 
 
 def test_the_blocks_do_not_matter():
     scene = load_scene("granite")
-    source, whole = VibratingDisk(scene, listener_of(scene)), tone(2400.0, 48000, 0.01, 0.2)
-    once, advance = source.from_rest(None, None)(whole), source.from_rest(None, None)
+    source = VibratingDisk(scene, listener_of(scene))
+    whole = tone(2400.0, 48000, 0.01, 0.2)
+    once = source.start_rendering(None, None)(whole)
+    advance = source.start_rendering(None, None)
     cuts = [0, 777, 5000, len(whole.t) - 1]
     parts = [advance(_part(whole, a, b)) for a, b in pairwise(cuts)]
     assert np.array_equal(once, np.vstack(parts))
@@ -183,7 +229,12 @@ def _part(force, a, b):
     some = slice(a, b + 1)
     none = np.zeros((0, 6))
     return ContactForce(
-        t=force.t[some], smooth=force.smooth[some], steps=force.steps[some], jump_time=np.zeros(0), jump=none, bend=none
+        t=force.t[some],
+        smooth=force.smooth[some],
+        steps=force.steps[some],
+        jump_time=np.zeros(0),
+        jump=none,
+        bend=none,
     )
 
 
@@ -191,18 +242,27 @@ STEEP_AIR = json.loads((Path(__file__).parent / "references" / "steep_air.json")
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("found", STEEP_AIR["disks"], ids=lambda found: f"height {found['height']:.2g}")
+@pytest.mark.parametrize(
+    "found", STEEP_AIR["disks"], ids=lambda found: f"height {found['height']:.2g}"
+)
 def test_a_disk_that_leans_is_heard_as_elements_in_space_found(found):
-    """Without losses, 0.1 to 0.8 radii thick, from 0.1 to 0.6 rad and k R = 0.3 to 5: as far off as the plan says. To
-    that comes what the elements miss: 0.4 dB at 0.1 rad, where their contact is not quite closed, and 0.2 dB."""
+    """Without losses, 0.1 to 0.8 radii thick, from 0.1 to 0.6 rad and k R = 0.3 to 5: as far off as
+    the plan says. To that comes what the elements miss: 0.4 dB at 0.1 rad, where their contact is
+    not quite closed, and 0.2 dB."""
     scene = load_scene("granite")
     scene = scene.replace(
-        f"air.viscosity={1e-4 * scene.air.viscosity}", f"disk.thickness={found['height'] * scene.disk.radius}"
+        f"air.viscosity={1e-4 * scene.air.viscosity}",
+        f"disk.thickness={found['height'] * scene.disk.radius}",
     )
-    disk, k = scene.disk, np.array(STEEP_AIR["number"])
-    source, hertz = VibratingDisk(scene, listener_of(scene)), k * scene.air.sound_speed / (2 * np.pi * disk.radius)
+    disk = scene.disk
+    k = np.array(STEEP_AIR["number"])
+    source = VibratingDisk(scene, listener_of(scene))
+    hertz = k * scene.air.sound_speed / (2 * np.pi * disk.radius)
     for beta, level in zip(found["inclination"], found["level_db"], strict=True):
-        loudness = source.loudness(beta, hertz) * (disk.mass / (scene.air.density * disk.radius)) ** 2
+        loudness = (
+            source.mean_square_pressure(beta, hertz)
+            * (disk.mass / (scene.air.density * disk.radius)) ** 2
+        )
         off = 10 * np.log10(loudness) - level
         misses = 0.6 if beta == 0.1 else 0.2
         low, high = STEEP if beta > 0.35 else (-LEANING, LEANING)
@@ -216,7 +276,8 @@ def test_a_disk_that_leans_is_heard_as_elements_in_space_found(found):
 def test_nothing_of_the_beginning_is_lost_to_the_filter():
     """The stem of the contact begins with the motion, while its filter answers 41 ms late."""
     scene = load_scene("granite").replace("numerics.time_limit=0.2", "material.loss_factor=0.05")
-    motion, modes = simulate(scene), eigenmodes(scene, below=12e3)
+    motion = simulate(scene)
+    modes = eigenmodes(scene, below=12e3)
     stem = np.vstack(list(Renderer(scene, motion, modes, ()).blocks()))[:, -1]
     levels = np.sqrt(np.mean(stem[: 48 * 180].reshape(-1, 48 * 30) ** 2, axis=1))
     assert levels[1] > 0.1 * levels.max()

@@ -1,4 +1,5 @@
-"""Claim: sign() at zero is set-valued, for all three moments, and the disk sticks and leaves when the laws say so.
+"""Claim: sign() at zero is set-valued, for all three moments, and the disk sticks and leaves when
+the laws say so.
 
 Source: (3.3) of the paper, read as Filippov's inclusion.
 Oracle: the times of independent event-driven runs; the multipliers themselves; a second integrator.
@@ -58,7 +59,9 @@ def test_what_sticks_stays_at_zero_with_a_multiplier_in_range(case):
         for i in np.flatnonzero(regime.stuck):
             seen += 1
             assert abs(turns[i]) < gamma(10) * np.abs(y[1:4]).max()
-            assert abs((contact.m1, contact.m2, contact.m3)[i]) <= arms[i] * contact.Phi * (1 + 1e-9)
+            assert abs((contact.m1, contact.m2, contact.m3)[i]) <= arms[i] * contact.Phi * (
+                1 + 1e-9
+            )
     assert seen > 0
 
 
@@ -68,7 +71,11 @@ def test_outcome(case):
     if name in ends:
         outcome, tau = ends[name]
         assert motion.outcome is outcome
-        low = motion.t[np.argmax(motion.state[:, 1] < 1e-8)] if outcome is Outcome.SETTLED else motion.t[-1]
+        low = (
+            motion.t[np.argmax(motion.state[:, 1] < 1e-8)]
+            if outcome is Outcome.SETTLED
+            else motion.t[-1]
+        )
         assert low / motion.disk.time_unit == pytest.approx(tau, abs=0.02)
     else:
         assert motion.outcome in (Outcome.SETTLED, Outcome.FELL)
@@ -85,7 +92,9 @@ def test_both_integrators_stick_alike():
     span = {"time_limit": 40 * scene().disk.time_unit}
     a, b = (simulate(scene({"integrator": name, **span}, k1=0.01)) for name in ("taylor", "dop853"))
     assert [s[1:] for s in a.transitions] == [s[1:] for s in b.transitions]
-    np.testing.assert_allclose([s.t for s in a.transitions], [s.t for s in b.transitions], rtol=1e-9)
+    np.testing.assert_allclose(
+        [s.t for s in a.transitions], [s.t for s in b.transitions], rtol=1e-9
+    )
     t = np.linspace(0, a.t[-1] * 0.999, 200)
     np.testing.assert_allclose(a.at(t), b.at(t), rtol=1e-8, atol=1e-8)
 
@@ -100,7 +109,8 @@ def test_several_surfaces_stick_at_once():
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 @pytest.mark.parametrize("k1", [0.001, 0.002, 0.003, 0.005])
 def test_a_reversal_soon_after_another_is_not_missed(k1):
-    """Between two reversals of the nutation there may be less than a step, and the first is zero where it begins."""
+    """Between two reversals of the nutation there may be less than a step, and the first is zero
+    where it begins."""
     span = {"time_limit": 8 * scene().disk.time_unit}
     runs = [simulate(scene({"integrator": name, **span}, k1=k1)) for name in ("taylor", "dop853")]
     ours, other = ([(e.guard, e.after) for e in run.transitions] for run in runs)

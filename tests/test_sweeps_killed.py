@@ -1,8 +1,9 @@
-"""Claim: whatever is killed in the middle of a sweep, at any moment and without notice, the same command ends with the
-table that an undisturbed sweep has; and a cluster on the loopback finds what this machine finds.
+"""Claim: whatever is killed in the middle of a sweep, at any moment and without notice, the same
+command ends with the table that an undisturbed sweep has; and a cluster on the loopback finds what
+this machine finds.
 
-Source: the README's `sweep`. Oracle: the table of an undisturbed sweep, value by value; real processes, really killed.
-"""
+Source: the README's `sweep`. Oracle: the table of an undisturbed sweep, value by value; real
+processes, really killed."""
 
 import json
 import os
@@ -20,13 +21,15 @@ from sweeps import QUICK, found
 
 import sonify
 from sonify.scene_errors import InputError
-from sonify.sweeps.table import JOURNAL, NAME
+from sonify.sweeps.store import JOURNAL, NAME
 from sonify.sweeps.version import version
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parent.parent
-LONG = QUICK | {"axes": QUICK["axes"] | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 120}}}
-WORKER = "sonify.sweeps.worker"
+LONG = QUICK | {
+    "axes": QUICK["axes"] | {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 120}}
+}
+WORKER = "sonify.sweeps.worker_loop"
 PATIENCE = 120.0
 
 
@@ -37,8 +40,12 @@ def truth(tmp_path_factory):
 
 @pytest.fixture
 def file(tmp_path):
-    told = "\n".join(f'"{key}" = {json.dumps(value).replace(": ", " = ")}' for key, value in LONG["axes"].items())
-    keys = "\n".join(f"{key} = {json.dumps(LONG[key])}" for key in ("name", "accuracy", "set", "find"))
+    told = "\n".join(
+        f'"{key}" = {json.dumps(value).replace(": ", " = ")}' for key, value in LONG["axes"].items()
+    )
+    keys = "\n".join(
+        f"{key} = {json.dumps(LONG[key])}" for key in ("name", "accuracy", "set", "find")
+    )
     (tmp_path / "long.toml").write_text(f"{keys}\n[axes]\n{told}\n")
     return tmp_path / "long.toml"
 
@@ -55,9 +62,13 @@ def until(true, what):
 def start(module, *arguments):
     call = [sys.executable, "-m", module, *map(str, arguments)]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    ours = signal.signal(signal.SIGINT, signal.default_int_handler)  # who started the tests may have it ignored
+    ours = signal.signal(
+        signal.SIGINT, signal.default_int_handler
+    )  # who started the tests may have it ignored
     try:
-        return subprocess.Popen(call, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        return subprocess.Popen(
+            call, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        )
     finally:
         signal.signal(signal.SIGINT, ours)
 
@@ -90,7 +101,12 @@ def test_a_killed_driver(file, truth):
     with begun(file) as driver:
         left = hands(driver)
         driver.kill()
-        until(lambda: not any(one.is_running() and one.status() != psutil.STATUS_ZOMBIE for one in left), "orphans")
+        until(
+            lambda: (
+                not any(one.is_running() and one.status() != psutil.STATUS_ZOMBIE for one in left)
+            ),
+            "orphans",
+        )
     assert len(left) > 0
     assert found(sonify.sweep(file, out=file.parent / "out")).equals(truth)
 
@@ -135,7 +151,16 @@ def cluster(port, folder):
     """Yield address, scheduler and two workers."""
     address = f"tcp://127.0.0.1:{port}"
     scheduler = ["scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard"]
-    worker = ["worker", address, "--nthreads", 1, "--no-dashboard", "--no-nanny", "--local-directory", folder]
+    worker = [
+        "worker",
+        address,
+        "--nthreads",
+        1,
+        "--no-dashboard",
+        "--no-nanny",
+        "--local-directory",
+        folder,
+    ]
     processes = [start("dask", *what) for what in (scheduler, worker, worker)]
     try:
         _answering(address)
@@ -157,7 +182,10 @@ def _answering(address):
 
 
 def test_a_cluster_finds_what_this_machine_finds_even_if_a_worker_is_killed(file, truth, port):
-    with cluster(port, file.parent) as (address, processes), begun(file, "--scheduler", address) as driver:
+    with (
+        cluster(port, file.parent) as (address, processes),
+        begun(file, "--scheduler", address) as driver,
+    ):
         processes[1].kill()
         _, told = driver.communicate(timeout=PATIENCE)
     assert driver.returncode == 0, told
@@ -170,17 +198,44 @@ def test_dask_on_this_machine_finds_what_its_processes_find(file, truth):
 
 
 def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
-    with cluster(port, file.parent) as (address, processes), begun(file, "--scheduler", address) as driver:
+    with (
+        cluster(port, file.parent) as (address, processes),
+        begun(file, "--scheduler", address) as driver,
+    ):
         processes[0].kill()
         _, told = driver.communicate(timeout=PATIENCE)
         assert driver.returncode == 1, told
-        assert told.splitlines()[-1].startswith("sonify: what has been found is kept, but the processes are gone")
+        assert told.splitlines()[-1].startswith(
+            "sonify: what has been found is kept, but the processes are gone"
+        )
     kept = found(file.parent / "out" / NAME).num_rows
     assert 5 <= kept < truth.num_rows
     with cluster(port, file.parent) as (address, processes):
         with begun(file, "--scheduler", address) as driver:
             driver.kill()
         assert found(sonify.sweep(file, scheduler=address, out=file.parent / "out")).equals(truth)
+
+
+def test_a_cluster_without_workers_is_one_line(file, port):
+    """The scheduler answers but has no worker; a user would otherwise wait for ever."""
+    scheduler = start("dask", "scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard")
+    address = f"tcp://127.0.0.1:{port}"
+    try:
+        until(lambda: _listens(port), "scheduler")
+        options = ("--out", file.parent / "out", "--scheduler", address)
+        driver = start("sonify", "sweep", file, *options)
+        told = driver.communicate(timeout=PATIENCE)[1].splitlines()
+    finally:
+        scheduler.kill()
+        scheduler.communicate()
+    fault = f"sonify: --scheduler {address}: no worker within 5 s; start one with: "
+    assert (driver.returncode, told) == (2, [f"{fault}dask worker {address}"])
+    assert not (file.parent / "out").exists()
+
+
+def _listens(port):
+    with socket.socket() as one:
+        return one.connect_ex(("127.0.0.1", port)) == 0
 
 
 def test_a_scheduler_that_does_not_answer_or_has_other_workers_is_one_line(file, port, monkeypatch):

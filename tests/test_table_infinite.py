@@ -1,9 +1,9 @@
-"""Claim: an endless plate sounds as its closed form, and a large plate that waves do not cross tends to it.
+"""Claim: an endless plate sounds as its closed form, and a large plate that waves do not cross
+tends to it.
 
-Source: Cremer, Heckl & Petersson, Structure-Borne Sound, section 6.5.
-Oracle: the sum over the modes of a finite plate with Rayleigh's integral, which knows nothing of wave numbers; the
-formula itself at single frequencies; superposition of arrivals.
-"""
+Source: Cremer, Heckl & Petersson, Structure-Borne Sound, section 6.5. Oracle: the sum over the
+modes of a finite plate with Rayleigh's integral, which knows nothing of wave numbers; the formula
+itself at single frequencies; superposition of arrivals."""
 
 from types import SimpleNamespace
 
@@ -14,27 +14,37 @@ from dynamics import InfiniteSurface, PlateSurface
 from modal import surface_modes
 from sonify import load_scene
 from sonify.sound.force import ContactForce
-from sonify.sound.infinite import InfiniteTable, coincidence, mobility, strength
 from sonify.sound.radiation import Listener
-from sonify.sound.table import radiation
+from sonify.sound.sources.infinite_plate import (
+    InfiniteTable,
+    coincidence_frequency,
+    force_to_pressure,
+    point_mobility,
+)
+from sonify.sound.sources.tabletop import table_radiation
 
 GLASS = {"young": 70e9, "poisson": 0.22, "density": 2500.0}
 LOSS = 0.6
-"""Of the finite plate, on its inertia: of a loss in its stiffness modes far above would take their share."""
+"""Of the finite plate, on its inertia: of a loss in its stiffness modes far above would take their
+share."""
 ENDLESS = InfiniteSurface(thickness=0.003, **GLASS)
 
 
 @pytest.fixture(scope="module")
 def plate():
-    """50 cm in radius: at 2 kHz its waves fall by exp(eta k R/4) = 48 on the way to the edge, which radiates well."""
-    scene = SimpleNamespace(disk=None, surface=PlateSurface(radius=0.5, thickness=0.003, edge="supported", **GLASS))
+    """50 cm in radius: at 2 kHz its waves fall by exp(eta k R/4) = 48 on the way to the edge, which
+    radiates well."""
+    scene = SimpleNamespace(
+        disk=None, surface=PlateSurface(radius=0.5, thickness=0.003, edge="supported", **GLASS)
+    )
     scene.numerics = SimpleNamespace(accuracy="draft")
     return surface_modes(scene, 3500.0)
 
 
 def response(plate, frequency):
     """Velocity at the middle, and acceleration of every mode, under a force of 1 N there."""
-    w, own = 2 * np.pi * frequency, 2 * np.pi * plate.frequency
+    w = 2 * np.pi * frequency
+    own = 2 * np.pi * plate.frequency
     shape = plate.at(np.zeros(1), np.zeros(1))[0]
     moved = shape / (own**2 - w**2 * (1 - 1j * LOSS))
     return 1j * w * (shape @ moved), -(w**2) * moved
@@ -43,21 +53,33 @@ def response(plate, frequency):
 @pytest.mark.parametrize("elevation", [20.0, 45.0])
 @pytest.mark.parametrize("frequency", [1250.0, 1750.0, 2250.0])
 def test_a_large_damped_plate_tends_to_the_endless_one(plate, frequency, elevation):
-    """Mobility and sound within 1 dB; the loss makes m'' complex in both. In the plane coincidence is at 4 kHz."""
+    """Mobility and sound within 1 dB; the loss makes m'' complex in both. In the plane coincidence
+    is at 4 kHz."""
     lossy = 1 - 1j * LOSS
     velocity, acceleration = response(plate, frequency)
-    assert 20 * np.log10(velocity.real / (mobility(ENDLESS) / lossy**0.5).real) == pytest.approx(0, abs=1.0)
+    assert 20 * np.log10(
+        velocity.real / (point_mobility(ENDLESS) / lossy**0.5).real
+    ) == pytest.approx(0, abs=1.0)
     listener = Listener(distance=30.0, elevation=np.radians(elevation))
-    heard = abs(radiation(plate, listener, [frequency])[0] @ acceleration)
-    closed = strength(ENDLESS, listener) / abs(lossy - (frequency / coincidence(ENDLESS, listener)) ** 2)
+    heard = abs(table_radiation(plate, listener, [frequency])[0] @ acceleration)
+    closed = force_to_pressure(ENDLESS, listener) / abs(
+        lossy - (frequency / coincidence_frequency(ENDLESS, listener)) ** 2
+    )
     assert 20 * np.log10(heard / closed) == pytest.approx(0, abs=1.0)
 
 
 def test_power_far_below_coincidence_adds_up():
     """Over the half space p^2/(rho c) of a monopole gives rho F^2/(2 pi c m''^2)."""
     listener = Listener(distance=2.0, elevation=np.pi / 2)
-    air, mass = listener.air, ENDLESS.density * ENDLESS.thickness
-    power = 2 * np.pi * 2.0**2 * strength(ENDLESS, listener) ** 2 / (air.density * air.sound_speed)
+    air = listener.air
+    mass = ENDLESS.density * ENDLESS.thickness
+    power = (
+        2
+        * np.pi
+        * 2.0**2
+        * force_to_pressure(ENDLESS, listener) ** 2
+        / (air.density * air.sound_speed)
+    )
     assert power == pytest.approx(air.density / (2 * np.pi * air.sound_speed * mass**2))
 
 
@@ -69,13 +91,16 @@ def source(listener):
 
 def pressure(table, normal, ahead, blocks=1):
     """What is heard of normal forces (k + 1,) that arrive `ahead` (k + 1,) samples early."""
-    first, out = np.array([normal[0], ahead[0]]), []
-    advance = table.from_rest(first, lambda *noted: None)
+    first = np.array([normal[0], ahead[0]])
+    out = []
+    advance = table.start_rendering(first, lambda *noted: None)
     for part in np.array_split(np.arange(len(normal) - 1), blocks):
         n = np.append(part, part[-1] + 1)
         smooth = np.column_stack([normal[n], ahead[n]])
         none = np.zeros((0, 2))
-        force = ContactForce(t=n / 48000, smooth=smooth, steps=0 * smooth, jump_time=none[:, 0], jump=none, bend=none)
+        force = ContactForce(
+            t=n / 48000, smooth=smooth, steps=0 * smooth, jump_time=none[:, 0], jump=none, bend=none
+        )
         out.append(advance(force)[:, 0])
     return np.concatenate(out)
 
@@ -87,17 +112,21 @@ def test_a_swinging_force_sounds_as_the_formula_says(frequency):
     t = np.arange(48001) / 48000
     heard = pressure(table, weight + np.sin(2 * np.pi * frequency * t), 0 * t, blocks=7)
     level = np.sqrt(2 * np.mean(heard[24000:] ** 2))
-    at = frequency / coincidence(table._scene.surface, listener)
-    assert level == pytest.approx(strength(table._scene.surface, listener) / abs(1 - at**2 * (1 + 0.1j)), rel=0.02)
+    at = frequency / coincidence_frequency(table._scene.surface, listener)
+    assert level == pytest.approx(
+        force_to_pressure(table._scene.surface, listener) / abs(1 - at**2 * (1 + 0.1j)), rel=0.02
+    )
 
 
 def test_a_constant_force_is_heard_only_where_it_moves():
-    """A force that goes round sends p = -rho F/(2 pi r m'') d(arrival)/d(sending), to first order, less its mean."""
+    """A force that goes round sends p = -rho F/(2 pi r m'') d(arrival)/d(sending), to first order,
+    less its mean."""
     listener = Listener(distance=0.5, elevation=np.radians(45))
     table, weight = source(listener)
     t = np.arange(9601) / 48000
     assert np.abs(pressure(table, weight + 0 * t, 0 * t)).max() < 1e-12
-    rate, most = 2 * np.pi * 40.0, 3.0  # samples
+    rate = 2 * np.pi * 40.0
+    most = 3.0  # samples
     heard = pressure(table, weight + 0 * t, most * np.sin(rate * t))
-    expected = strength(table._scene.surface, listener) * weight * most * rate / 48000
+    expected = force_to_pressure(table._scene.surface, listener) * weight * most * rate / 48000
     assert np.abs(heard[2400:-2400]).max() == pytest.approx(expected, rel=0.05)

@@ -1,21 +1,22 @@
-"""Claim: a table that is wavy breaks the contact where its waves outweigh the inclination of the disk, and not before.
+"""Claim: a table that is wavy breaks the contact where its waves outweigh the inclination of the
+disk, and not before.
 
-Source: the docstring of claims.table.waves_break_contact. Oracle: (n^2 - 1) delta/R, within 0.7 and 1.8 of which other
-programs find the first loss; energies of the states; the disk on a table without waves.
-"""
+Source: the docstring of claims.table.waves_break_contact. Oracle: (n^2 - 1) delta/R, within 0.7 and
+1.8 of which other programs find the first loss; energies of the states; the disk on a table without
+waves."""
 
 import numpy as np
 import pytest
 from test_table_acts_back import GRIPS, run, steady
 
-from dynamics.coupled.from_scene import contact_law
-from dynamics.coupled.full import Compliant
-from dynamics.coupled.handover import columns, energy, release
-from dynamics.coupled.sections import Imperfection
-from dynamics.coupled.state import LOSSES
-from dynamics.coupled.table import LawTable
+from dynamics.compliant.law.sections import Imperfection
+from dynamics.compliant.law.tabulated import LawTable
+from dynamics.compliant.model_inputs import contact_law
+from dynamics.compliant.state_conversion import columns, energy, released_state
+from dynamics.compliant.stepping.model import CompliantModel
+from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES
 from sonify import SceneError, load_scene
-from sonify.plan.solvable import solvable
+from sonify.plan.preflight import solvable
 
 
 @pytest.fixture(scope="module")
@@ -24,31 +25,36 @@ def wavy():
 
 
 def fall(scene, order, amplitude, start, stop=3.0, friction=None, rate=4e5):
-    """Return energy at first, times, states, losses of contact of a disk let go in steady motion at `start` [rad]."""
-    model = Compliant(
+    """Return energy at first, times, states, losses of contact of a disk let go in steady motion at
+    `start` [rad]."""
+    model = CompliantModel(
         table=LawTable(law=contact_law(scene)),
         friction=friction or scene.friction,
         rate=rate,
         imperfection=Imperfection(order=order, amplitude=amplitude),
     )
-    return model, *run(model, release(model, steady(scene.disk, start)[0]), 4, stop)[:4]
+    return model, *run(model, released_state(model, steady(scene.disk, start)[0]), 4, stop)[:4]
 
 
 @pytest.mark.parametrize("order", [2, 3, 4])
 def test_where_contact_is_first_lost(wavy, order):
-    """Waves that are higher than the contact yields under the weight: lower ones come near its resonance."""
+    """Waves that are higher than the contact yields under the weight: lower ones come near its
+    resonance."""
     amplitude = 1e-6
     scale = (order**2 - 1) * amplitude / wavy.disk.radius
     model, first, t, state, losses = fall(wavy, order, amplitude, 4 * scale)
     assert 0.7 < np.interp(losses[0].t, t, columns(model, state)[:, 1]) / scale < 1.8
-    kept = energy(model, state) + state[:, LOSSES : LOSSES + 5].sum(axis=1)
+    kept = energy(model, state) + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
     assert np.abs(kept - first).max() < 1e-9 * first
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("order", "amplitude"), [(2, 1e-5), (3, 1e-6), (2, 1e-7), (3, 1e-7), (7, 1e-8)])
+@pytest.mark.parametrize(
+    ("order", "amplitude"), [(2, 1e-5), (3, 1e-6), (2, 1e-7), (3, 1e-7), (7, 1e-8)]
+)
 def test_where_contact_is_first_lost_on_a_surface_that_hardly_yields(wavy, order, amplitude):
-    """A hundred times as stiff as granite and steel: down to waves of the hundredth of a micrometre."""
+    """A hundred times as stiff as granite and steel: down to waves of the hundredth of a
+    micrometre."""
     stiff = wavy.replace("contact.young=6e12", "material.young=1.95e13")
     scale = (order**2 - 1) * amplitude / wavy.disk.radius
     model, _, t, state, losses = fall(stiff, order, amplitude, 2.2 * scale, 0.7, rate=2e6)
@@ -56,11 +62,14 @@ def test_where_contact_is_first_lost_on_a_surface_that_hardly_yields(wavy, order
 
 
 def test_a_hundredth_of_the_wave_is_not_felt(wavy):
-    """The inclination after 50 ms is that on a table without waves, but for the share of the wave in it."""
+    """The inclination after 50 ms is that on a table without waves, but for the share of the wave
+    in it."""
     beta = 1e-3
     found = [
         columns(model, state[-1:])[0, 1]
-        for model, _, _, state, losses in (fall(wavy, 3, amplitude, beta, 0.05, GRIPS) for amplitude in (1e-8, 1e-12))
+        for model, _, _, state, losses in (
+            fall(wavy, 3, amplitude, beta, 0.05, GRIPS) for amplitude in (1e-8, 1e-12)
+        )
         if not losses
     ]
     assert found[0] == pytest.approx(found[1], rel=8 * 1e-8 / wavy.disk.radius / beta)

@@ -1,1 +1,3 @@
-"""The film of air under the disk: its law in the motion, when it acts, and Reynolds' equation that it comes from."""
+"""Air film under the disk: its law in the motion, the decision when it acts, and Reynolds' equation
+behind the law.
+"""

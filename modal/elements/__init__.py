@@ -1,1 +1,1 @@
-"""MESH -> MODES: finite elements, by scikit-fem."""
+"""Modes of meshed bodies by finite elements (scikit-fem)."""

@@ -1,53 +1,68 @@
-"""The symmetry classes of a body meshed elsewhere whose mesh is its own image in x or in y, as found."""
+"""Symmetry classes of a body on a user's mesh that is mirror-symmetric in x or in y."""
 
 import numpy as np
 import scipy.sparse as sp
 from scipy.spatial import cKDTree
 
-SAME = 1e-9
-"""Nodes and matrices are images of each other within this share of the size and of the greatest entry."""
+MIRROR_TOLERANCE = 1e-9
+"""Largest difference of mirrored nodes, over the size, and of mirrored matrices, over the largest
+entry."""
 
 
-def mirrors(level):
-    """The mirrors of a `Level`: pairs of the images (p,) of its nodes and the swap (3p, 3p) of its displacements.
+def mirrors(body):
+    """Return the mirror symmetries of a `DiscreteBody` in the middle of x and of y.
 
-    Nodes, held ones and stiffness must be the same behind the mirror, which stands in the middle of x or y.
+    Each is a pair: the image (p,) of every node, and the matrix (3p, 3p) that mirrors
+    displacements. Nodes, held nodes and stiffness must be symmetric.
     """
-    points, k, found = level.solid.points, level.solid.stiffness, []
-    tree, size = cKDTree(points), np.ptp(points, axis=0).max()
+    points = body.solid.points
+    k = body.solid.stiffness
+    tree = cKDTree(points)
+    size = np.ptp(points, axis=0).max()
+    found = []
     for axis in (0, 1):
-        behind = points.copy()
-        behind[:, axis] = points[:, axis].min() + points[:, axis].max() - points[:, axis]
-        far, image = tree.query(behind)
-        if far.max() > SAME * size or (level.held[image] != level.held).any():
+        mirrored = points.copy()
+        mirrored[:, axis] = points[:, axis].min() + points[:, axis].max() - points[:, axis]
+        distance, image = tree.query(mirrored)
+        if distance.max() > MIRROR_TOLERANCE * size or (body.held[image] != body.held).any():
             continue
         sign = np.tile(np.where(np.arange(3) == axis, -1.0, 1.0), len(points))
-        swap = sp.csr_matrix((sign, (3 * image[:, None] + np.arange(3)).ravel(), np.arange(len(sign) + 1)))
-        if abs(swap @ k @ swap.T - k).max() < SAME * abs(k).max():
-            found.append((image, swap))
+        columns = (3 * image[:, None] + np.arange(3)).ravel()
+        mirror = sp.csr_matrix((sign, columns, np.arange(len(sign) + 1)))
+        if abs(mirror @ k @ mirror.T - k).max() < MIRROR_TOLERANCE * abs(k).max():
+            found.append((image, mirror))
     return found
 
 
-def classes(level, free):
-    """Orthonormal bases of the symmetry classes that the columns of free (3p, n), each of one node, fall into."""
-    bases, least = [free.tocsc()], np.arange(len(level.solid.points))
-    for image, swap in mirrors(level):
-        bases = [b[:, least[first_nodes(b)] <= least[image[first_nodes(b)]]] for b in bases]
-        bases = [without_zeros(b + sign * (swap @ b)) for b in bases for sign in (1, -1)]
-        least = np.minimum(least, least[image])
+def symmetry_bases(body, free):
+    """Return orthonormal bases of the symmetry classes of the space spanned by free (3p, n), one
+    node per column."""
+    bases = [free.tocsc()]
+    representative = np.arange(len(body.solid.points))
+    for image, mirror in mirrors(body):
+        halves = []
+        for basis in bases:
+            node = first_nodes(basis)
+            halves.append(basis[:, representative[node] <= representative[image[node]]])
+        bases = []
+        for half in halves:
+            for sign in (1, -1):
+                bases.append(normalised_columns(half + sign * (mirror @ half)))
+        representative = np.minimum(representative, representative[image])
     return bases
 
 
 def first_nodes(columns):
-    """The first node (n,) of every column of a matrix (3p, n)."""
+    """Return the first node (n,) of every column of a matrix (3p, n)."""
     columns.sort_indices()
     return columns.indices[columns.indptr[:-1]] // 3
 
 
-def without_zeros(columns):
-    """The columns that are not zero, with length 1."""
+def normalised_columns(columns):
+    """Return the columns that are not zero, with length 1."""
     columns = columns.tocsc()
     length = np.sqrt(np.asarray(columns.multiply(columns).sum(axis=0)).ravel())
-    kept = (columns @ sp.diags(1 / np.maximum(length, SAME)))[:, length > SAME].tocsc()
+    scale = sp.diags(1 / np.maximum(length, MIRROR_TOLERANCE))
+    kept = (columns @ scale)[:, length > MIRROR_TOLERANCE].tocsc()
     kept.eliminate_zeros()
     return kept

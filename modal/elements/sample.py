@@ -1,52 +1,73 @@
-"""The record of modes on fixed grids of the rim and the faces, and finite-element fields there as sparse matrices."""
+"""The record of modes on fixed grids of the rim and the faces, and interpolation of finite-element
+fields there."""
 
 import numpy as np
 import scipy.sparse as sp
 
 from modal.modes import Body, Modes
 
-RIM_ANGLES = 128
-FACE_RADII, FACE_ANGLES = 16, 64
+RIM_ANGLE_COUNT = 128
+"""Number of angles of `Modes.rim_shape`."""
+FACE_RADIUS_COUNT = 16
+"""Number of Gauss radii of `Modes.face_shape`."""
+FACE_ANGLE_COUNT = 64
+"""Number of angles of `Modes.face_shape`."""
 
 
 def rim_angles():
-    """Even angles (k,) [rad] of `Modes.rim_shape`."""
-    return np.arange(RIM_ANGLES) * 2 * np.pi / RIM_ANGLES
+    """Return the even angles (k,) [rad] of `Modes.rim_shape`."""
+    return np.arange(RIM_ANGLE_COUNT) * 2 * np.pi / RIM_ANGLE_COUNT
 
 
 def face_grid(radius, inner=0.0):
-    """Gauss radii [m] and weights [m^2] for int f r dr, and even angles: the grid of `Modes.face_shape`."""
-    node, weight = np.polynomial.legendre.leggauss(FACE_RADII)
+    """Return the grid of `Modes.face_shape`: Gauss radii [m], weights [m^2] of int f r dr, and even
+    angles [rad]."""
+    node, weight = np.polynomial.legendre.leggauss(FACE_RADIUS_COUNT)
     r = (radius + inner) / 2 + node * (radius - inner) / 2
-    return r, weight * (radius - inner) / 2 * r, np.arange(FACE_ANGLES) * 2 * np.pi / FACE_ANGLES
+    angle = np.arange(FACE_ANGLE_COUNT) * 2 * np.pi / FACE_ANGLE_COUNT
+    return r, weight * (radius - inner) / 2 * r, angle
 
 
-def places(radius):
-    """Points (n, 2) [m] of these grids: of the rim, and (a b, 2) of a face without a hole."""
-    angle, (r, _, theta) = rim_angles(), face_grid(radius)
+def sample_points(radius):
+    """Return the points [m] of the rim (n, 2) and of a face without a hole (a b, 2)."""
+    angle = rim_angles()
+    r, _, theta = face_grid(radius)
+    rim = radius * np.stack([np.cos(angle), np.sin(angle)], axis=1)
     face = np.stack([np.outer(r, np.cos(theta)), np.outer(r, np.sin(theta))], axis=-1)
-    return radius * np.stack([np.cos(angle), np.sin(angle)], axis=1), face.reshape(-1, 2)
+    return rim, face.reshape(-1, 2)
 
 
-def partners(pair):
-    """Index (m,) of the mode with the same entry of pair (m,), -1 if there is none."""
+def partner_indices(pair):
+    """Return the index (m,) of the other mode with the same pair number (m,); -1 without one."""
     same = pair[:, None] == pair[None, :]
     np.fill_diagonal(same, False)
     return np.where(same.any(axis=1), same @ np.arange(len(pair)), -1)
 
 
-def recorded(columns, material, radius, points, cells, inner=0.0, cell_type="hexahedron27", **about) -> Modes:
-    """The `Modes` of columns (m, ...) by name, ascending, sampled on the grids of a disk of a radius and a hole [m].
+def sorted_modes(
+    columns,
+    material,
+    radius,
+    points,
+    cells,
+    inner=0.0,
+    cell_type="hexahedron27",
+    **about,
+) -> Modes:
+    """Return the `Modes` of columns (m, ...) by name, sampled on the grids of a disk of a radius
+    and a hole [m].
 
-    The columns are the fields of `Modes` but for the decay rate, with `displacement` (m, p, 3) of the nodes, and in
-    place of `partner`, where there are degenerate pairs, the number `pair` of each.
+    The columns are the fields of `Modes` that have one entry per mode, except for the decay rate.
+    In addition there is `displacement` (m, p, 3) of the nodes; the optional number `pair` of
+    degenerate pairs replaces `partner`. The modes are sorted by frequency.
     """
     ascending = np.lexsort((columns["parity"] == "odd", columns["frequency"]))
     columns = {name: np.asarray(value)[ascending] for name, value in columns.items()}
     words = {name: tuple(columns.pop(name).tolist()) for name in ("family", "parity")}
-    displacement, (r, weight, angle) = columns.pop("displacement"), face_grid(radius, inner)
+    displacement = columns.pop("displacement")
+    r, weight, angle = face_grid(radius, inner)
     return Modes(
-        partner=partners(columns.pop("pair", np.arange(len(ascending)))),
+        partner=partner_indices(columns.pop("pair", np.arange(len(ascending)))),
         **columns,
         **words,
         decay_rate=np.pi * columns["frequency"] * material.loss_factor,
@@ -59,78 +80,94 @@ def recorded(columns, material, radius, points, cells, inner=0.0, cell_type="hex
     )
 
 
-def quadratic(x):
-    """The three Lagrange polynomials (..., 3) of the nodes 0, 1/2, 1."""
+def quadratic_shapes(x):
+    """Return the three Lagrange polynomials (..., 3) of the nodes 0, 1/2, 1 at x (...)."""
     return np.stack([(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)], axis=-1)
 
 
-def slope(x):
-    """Their derivatives (..., 3)."""
+def quadratic_slopes(x):
+    """Return the derivatives (..., 3) of `quadratic_shapes`."""
     return np.stack([4 * x - 3, 4 - 8 * x, 4 * x - 1], axis=-1)
 
 
-NEAR, ASTRAY = 6, 1e-9
-"""Cells in which a point is first sought, those whose middles are nearest; and how far from it, over the size of the
-cell, it may be found there before it is sought in every cell."""
+def locate(points, cells, first_candidates=6, tolerance=1e-9):
+    """Return the biquadratic cell (n,) that contains each point (n, 2), and its coordinates (n, 2)
+    in the unit square.
 
-
-def locate(points, cells):
-    """The biquadratic cell (q, 3, 3, 2) that holds each point (n, 2), and the point's place (u, v) in its unit square.
-
-    A point outside every cell, beyond an approximated arc, is moved to the nearest place of one.
+    cells (q, 3, 3, 2) are given by their nodes. A point is sought in the `first_candidates` nearest
+    cells; if it is further from them than `tolerance` times the cell size, in all cells. A point
+    outside every cell, beyond an approximated arc, gets the nearest coordinates in one.
     """
-    gap = np.linalg.norm(points[:, None] - cells[None, :, 1, 1], axis=2)
+    distance = np.linalg.norm(points[:, None] - cells[None, :, 1, 1], axis=2)
     size = np.linalg.norm(cells[:, 2, 2] - cells[:, 0, 0], axis=1)
-    order = np.argsort(gap / size, axis=1)
-    cell, place, miss = nearest(points, cells, order[:, :NEAR])
-    astray = miss > ASTRAY * size[cell]
-    cell[astray], place[astray], _ = nearest(points[astray], cells, order[astray])
-    return cell, place
+    order = np.argsort(distance / size, axis=1)
+    cell, coordinates, miss = nearest_cell(points, cells, order[:, :first_candidates])
+    missed = miss > tolerance * size[cell]
+    cell[missed], coordinates[missed], _ = nearest_cell(points[missed], cells, order[missed])
+    return cell, coordinates
 
 
-def nearest(points, cells, candidates):
-    """Of the candidates (n, c) the cell (n,) with the place (n, 2) nearest to each point (n, 2), and its distance (n,).
+def nearest_cell(points, cells, candidates, iterations=7):
+    """Return which of the candidate cells (n, c) is nearest to each point (n, 2).
 
-    Newton's method in every candidate, its answer taken back into the unit square.
+    Returns the cell (n,), the coordinates (n, 2) in it and the distance (n,), by Newton's method in
+    every candidate; the coordinates are clipped to the unit square.
     """
     nodes = cells[candidates]
-    place = np.full((*candidates.shape, 2), 0.5)
-    for _ in range(7):
-        image, jacobian = mapped(nodes, place)
-        step = np.linalg.solve(jacobian + 1e-300 * np.eye(2), (points[:, None] - image)[..., None])[..., 0]
-        place = np.clip(place + step, -0.5, 1.5)
-    place = np.clip(place, 0, 1)
-    miss = np.linalg.norm(mapped(nodes, place)[0] - points[:, None], axis=2)
-    rows, best = np.arange(len(points)), miss.argmin(axis=1)
-    return candidates[rows, best], place[rows, best], miss[rows, best]
+    coordinates = np.full((*candidates.shape, 2), 0.5)
+    for _ in range(iterations):
+        image, jacobian = map_from_square(nodes, coordinates)
+        residual = (points[:, None] - image)[..., None]
+        step = np.linalg.solve(jacobian + 1e-300 * np.eye(2), residual)[..., 0]
+        coordinates = np.clip(coordinates + step, -0.5, 1.5)
+    coordinates = np.clip(coordinates, 0, 1)
+    miss = np.linalg.norm(map_from_square(nodes, coordinates)[0] - points[:, None], axis=2)
+    rows = np.arange(len(points))
+    best = miss.argmin(axis=1)
+    return candidates[rows, best], coordinates[rows, best], miss[rows, best]
 
 
-def mapped(nodes, place):
-    """Images (n, c, 2) of places (n, c, 2) in cells of nodes (n, c, 3, 3, 2), and the Jacobians (n, c, 2, 2)."""
-    u, v = place[..., 0], place[..., 1]
-    image = np.einsum("nci,ncj,ncijx->ncx", quadratic(u), quadratic(v), nodes)
-    along = np.einsum("nci,ncj,ncijx->ncx", slope(u), quadratic(v), nodes)
-    across = np.einsum("nci,ncj,ncijx->ncx", quadratic(u), slope(v), nodes)
-    return image, np.stack([along, across], axis=-1)
+def map_from_square(nodes, coordinates):
+    """Map coordinates (n, c, 2) of the unit square into biquadratic cells with nodes (n, c, 3, 3,
+    2).
+
+    Returns the points (n, c, 2) and the Jacobians (n, c, 2, 2).
+    """
+    u = coordinates[..., 0]
+    v = coordinates[..., 1]
+    point = np.einsum("nci,ncj,ncijx->ncx", quadratic_shapes(u), quadratic_shapes(v), nodes)
+    along_u = np.einsum("nci,ncj,ncijx->ncx", quadratic_slopes(u), quadratic_shapes(v), nodes)
+    along_v = np.einsum("nci,ncj,ncijx->ncx", quadratic_shapes(u), quadratic_slopes(v), nodes)
+    return point, np.stack([along_u, along_v], axis=-1)
 
 
-def interpolation(points, cells, numbers, count):
-    """Sparse (n, count): values at points (n, 2) from nodal values; numbers (q, 3, 3) are the nodes of the cells."""
-    cell, place = locate(points, cells)
-    weight = quadratic(place[:, 0])[:, :, None] * quadratic(place[:, 1])[:, None, :]
+def interpolation_matrix(points, cells, numbers, count):
+    """Return the sparse matrix (n, count) from nodal values to values at points (n, 2).
+
+    numbers (q, 3, 3) are the nodes of the biquadratic cells (q, 3, 3, 2).
+    """
+    cell, coordinates = locate(points, cells)
+    along_u, along_v = (quadratic_shapes(coordinates[:, i]) for i in (0, 1))
+    weight = along_u[:, :, None] * along_v[:, None, :]
     rows = np.repeat(np.arange(len(points)), 9)
-    return sp.csr_matrix((weight.ravel(), (rows, numbers[cell].ravel())), shape=(len(points), count))
+    return sp.csr_matrix(
+        (weight.ravel(), (rows, numbers[cell].ravel())),
+        shape=(len(points), count),
+    )
 
 
 def polar_components(shape, angle):
-    """Radial, tangential, axial (..., k, 3) from Cartesian displacements at angles (k,)."""
-    c, s = np.cos(angle), np.sin(angle)
+    """Return radial, tangential, axial components (..., k, 3) of Cartesian displacements at angles
+    (k,) [rad]."""
+    c = np.cos(angle)
+    s = np.sin(angle)
     x, y, z = np.moveaxis(shape, -1, 0)
     return np.stack([c * x + s * y, c * y - s * x, z], axis=-1)
 
 
 def strongest_order(rim_shape):
-    """The circumferential order (m,) with the largest share of the rim's motion (m, k, 3)."""
+    """Return the circumferential order (m,) with the largest share of the motion of the rim (m, k,
+    3)."""
     power = (np.abs(np.fft.rfft(rim_shape, axis=1)) ** 2).sum(axis=2)
     power[:, 0] /= 2
     return power.argmax(axis=1)

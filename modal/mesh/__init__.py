@@ -1,1 +1,1 @@
-"""DISK -> MESH: hexahedra for the part of a held disk that its symmetries leave; meshes made elsewhere."""
+"""Meshes of hexahedra for the part of a held disk that its symmetries leave, and user meshes."""

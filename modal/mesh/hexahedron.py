@@ -1,4 +1,4 @@
-"""The order in which VTK counts the nodes of a hexahedron."""
+"""VTK's order of the nodes of a hexahedron."""
 
 VTK_HEXAHEDRON27 = [
     *[(0, 0, 0), (2, 0, 0), (2, 2, 0), (0, 2, 0), (0, 0, 2), (2, 0, 2), (2, 2, 2), (0, 2, 2)],
@@ -6,4 +6,4 @@ VTK_HEXAHEDRON27 = [
     *[(0, 0, 1), (2, 0, 1), (2, 2, 1), (0, 2, 1)],
     *[(0, 1, 1), (2, 1, 1), (1, 0, 1), (1, 2, 1), (1, 1, 0), (1, 1, 2), (1, 1, 1)],
 ]
-"""Lattice positions of the nodes in the order of VTK_TRIQUADRATIC_HEXAHEDRON."""
+"""Twice the reference coordinates of the nodes, in the order of VTK_TRIQUADRATIC_HEXAHEDRON."""

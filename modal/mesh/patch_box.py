@@ -1,8 +1,10 @@
-"""Hexahedra under a patch that ends within the thickness: boxes nested at the rim about the middle of the patch.
+"""Hexahedra under a patch that is lower than the disk: boxes nested at the rim about the middle of
+the patch.
 
-In (angle, depth below the rim, height over the lower plane), lengths over the radius, a box is [0, angle] x [0, depth]
-x [0, height], and the patch is the outer side of one of them. Along its two edges, where u ~ r^(1/2), the boxes next
-to it give way to a tube whose cross-section is that of `about_edge`, mitred at the corner of the patch.
+In (angle, depth below the rim, height above the lower plane), lengths over the radius, a box is [0,
+angle] x [0, depth] x [0, height], and the patch is the outer side of one of them. Along its two
+edges, where u ~ r^(1/2), the adjacent boxes are replaced by a tube with the cross-section of
+`singular_edge_blocks`, mitred at the corner of the patch.
 """
 
 from dataclasses import dataclass
@@ -11,107 +13,136 @@ from math import ceil, log, pi
 
 import numpy as np
 
-from modal.mesh.half_disk import about_edge, bilinear
-
-STRIP = 4
-"""Width of the tubes over that of the strip left free beyond the patch, at most: a wider one would hold the face."""
-LONGEST = 3
-"""Most cells along the upper edge of a long patch over `legs`; a short one has `legs`."""
+from modal.mesh.half_disk import bilinear_block, singular_edge_blocks
 
 
 @dataclass(frozen=True, kw_only=True)
-class Nest:
-    """Boxes (b, 3) as (angle [rad], depth, height), of which number `patch` is that of the patch; `around` and
-    `through`: counts of cells along the angle and the height."""
+class NestedBoxes:
+    """Boxes nested about the middle of a patch."""
 
-    boxes: np.ndarray
+    corners: np.ndarray
+    """Outer corner (b, 3) of every box: angle [rad], depth, height."""
     patch: int
-    around: int
-    through: int
+    """Index of the box of the patch."""
+    cells_around: int
+    """Number of cells along the angle."""
+    cells_up: int
+    """Number of cells along the height."""
 
 
-def longest(size):
-    """Largest height of a layer over the radius."""
+def max_layer_height(size):
+    """Return the largest height of a layer over the radius for a `MeshSize`."""
     return 1.2 * size.width
 
 
-def steps(first, last, lead):
-    """Distances (k, n) from first (n,) to last (n,), k >= 2, that shrink by about `lead`; 0 remains 0."""
+def graded_distances(first, last, ratio):
+    """Return distances (k, n), k >= 2, from first (n,) to last (n,) that shrink by about `ratio`; 0
+    remains 0."""
     growth = np.divide(last, first, out=np.ones(len(first)), where=first > 0)
-    count = max(1, ceil(log(growth.max()) / log(1 / lead) - 0.5))
+    count = max(1, ceil(log(growth.max()) / log(1 / ratio) - 0.5))
     return first * growth ** (np.arange(count + 1)[:, None] / count)
 
 
-def nest(angle, height, top, size):
-    """The `Nest` of a patch of a half-angle [rad] and a height below `top`; size is a `Blocks`.
+def nested_boxes(angle, height, top, size, max_tube_share=4, max_leg_factor=3):
+    """Return the `NestedBoxes` of a patch of a half angle [rad] and a height below `top`, for a
+    `MeshSize`.
 
-    A patch that goes all around has boxes that do.
+    A patch that covers the whole circumference has boxes that do. The tubes at the edges are at
+    most `max_tube_share` times as wide as the free strip above the patch; wider ones would reach
+    the face. A long patch has up to `max_leg_factor` times as many cells along its upper edge as a
+    short one.
     """
-    width, rest = size.width, top - height
+    width = size.width
+    rest = top - height
     beyond = min(pi - angle, max(angle, width / 4) + width - angle)
-    above = rest if rest < 1.5 * longest(size) else longest(size)
-    near = min(angle, height, size.depth / 3, STRIP * above)
-    inwards = steps(np.full(2, near / 2), np.minimum([0.75 * angle, 0.75 * height], width), size.lead)[::-1]
-    depths = near * 0.5 ** np.arange(len(inwards), 0.0, -1.0)
+    above = rest if rest < 1.5 * max_layer_height(size) else max_layer_height(size)
+    tube = min(angle, height, size.depth / 3, max_tube_share * above)
+    innermost = np.minimum([0.75 * angle, 0.75 * height], width)
+    inwards = graded_distances(np.full(2, tube / 2), innermost, size.lead_ratio)[::-1]
+    depths = tube * 0.5 ** np.arange(len(inwards), 0.0, -1.0)
     inside = np.column_stack([angle - inwards[:, 0] * (beyond > 0), depths, height - inwards[:, 1]])
-    first = np.array([min(near, beyond), 2 * near, min(near, above)])
-    outside = np.array([angle, 0.0, height]) + steps(first, np.array([beyond, size.depth, above]), size.lead)
-    legs = ceil(size.legs * min(LONGEST, max(1, angle / (3 * height))) - 1e-9)
-    around = max(legs, ceil((angle + beyond) / width - 1e-9))
-    return Nest(
-        boxes=np.vstack([inside, [angle, near, height], outside]),
+    first = np.array([min(tube, beyond), 2 * tube, min(tube, above)])
+    outwards = graded_distances(first, np.array([beyond, size.depth, above]), size.lead_ratio)
+    outside = np.array([angle, 0.0, height]) + outwards
+    leg_cells = ceil(size.leg_blocks * min(max_leg_factor, max(1, angle / (3 * height))) - 1e-9)
+    around = max(leg_cells, ceil((angle + beyond) / width - 1e-9))
+    covers_circumference = angle + beyond > pi - 1e-9
+    return NestedBoxes(
+        corners=np.vstack([inside, [angle, tube, height], outside]),
         patch=len(inside),
-        around=around + around % 2 if angle + beyond > pi - 1e-9 else around,
-        through=max(1 + (height > 3 * near), ceil((height + above) / (longest(size) / 2) - 1e-9)),
+        cells_around=around + around % 2 if covers_circumference else around,
+        cells_up=max(
+            1 + (height > 3 * tube),
+            ceil((height + above) / (max_layer_height(size) / 2) - 1e-9),
+        ),
     )
 
 
-def within(nested, s, *shares):
-    """Places (..., 3) in box s at shares of its angle, depth and height: on one of its sides where a share is 1."""
-    return np.stack([part * share for part, share in zip(between(nested, s), shares, strict=True)], -1)
+def points_in_box(boxes, s, *shares):
+    """Return points (..., 3) in box s at shares of its angle, depth and height; a share of 1 is on
+    a side."""
+    corner = corner_of_box(boxes, s)
+    return np.stack([part * share for part, share in zip(corner, shares, strict=True)], -1)
 
 
-def between(nested, s):
-    """Angle, depth and height (...) of box s (...), which lies between the successive ones, numbered 0, 1, ...
+def corner_of_box(boxes, s):
+    """Return angle, depth and height (...) of box s (...), interpolated between the boxes numbered
+    0, 1, ...
 
-    In proportion, but next to the box of the patch by a parabola, as the tubes about its edges ask for smoothness; not
-    where the patch goes all around.
+    The interpolation is linear, but parabolic next to the box of the patch, because the tubes at
+    its edges need smoothness; not where the patch covers the whole circumference.
     """
-    numbers, t = np.arange(len(nested.boxes)), s - nested.patch
-    share = np.array([t * (t - 1), 2 - 2 * t**2, t * (t + 1)]) / 2
-    smooth = (np.abs(t) <= 1) & (nested.boxes[nested.patch + 1] > nested.boxes[nested.patch])[:, *[None] * np.ndim(t)]
-    parabola = np.tensordot(nested.boxes[nested.patch - 1 : nested.patch + 2], share, (0, 0))
-    return np.where(smooth, parabola, [np.interp(s, numbers, column) for column in nested.boxes.T])
+    numbers = np.arange(len(boxes.corners))
+    t = s - boxes.patch
+    weights = np.array([t * (t - 1), 2 - 2 * t**2, t * (t + 1)]) / 2
+    is_next_larger = boxes.corners[boxes.patch + 1] > boxes.corners[boxes.patch]
+    smooth = (np.abs(t) <= 1) & is_next_larger[:, *[None] * np.ndim(t)]
+    parabola = np.tensordot(boxes.corners[boxes.patch - 1 : boxes.patch + 2], weights, (0, 0))
+    linear = [np.interp(s, numbers, column) for column in boxes.corners.T]
+    return np.where(smooth, parabola, linear)
 
 
-def cut(block, *counts):
-    """Places (c, 3, 3, 3, 3) of the nodes of a block, a function of the unit cube, cut into counts of cells."""
+def divide_block(block, *counts):
+    """Return the nodes (c, 3, 3, 3, 3) of the cells of a block, a function of the unit cube."""
     grid = block(*np.meshgrid(*[np.linspace(0, 1, 2 * n + 1) for n in counts], indexing="ij"))
     starts = product(*[range(0, 2 * n, 2) for n in counts])
     return np.array([grid[i : i + 3, j : j + 3, k : k + 3] for i, j, k in starts])
 
 
-def filled(nested, size):
-    """Places (c, 3, 3, 3, 3) of the nodes of all cells of the last box; the first index of nodes runs outwards."""
-    boxes, n = nested.boxes, size.split
-    around, through = n * nested.around, n * nested.through
-    cells = [cut(lambda u, v, w: np.stack([v, u, w], -1) * boxes[0], n, around, through)]
-    for i in range(len(boxes) - 1):
-        cells.append(cut(lambda u, v, w, i=i: within(nested, i + u, v, 1, w), n, around, through))
-    plain = [i for i in range(len(boxes) - 1) if i not in (nested.patch - 1, nested.patch)]
-    sections = [bilinear([(i, 0), (i + 1, 0), (i + 1, 1), (i, 1)]) for i in plain]
-    sections += [lambda u, v, flat=flat: np.add(flat(u, v), (nested.patch, 0)) for flat in about_edge(size)]
-    for beside, along in ((True, through), (False, around)):
-        cells += [cut(tube(nested, section, beside), n, n, along) for section in sections]
+def nodes_of_boxes(boxes, size):
+    """Return the nodes (c, 3, 3, 3, 3) of all cells of the last box; the first node index runs
+    outwards."""
+    corners = boxes.corners
+    patch = boxes.patch
+    n = size.split
+    around = n * boxes.cells_around
+    up = n * boxes.cells_up
+    cells = [divide_block(lambda u, v, w: np.stack([v, u, w], -1) * corners[0], n, around, up)]
+    for i in range(len(corners) - 1):
+        cells.append(
+            divide_block(lambda u, v, w, i=i: points_in_box(boxes, i + u, v, 1, w), n, around, up),
+        )
+    sections = []
+    for i in range(len(corners) - 1):
+        if i not in (patch - 1, patch):
+            sections.append(bilinear_block([(i, 0), (i + 1, 0), (i + 1, 1), (i, 1)]))
+    for flat in singular_edge_blocks(size):
+        sections.append(lambda u, v, flat=flat: np.add(flat(u, v), (patch, 0)))
+    for is_beside, count in ((True, up), (False, around)):
+        for section in sections:
+            cells.append(divide_block(tube_block(boxes, section, is_beside), n, n, count))
     cells = np.concatenate(cells)
-    return cells[(np.ptp(cells.reshape(len(cells), 27, 3), axis=1) > 1e-12).all(axis=1)]  # none where boxes end alike
+    extents = np.ptp(cells.reshape(len(cells), 27, 3), axis=1)
+    return cells[(extents > 1e-12).all(axis=1)]  # flat cells arise where boxes share a side
 
 
-def tube(nested, section, beside):
-    """The block along an edge of the patch, beside or above it, over a block of (box, share of its depth)."""
+def tube_block(boxes, section, is_beside):
+    """Return the block along an edge of the patch, beside or above it, with a section in (box,
+    share of its depth)."""
 
     def block(u, v, w):
-        s, e = np.moveaxis(section(u, v), -1, 0)
-        return within(nested, s, *((1, e, w) if beside else (w, e, 1)))
+        s, share = np.moveaxis(section(u, v), -1, 0)
+        shares = (1, share, w) if is_beside else (w, share, 1)
+        return points_in_box(boxes, s, *shares)
 
     return block

@@ -1,4 +1,4 @@
-"""Volume meshes made elsewhere, as meshio reads them: brought to a scikit-fem mesh, or refused with a reason."""
+"""User volume meshes, read by meshio: converted to scikit-fem, or rejected with a reason."""
 
 import sys
 from contextlib import redirect_stderr, redirect_stdout
@@ -12,31 +12,30 @@ from skfem.io.meshio import from_meshio
 
 from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 
-SUPPORTED = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
-LARGEST, SMALLEST = 2.0, 1e-3
-"""Diameters [m] beyond which the unit of length is doubted: millimetres read as metres are a thousandfold too large."""
-FLAT = 1e-13
-"""Least volume over that of the median cell, both where they are integrated: cells may shrink towards an edge."""
-SIDES = {"quad8": ("quad", 4), "quad9": ("quad", 4), "triangle6": ("triangle", 3)}
-"""Sides with nodes in the middle of their edges -> what they are without, and their corners."""
+SUPPORTED_CELLS = {"tetra", "tetra10", "hexahedron", "hexahedron20", "hexahedron27"}
+"""meshio's names of the volume cells that can be solved."""
+LINEAR_SIDES = {"quad8": ("quad", 4), "quad9": ("quad", 4), "triangle6": ("triangle", 3)}
+"""Quadratic sides: the linear type that replaces them, and its number of corners."""
 
 
 def read_mesh(path):
-    """The scikit-fem mesh of a file, checked, its centre of mass at the origin; ValueError if it won't do."""
+    """Return the scikit-fem mesh of a file, with its centre of mass at the origin; ValueError if it
+    cannot be used."""
     mesh = read_checked(path)[0]
     basis = CellBasis(mesh, mesh.elem())
     x = basis.global_coordinates()
     return mesh.translated(tuple(-(np.asarray(x) * basis.dx).sum(axis=(1, 2)) / basis.dx.sum()))
 
 
-class Hushed:
-    """A stream without what this thread writes; what others write goes on."""
+class SilencedStream:
+    """A stream that drops what this thread writes and passes on what others write."""
 
     def __init__(self, stream):
-        self._stream, self._thread = stream, get_ident()
+        self._stream = stream
+        self._thread = get_ident()
 
     def write(self, text: str) -> int:
-        """Write, if this is another thread."""
+        """Write, unless this is the silenced thread."""
         return len(text) if get_ident() == self._thread else self._stream.write(text)
 
     def __getattr__(self, name):
@@ -44,107 +43,152 @@ class Hushed:
 
 
 def read_checked(path):
-    """The scikit-fem mesh of a file where it stands, checked, and the points (k, 3) of its sets of nodes by name."""
+    """Return the checked scikit-fem mesh of a file, not moved, and the points (k, 3) of its sets of
+    nodes by name."""
     import meshio
 
     try:
-        with redirect_stdout(Hushed(sys.stdout)), redirect_stderr(Hushed(sys.stderr)):  # meshio tells lines of its own
+        # meshio prints lines of its own
+        with (
+            redirect_stdout(SilencedStream(sys.stdout)),
+            redirect_stderr(SilencedStream(sys.stderr)),
+        ):
             file = meshio.read(path)
     except MemoryError:
         raise
-    except (Exception, SystemExit) as error:  # a broken file makes its readers give up in any way
-        why = "" if isinstance(error, SystemExit) else f", {error or type(error).__name__}"
-        raise ValueError(f"{path}: no mesh that can be read{why}") from error
-    kinds = {block.type for block in file.cells if block.dim == 3}
-    if not kinds:
+    except (Exception, SystemExit) as error:  # the readers of broken files raise anything
+        reason = "" if isinstance(error, SystemExit) else f": {error or type(error).__name__}"
+        raise ValueError(f"{path}: not a readable mesh{reason}") from error
+    cell_types = {block.type for block in file.cells if block.dim == 3}
+    if not cell_types:
         raise ValueError(
-            f"{path}: no volume cells, only {sorted(file.cells_dict)}: mesh the volume, not just its surface"
+            f"{path}: no volume cells, only {sorted(file.cells_dict)}: mesh the volume, not just "
+            f"its surface",
         )
-    if len(kinds) > 1 or not kinds <= SUPPORTED:
-        raise ValueError(f"{path}: cells {sorted(kinds)}; known is one of {sorted(SUPPORTED)} at a time")
+    if len(cell_types) > 1 or not cell_types <= SUPPORTED_CELLS:
+        supported = f"one of {sorted(SUPPORTED_CELLS)}"
+        raise ValueError(
+            f"{path}: cells {sorted(cell_types)}: all must be of the same type, {supported}",
+        )
     for block in file.cells:
         if not np.isin(block.data, np.arange(len(file.points))).all():
-            raise ValueError(f"{path}: no mesh that can be read, a cell has a node that is none of {len(file.points)}")
-    mesh = from_meshio(understood(file))
+            raise ValueError(
+                f"{path}: not a readable mesh: a cell has a node number outside 0 to "
+                f"{len(file.points) - 1}",
+            )
+    mesh = from_meshio(with_supported_cells(file))
     check_mesh(mesh, path)
     return mesh, {name: file.points[numbers] for name, numbers in (file.point_sets or {}).items()}
 
 
-def understood(file):
-    """The meshio mesh with 27-node hexahedra for those of 20 nodes, and its sides by their corners alone."""
+def with_supported_cells(file):
+    """Return the meshio mesh with 27-node hexahedra instead of 20-node ones, and linear instead of
+    quadratic sides."""
     import meshio
 
-    points, cells = file.points, []
+    points = file.points
+    cells = []
     for block in file.cells:
-        kind, numbers = block.type, block.data
-        if kind == "hexahedron20":
-            kind, (points, numbers) = "hexahedron27", completed(points, numbers)
-        elif kind in SIDES:
-            kind, corners = SIDES[kind]
+        cell_type = block.type
+        numbers = block.data
+        if cell_type == "hexahedron20":
+            cell_type = "hexahedron27"
+            points, numbers = hexahedra27_from_20(points, numbers)
+        elif cell_type in LINEAR_SIDES:
+            cell_type, corners = LINEAR_SIDES[cell_type]
             numbers = numbers[:, :corners]
-        cells.append((kind, numbers))
-    kept = {name: getattr(file, name) for name in ("cell_data", "cell_sets", "point_sets", "field_data")}
-    return meshio.Mesh(points, cells, **kept)
+        cells.append((cell_type, numbers))
+    return meshio.Mesh(
+        points,
+        cells,
+        cell_data=file.cell_data,
+        cell_sets=file.cell_sets,
+        point_sets=file.point_sets,
+        field_data=file.field_data,
+    )
 
 
-def completed(points, cells):
-    """Points (p, 3) and cells (c, 27) from cells (c, 20): in the middles of faces and cells their 20 functions' values.
+def hexahedra27_from_20(points, cells):
+    """Return points (p, 3) and cells (c, 27) from cells (c, 20).
 
-    In the middle of a face they are -1/4 at its corners, 1/2 on its edges; in that of the cell -1/4 and 1/4.
+    The added nodes in the middle of faces and cells have the values of the 20 shape functions
+    there: in the middle of a face -1/4 at its corners and 1/2 on its edges, in the middle of a cell
+    -1/4 and 1/4.
     """
     lattice = np.array(VTK_HEXAHEDRON27)
-    sides = [np.flatnonzero((lattice[:20] == place)[:, place != 1].all(axis=1)) for place in lattice[20:26]]
+    sides = []
+    for node in lattice[20:26]:
+        sides.append(np.flatnonzero((lattice[:20] == node)[:, node != 1].all(axis=1)))
     faces = cells[:, sides].reshape(-1, 8)
-    _, first, face = np.unique(np.sort(faces[:, :4], axis=1), axis=0, return_index=True, return_inverse=True)
+    face_corners = np.sort(faces[:, :4], axis=1)
+    _, first, face = np.unique(face_corners, axis=0, return_index=True, return_inverse=True)
     on_faces = np.einsum("n,cnx->cx", [-1 / 4] * 4 + [1 / 2] * 4, points[faces[first]])
     inside = np.einsum("n,cnx->cx", [-1 / 4] * 8 + [1 / 4] * 12, points[cells])
-    numbers = len(points) + face.reshape(-1, 6), len(points) + len(first) + np.arange(len(cells))[:, None]
-    return np.vstack([points, on_faces, inside]), np.hstack([cells, *numbers])
+    face_numbers = len(points) + face.reshape(-1, 6)
+    inside_numbers = len(points) + len(first) + np.arange(len(cells))[:, None]
+    return np.vstack([points, on_faces, inside]), np.hstack([cells, face_numbers, inside_numbers])
 
 
-def check_mesh(mesh, name):
-    """ValueError if the unit of length is implausible, cells are flat or folded, or there are several bodies."""
+def check_mesh(mesh, name, min_size=1e-3, max_size=2.0, min_volume_ratio=1e-13):
+    """Raise ValueError if the unit of length is implausible, cells are degenerate, or there are
+    several bodies.
+
+    The size of the mesh must be between `min_size` and `max_size` [m]. The least volume of a cell
+    at its quadrature points is `min_volume_ratio` of that of the median cell: cells may shrink
+    towards an edge.
+    """
     used = np.unique(mesh.t)
     if not np.isfinite(mesh.p[:, used]).all():
         raise ValueError(f"{name}: points that are not finite")
     size = np.ptp(mesh.p[:, used], axis=1).max()
-    if not SMALLEST < size < LARGEST:
-        raise ValueError(f"{name}: {size:g} m across: lengths are in metres; were millimetres meant?")
+    if not min_size < size < max_size:
+        raise ValueError(
+            f"{name}: {size:g} m across: lengths must be in metres; are they in millimetres?",
+        )
     with np.errstate(divide="ignore", invalid="ignore"):
         volume = mesh.mapping().detDF(CellBasis(mesh, mesh.elem()).X)
-    flat = np.abs(volume).min(axis=1) <= FLAT * np.median(np.abs(volume))
+    flat = np.abs(volume).min(axis=1) <= min_volume_ratio * np.median(np.abs(volume))
     folded = (volume > 0).any(axis=1) & (volume < 0).any(axis=1)
     signs = np.sign(volume.mean(axis=1)) if not isinstance(mesh, MeshTet1) else np.ones(1)
-    for what, bad in (("flat or folded", flat | folded), ("numbered inside out", signs != np.sign(signs.sum() or 1))):
+    inverted = signs != np.sign(signs.sum() or 1)
+    for fault, bad in (("flat or folded", flat | folded), ("numbered inside out", inverted)):
         if bad.any():
-            raise ValueError(f"{name}: {bad.sum()} of {mesh.nelements} cells are {what}, the first is {bad.argmax()}")
+            raise ValueError(
+                f"{name}: {bad.sum()} of {mesh.nelements} cells are {fault}, the first is "
+                f"{bad.argmax()}",
+            )
     corners = mesh.t
     pairs = np.concatenate([corners[[0, i]] for i in range(1, len(corners))], axis=1)
     graph = sp.coo_matrix((np.ones(pairs.shape[1]), pairs), shape=(mesh.p.shape[1],) * 2)
     bodies = len(np.unique(connected_components(graph, directed=False)[1][used]))
     if bodies > 1:
-        raise ValueError(f"{name}: {bodies} bodies that share no node: merge them or mesh one")
+        raise ValueError(f"{name}: {bodies} bodies that share no node: merge them or mesh only one")
 
 
 def patch_facets(mesh, support, name=None):
-    """Facets of the patch: a named boundary of the mesh, or those of the lateral surface within angle and height."""
+    """Return the facets of the patch: a named boundary of the mesh, or those within its angle and
+    height."""
     if name is not None:
         if name not in (mesh.boundaries or {}):
-            raise ValueError(f"the mesh has no surface {name!r}, only {sorted(mesh.boundaries or {})}")
+            raise ValueError(
+                f"the mesh has no surface {name!r}, only {sorted(mesh.boundaries or {})}",
+            )
         return np.asarray(mesh.boundaries[name])
     radius = np.hypot(*mesh.p[:2]).max()
     facets = mesh.boundary_facets()
     x, y, z = mesh.p[:, mesh.facets[:, facets]]
-    low, high = mesh.p[2].min(), mesh.p[2].max()
+    low = mesh.p[2].min()
+    high = mesh.p[2].max()
     height = support.height or high - low
     bottom = low if support.position == "bottom" else (low + high - height) / 2
     on_rim = (np.hypot(x, y) > 0.99 * radius).all(axis=0) & (np.ptp(z, axis=0) > 1e-6 * radius)
-    inside = np.abs(np.arctan2(y.mean(axis=0), x.mean(axis=0))) <= np.deg2rad(support.half_angle_deg) + 1e-9
-    z = z.mean(axis=0)
-    found = facets[on_rim & inside & (z > bottom) & (z < bottom + height)]
+    angle = np.arctan2(y.mean(axis=0), x.mean(axis=0))
+    within_angle = np.abs(angle) <= np.deg2rad(support.half_angle_deg) + 1e-9
+    middle = z.mean(axis=0)
+    found = facets[on_rim & within_angle & (middle > bottom) & (middle < bottom + height)]
     if not len(found):
-        angle = support.half_angle_deg
         raise ValueError(
-            f"no facet of the mesh lies on the patch of +-{angle:g} degrees: refine there or name a surface"
+            f"no facet of the mesh lies on the patch of +-{support.half_angle_deg:g} degrees: "
+            "refine the mesh there or name a surface"
         )
     return found

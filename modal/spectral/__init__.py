@@ -1,1 +1,2 @@
-"""AXISYMMETRIC SOLID -> MODES: Ritz's method in a Fourier and polynomial basis, order by order."""
+"""Modes of axisymmetric solids by Ritz's method in Fourier series and polynomials, order by
+order."""

@@ -1,108 +1,177 @@
-"""The record of the modes of an axisymmetric solid: every order n >= 1 gives a degenerate (cosine, sine) pair."""
+"""The modes of an axisymmetric solid: every order n >= 1 gives degenerate pairs of a cosine and a
+sine mode."""
 
 from math import pi
 
 import numpy as np
 
-from modal.accuracy import LEVELS
+from modal.accuracy import ACCURACY_LEVELS
 from modal.elements import sample
 from modal.elements.unfold import whole_mesh
-from modal.mesh.half_disk import Blocks, divided
-from modal.mesh.half_disk import columns as columns_of_ring
+from modal.mesh.half_disk import MeshSize, cells_of_blocks, rim_blocks
 from modal.mesh.sector import extrude, hexahedra, sector
 from modal.modes import Modes, Support
 from modal.spectral.basis import Plate
-from modal.spectral.converge import Pairs, all_pairs, amplitudes
-from modal.spectral.ritz import gauss
+from modal.spectral.p_refinement import Eigenpairs, all_eigenpairs, displacement_amplitudes
+from modal.spectral.ritz import gauss_grid
 
 
-def turned(amplitude, n, angle, odd):
-    """Displacement (..., 3) (cylindrical) at angles (q,) from amplitudes (3, ..., q), or of the sine partner."""
-    c, s = np.cos(n * angle), np.sin(n * angle)
+def displacement_at_angles(amplitude, n, angle, odd):
+    """Return the cylindrical displacement (..., 3) at angles (q,) [rad] from amplitudes (3, ..., q)
+    of order n.
+
+    The sine partner if `odd`, the cosine mode otherwise.
+    """
+    c = np.cos(n * angle)
+    s = np.sin(n * angle)
     factors = (s, -c, s) if odd else (c, s, c)
     return np.stack([a * f for a, f in zip(amplitude, factors, strict=True)], axis=-1)
 
 
-def parities(pairs: Pairs):
-    """For each member of a pair whether it is the sine partner, as torsion with its u_theta even in theta always is."""
+def sine_partner_flags(pairs: Eigenpairs):
+    """Return, for each member of a degenerate pair, whether it is the sine partner.
+
+    Torsion is a single mode and counts as the sine partner, since its u_theta is even in theta.
+    """
     return (False, True) if pairs.problem.n else (pairs.problem.family == "torsional",)
 
 
-def participation_of(plate, pairs):
-    """Participation (k, 6) of the cosine member, see `Modes`."""
+def cosine_participation(plate, pairs):
+    """Return the participation (k, 6) of the cosine modes, see `Modes`."""
     n = pairs.problem.n
-    rho, zeta, along, through = gauss(plate, n, pairs.size)
-    a, b, w = amplitudes(plate, pairs, rho, zeta)
-    weight = plate.density * np.outer(along, through)
-    r, h, zero = rho[:, None] * plate.radius, zeta * plate.thickness / 2, 0 * a
+    rho, zeta, radial_weight, axial_weight = gauss_grid(plate, n, pairs.size)
+    a, b, w = displacement_amplitudes(plate, pairs, rho, zeta)
+    weight = plate.density * np.outer(radial_weight, axial_weight)
+    r = rho[:, None] * plate.radius
+    h = zeta * plate.thickness / 2
+    zero = 0 * a
     if n == 0:
         work = [zero, zero, w, zero, zero, r * b]
+    elif n == 1:
+        work = [a - b, zero, zero, zero, h * (a - b) - r * w, zero]
     else:
-        work = [a - b, zero, zero, zero, h * (a - b) - r * w, zero] if n == 1 else [zero] * 6
+        work = [zero] * 6
     return np.einsum("fkrz,rz->kf", work, weight)
 
 
-def columns(plate, pairs, odd, body):
-    """The columns of `Modes` that one problem contributes, arrays (k, ...)."""
-    p, n, k = pairs.problem, pairs.problem.n, len(pairs.values)
-    family = p.family if p.family == "torsional" else "extensional" if p.even > 0 else "flexural"
-    participation = participation_of(plate, pairs)
+def family_name(problem):
+    """Return the family of `Modes` that the modes of a `Problem` belong to."""
+    if problem.family == "torsional":
+        return "torsional"
+    return "extensional" if problem.even > 0 else "flexural"
+
+
+def mode_columns(plate, pairs, odd, drawing_nodes):
+    """Return the arrays (k, ...) that one problem contributes to `Modes`; `drawing_nodes` as in
+    `drawing_mesh`."""
+    p = pairs.problem
+    n = pairs.problem.n
+    k = len(pairs.values)
+    participation = cosine_participation(plate, pairs)
     if odd:
         participation = participation[:, [1, 0, 2, 4, 3, 5]] * [1, 1, 1, -1, 1, -1]
     angle = sample.rim_angles()
-    rim = amplitudes(plate, pairs, np.ones(1), -np.ones(1))[..., 0]
+    rim = displacement_amplitudes(plate, pairs, np.ones(1), -np.ones(1))[..., 0]
     r, _, theta = sample.face_grid(1.0, plate.hole)
-    faces = amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[2].transpose(0, 2, 1)
+    faces = displacement_amplitudes(plate, pairs, r, np.array([-1.0, 1.0]))[2].transpose(0, 2, 1)
     around = np.sin(n * theta) if odd else np.cos(n * theta)
-    body_angle, (rho, at_rho), (zeta, at_zeta) = body
-    inside = amplitudes(plate, pairs, rho, zeta)[..., at_rho, at_zeta]
+    node_angle, (rho, at_rho), (zeta, at_zeta) = drawing_nodes
+    inside = displacement_amplitudes(plate, pairs, rho, zeta)[..., at_rho, at_zeta]
+    cylindrical = displacement_at_angles(inside, n, node_angle, odd)
     return {
         "frequency": np.sqrt(pairs.values) / (2 * pi),
         "order": np.full(k, n),
-        "family": np.full(k, family),
+        "family": np.full(k, family_name(p)),
         "parity": np.full(k, "odd" if odd else "even"),
         "pair": np.arange(k),
         "participation": participation,
-        "rim_shape": turned(np.broadcast_to(rim, (3, k, len(angle))), n, angle, odd),
+        "rim_shape": displacement_at_angles(
+            np.broadcast_to(rim, (3, k, len(angle))),
+            n,
+            angle,
+            odd,
+        ),
         "face_shape": faces[..., None] * around,
         "residual": pairs.residual,
         "error": pairs.error.sum(axis=0),
-        "displacement": sample.polar_components(turned(inside, n, body_angle, odd), -body_angle),  # back to x, y, z
+        "displacement": sample.polar_components(cylindrical, -node_angle),  # back to x, y, z
     }
 
 
-def body_mesh(plate, highest):
-    """Nodes (p, 3) and cells of the whole plate, fine enough to draw waves of the highest order; and of the nodes the
-    angles (p,), and the distinct radii and heights, each with indices (p,) into them."""
-    size = Blocks(width=pi / 8, depth=0.38, rings=1, split=1 + highest // 6)
+def drawing_mesh_split(highest_order: int, mode_count: int, max_bytes: float = 4e8) -> int:
+    """Return into how many parts to split the cell edges of the `drawing_mesh`.
+
+    The cells resolve waves of the highest order, unless the displacements of all modes would take
+    more than `max_bytes`.
+    """
+    bytes_unsplit = 800 * 3 * 8  # 800 nodes with three displacements each
+    affordable = (max_bytes / (bytes_unsplit * max(mode_count, 1))) ** (1 / 3)
+    return max(1, min(1 + highest_order // 6, int(affordable)))
+
+
+def drawing_mesh(plate, split):
+    """Return nodes (p, 3) [m], cells and node coordinates of a mesh of the whole plate.
+
+    Every cell edge is split into `split` parts. The node coordinates are the angles (p,) [rad], and
+    the distinct relative radii and heights, each with indices (p,) into them.
+    """
+    size = MeshSize(width=pi / 8, depth=0.38, rings=1, split=split)
     if plate.hole:
-        half = divided(columns_of_ring(np.linspace(0, pi, 17), 1 - plate.hole), size) * plate.radius
-        mesh = hexahedra(extrude(half, np.linspace(0, plate.thickness / 2, size.split + 1)))
+        blocks = rim_blocks(np.linspace(0, pi, 17), 1 - plate.hole)
+        heights = np.linspace(0, plate.thickness / 2, size.split + 1)
+        mesh = hexahedra(extrude(cells_of_blocks(blocks, size) * plate.radius, heights))
     else:
         mesh = sector(plate.radius, plate.thickness, Support(kind="free"), size).mesh
     points, cells, _ = whole_mesh(mesh.doflocs.T, mesh.dofs.element_dofs.T, quarter=True)
     x, y, z = points.T
     rho = np.clip(np.hypot(x, y) / plate.radius, plate.hole, 1).round(12)
     zeta = np.clip(2 * z / plate.thickness, -1, 1).round(12)
-    return points, cells, (np.arctan2(y, x), *(np.unique(part, return_inverse=True) for part in (rho, zeta)))
+    indexed_rho = np.unique(rho, return_inverse=True)
+    indexed_zeta = np.unique(zeta, return_inverse=True)
+    return points, cells, (np.arctan2(y, x), indexed_rho, indexed_zeta)
 
 
 def plate_modes(plate: Plate, below: float, accuracy: str = "standard") -> Modes:
-    """The `Modes` below `below` [Hz] of an axisymmetric plate; there may be none."""
-    limit, found = below, []
+    """Compute the elastic modes of an axisymmetric plate.
+
+    Parameters
+    ----------
+    plate : Plate
+    below : float
+        Highest frequency [Hz], excluded.
+    accuracy : {"draft", "standard", "reference"}, optional
+
+    Returns
+    -------
+    Modes
+        Empty if there is no mode below `below`.
+
+    Examples
+    --------
+    >>> from modal import Material, Plate
+    >>> steel = Material(young=195e9, poisson=0.28)
+    >>> plate = Plate(radius=0.05, thickness=0.002, material=steel, density=7800.0)
+    >>> plate_modes(plate, 2e3, "draft").order.tolist()
+    [2, 2, 0]
+    """
+    limit = below
+    found = []
     while not found:
-        found = all_pairs(plate, limit, LEVELS[accuracy].free)
+        found = all_eigenpairs(plate, limit, ACCURACY_LEVELS[accuracy].free_error)
         limit *= 2
-    points, cells, body = body_mesh(plate, max(pairs.problem.n for pairs in found))
+    highest_order = max(pairs.problem.n for pairs in found)
+    mode_count = sum(len(sine_partner_flags(pairs)) * len(pairs.values) for pairs in found)
+    split = drawing_mesh_split(highest_order, mode_count)
+    points, cells, drawing_nodes = drawing_mesh(plate, split)
     parts = []
     for number, pairs in enumerate(found):
-        for odd in parities(pairs):
-            part = columns(plate, pairs, odd, body)
+        for odd in sine_partner_flags(pairs):
+            part = mode_columns(plate, pairs, odd, drawing_nodes)
             parts.append(part | {"pair": 1000 * number + part["pair"]})
-    whole = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
-    whole = {name: value[whole["frequency"] < below] for name, value in whole.items()}
-    return sample.recorded(
-        whole,
+    columns = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+    columns = {name: value[columns["frequency"] < below] for name, value in columns.items()}
+    return sample.sorted_modes(
+        columns,
         plate.material,
         plate.radius,
         points,

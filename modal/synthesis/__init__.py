@@ -1,1 +1,1 @@
-"""FREE MODES + PATCH -> MODES: the held disk from the modes of the free one and tractions on the patch."""
+"""Modes of a disk on a patch, from the modes of the free disk and tractions on the patch."""

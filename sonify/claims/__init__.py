@@ -1,1 +1,2 @@
-"""RESULT -> FINDINGS: every claim once, as a function with a value, what is expected, a tolerance and a source."""
+"""RESULT -> FINDINGS: every claim once, as a function with a value, what is expected, a tolerance
+and a source."""

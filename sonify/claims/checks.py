@@ -1,6 +1,8 @@
 """Self-checks: every run proves these on its own numbers, and says so in run.json."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import wraps
 from math import inf
 from typing import Any
 
@@ -8,7 +10,7 @@ import numpy as np
 
 from dynamics import Disk, Motion
 from modal import Modes
-from sonify.claims.motion import judging
+from sonify.claims.finding import JUDGES, Judge, Need
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
@@ -17,8 +19,8 @@ from sonify.sound.pressure import Sound
 class Check:
     """One number that must stay within `tolerance` of what is `expected`; `source` says why.
 
-    With `one_sided` it may lie below by any amount. `key` is the name of its function, the same in every version.
-    """
+    With `one_sided` it may lie below by any amount. `key` is the name of its function, the same in
+    every version."""
 
     key: str
     name: str
@@ -45,14 +47,25 @@ class Check:
         return f"{self.expected:g} ± {self.tolerance:g}"
 
 
-def check(name: str, source: str, **bars: Any):
+def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
     """Make a function that returns a value return the Check of it."""
-    return judging(Check, lambda key, value: Check(key=key, value=float(value), name=name, source=source, **bars))
+
+    def decorator(function: Callable[..., float]) -> Callable[..., Check]:
+        @wraps(function)
+        def judge(*arguments, **options) -> Check:
+            value = float(function(*arguments, **options))
+            return Check(key=function.__name__, value=value, name=name, source=source, **ends)
+
+        JUDGES[function.__name__] = Judge(judge, needs)
+        return judge
+
+    return decorator
 
 
 @check(
     "energy and dissipated energy add up",
     "dE/dt is the power of friction and resisting moments, (3.2), (3.3)",
+    needs=("motion",),
     tolerance=1e-8,
 )
 def energy_balance(motion: Motion):
@@ -64,28 +77,58 @@ def energy_balance(motion: Motion):
 @check(
     "dissipated energy never falls",
     "no power of (3.2), (3.3) is ever negative; a step of a draft is exact to 1e-12",
+    needs=("motion",),
     tolerance=1e-12,
 )
 def dissipation_never_falls(motion: Motion):
-    """By how much the dissipated energy falls at most, between any two instants, relative to the energy at first."""
+    """By how much the dissipated energy falls at most, between any two instants, relative to the
+    energy at first."""
     return motion.largest_regain() / float(motion.energy(0.0)[0])
 
 
-@check("the friction force stays on its cone", "|F| <= mu_s N rolling, |F| = mu_d N sliding, section 3", tolerance=1e-6)
+@check(
+    "the friction force stays on its cone",
+    "|F| <= mu_s N rolling, |F| = mu_d N sliding, section 3",
+    needs=("motion",),
+    tolerance=1e-6,
+)
 def friction_cone(motion: Motion):
-    """By how much |F|/N exceeds the static coefficient while rolling, or misses the dynamic one while sliding."""
+    """By how much |F|/N exceeds the static coefficient while rolling, or misses the dynamic one
+    while sliding."""
     return motion.friction_excess()
 
 
-@check("the table never pulls", "Phi > 0 while there is contact, section 4")
-def pushing_contact(motion: Motion):
-    """The share of the motion in which the normal force pulls, or is zero other than in a noted loss of contact."""
-    force = motion.force(motion.t)[:-1, 2]
-    pulls = force <= 0 if not motion.contact_losses else force < 0
+@check(
+    "the table never pulls",
+    "Phi > 0 while there is contact, section 4",
+    needs=("motion",),
+)
+def pushing_contact(motion: Motion, resolution: float = 1e-5):
+    """The share of the motion in which the normal force pulls, or vanishes outside the losses of
+    contact.
+
+    Forces of an elastic contact are means over `resolution` [s], interpolated: they vanish if they
+    do so that long before and after.
+    """
+    t = motion.t[:-1]
+    around = [
+        motion.force(np.clip(t + shift, 0.0, motion.t[-1]))[:, 2]
+        for shift in (-resolution, 0.0, resolution)
+    ]
+    losses = np.reshape(
+        [(loss.t, loss.t + loss.duration) for loss in motion.contact_losses], (-1, 2)
+    )
+    in_a_loss = np.searchsorted(losses[:, 0], t, "right") > np.searchsorted(losses[:, 1], t)
+    pulls = (np.min(around, axis=0) < 0) | ((np.max(around, axis=0) <= 0) & ~in_a_loss)
     return np.sum(np.diff(motion.t)[pulls]) / motion.t[-1]
 
 
-@check("the modes solve their eigenvalue problem", "K phi = w^2 M phi", tolerance=1e-6)
+@check(
+    "the modes solve their eigenvalue problem",
+    "K phi = w^2 M phi",
+    needs=("modes",),
+    tolerance=1e-6,
+)
 def mode_residuals(modes: Modes):
     """The largest |phi - w^2 K^-1 M phi| / |phi| of the modes."""
     return modes.residual.max(initial=0.0)
@@ -94,6 +137,7 @@ def mode_residuals(modes: Modes):
 @check(
     "no frequency may be wrong by as much as itself",
     "distance between two meshes or bases",
+    needs=("modes",),
     expected=1.0,
     one_sided=True,
 )
@@ -102,15 +146,28 @@ def mode_errors(modes: Modes):
     return modes.error.max(initial=0.0)
 
 
-@check("the elastic model weighs what the disk weighs", "mass of the scene", expected=1.0, tolerance=1e-3)
+@check(
+    "the elastic model weighs what the disk weighs",
+    "mass of the scene",
+    needs=("modes",),
+    expected=1.0,
+    tolerance=1e-3,
+)
 def discrete_mass(modes: Modes, disk: Disk):
     """The mass of the elastic model over that of the disk."""
     return modes.mass / disk.mass
 
 
-@check("no sample of sound.wav is clipped, all are finite", "a PCM file holds -1 to 1", expected=1.0, one_sided=True)
+@check(
+    "no sample of sound.wav is clipped, all are finite",
+    "a PCM file holds -1 to 1",
+    needs=("sound",),
+    expected=1.0,
+    one_sided=True,
+)
 def no_sample_clipped(sound: Sound):
-    """The peak of sound.wav over full scale, which is finite only if every sample of the pressure is."""
+    """The peak of sound.wav over full scale, which is finite only if every sample of the pressure
+    is."""
     return sound.peak / sound.full_scale if sound.finite else inf
 
 

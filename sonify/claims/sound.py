@@ -1,33 +1,36 @@
-"""SOUND -> VERDICT: what is heard in the rendered sound alone, held against the solved motion and modes."""
+"""SOUND -> VERDICT: what is heard in the rendered sound alone, held against the solved motion and
+modes."""
 
 import numpy as np
+from scipy.signal import sosfilt
 
 from dynamics import Motion
-from dynamics.rates import nutation_frequency, precession_frequency
+from dynamics.observables import nutation_frequency, precession_frequency
 from modal import Modes
-from sonify.claims.motion import Finding, finding, median
+from sonify.claims.finding import Finding, Measured, finding, median
 from sonify.hearing.loudness import (
-    HANN_BANDWIDTH,
     ISO_226,
     THRESHOLD_DB,
     WINDOW,
-    a_weighting_db,
     band_levels,
     level_db,
     unheard,
 )
 from sonify.hearing.recording import Heard, RecordingError, listen
 from sonify.hearing.spectrogram import spectrogram
-from sonify.sound.pressure import STEMS, Sound
+from sonify.sound.playback import a_weighting
+from sonify.sound.pressure import STEMS, Sound, Track
 
 LAST = 1.0
-"""The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by itself [s]."""
+"""The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by
+itself [s]."""
 INDEPENDENT = 0.05
 """The share of the frames of a tone that do not overlap."""
 
 
 def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
-    """Return what the rendered sound tells by itself, or None; and what it does not tell, and why."""
+    """Return what the rendered sound tells by itself, or None; and what it does not tell, and
+    why."""
     try:
         heard = listen(sound.pressure, beats=False)  # no claim is on the envelope
     except RecordingError as error:
@@ -36,11 +39,14 @@ def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
     return heard, [*unheard(), *silent]
 
 
-def all_verdicts(heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0) -> list[Finding]:
-    """Every claim on the sound that this run can judge: those on the end only where the motion settled.
+def all_verdicts(
+    heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0
+) -> list[Finding]:
+    """Every claim on the sound that this run can judge: those on the end only where the motion
+    settled.
 
-    `error` is the predicted distance of the sound from that of the reference, relative, in quadratic mean.
-    """
+    `error` is the predicted distance of the sound from that of the reference, relative, in
+    quadratic mean."""
     energy = [modes_take_little(motion, sound, error)]
     if heard is None:
         return energy
@@ -61,11 +67,16 @@ def all_verdicts(heard: Heard | None, motion: Motion, modes: Modes, sound: Sound
 
 
 def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
-    """The claims that hold the tone against a solved rate: none where the normal force has no peaks to tell it by, or
-    where the tone is not heard in the stretch concerned."""
-    if not len(nutation_frequency(motion)[0]):
+    """The claims that compare the tone with a solved rate: none of a disk that does not nutate.
+
+    The tone is compared with the precession where it is heard in the last second, and with the
+    nutation where it is heard before the last four, while the disk nutates."""
+    nutates = nutation_frequency(motion)[0]
+    if not len(nutates):
         return []
-    last, early = tone.time > sound.source_end - LAST, tone.time < sound.source_end - 4 * LAST
+    last = tone.time > sound.source_end - LAST
+    delay = sound.source_end - motion.t[-1]
+    early = (tone.time < sound.source_end - 4 * LAST) & (tone.time - delay <= nutates[-1])
     found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
     return found + ([tone_was_nutation(tone, early, motion, sound)] if early.any() else [])
 
@@ -74,57 +85,65 @@ def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
     "The pitch rises sharply towards the end",
     "times over the ridge that is heard",
     "abstract and section 1; from the sound alone",
+    needs=("tone",),
     at_least=2.0,
 )
 def pitch_rises(tone):
     """The frequency of the tone at the end of its ridge over that at the beginning."""
-    return tone.factor, 2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent
+    return Measured(
+        tone.factor, 2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent
+    )
 
 
 @finding(
     "In the last second the rising tone is the precession of the contact",
     "tone heard / precession solved, median",
     "section 8 leaves open what rises; the solved precession",
+    needs=("tone", "motion", "sound"),
     at_least=0.97,
     at_most=1.03,
 )
 def tone_is_precession(tone, last, motion: Motion, sound: Sound):
     """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
-    return _ratio(tone, last, motion, sound, precession_frequency(motion)[1])
+    return _ratio(tone, last, motion, sound, precession_frequency(motion))
 
 
 @finding(
     "Until four seconds before the end the tone is the nutation, the frequency of the normal force",
     "tone heard / nutation solved, median",
     "section 8: the normal force as a measure of the forcing",
+    needs=("tone", "motion", "sound"),
     at_least=0.97,
     at_most=1.03,
 )
 def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
     """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
-    return _ratio(tone, early, motion, sound, nutation_frequency(motion)[1])
+    return _ratio(tone, early, motion, sound, nutation_frequency(motion))
 
 
 @finding(
     "The tone heard runs to the end of the motion",
     "s from the end of the motion to the end fitted to the tone",
     "section 1: the abrupt halt",
+    needs=("tone", "sound"),
     at_least=-0.1,
     at_most=0.1,
 )
 def tone_ends_with_the_motion(tone, sound: Sound):
     """The time from the end of the motion, at the listener, to the end fitted to the tone [s]."""
-    return tone.end - sound.source_end, 2 * tone.end_error
+    return Measured(tone.end - sound.source_end, 2 * tone.end_error)
 
 
 @finding(
     "The rising tone can be heard",
     "s before the end from which it stays above the threshold of ISO 226",
     "section 8: the frequencies are in the audible range",
+    needs=("tone", "sound"),
     at_least=0.5,
 )
 def tone_is_heard(tone, sound: Sound):
-    """The time before the end from which the third octave that holds the tone stays above the threshold of hearing."""
+    """The time before the end from which the third octave that holds the tone stays above the
+    threshold of hearing."""
     seen = spectrogram(sound.pressure, WINDOW / 4)
     inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (seen.time > 0.1)
     bands = np.array(list(ISO_226))
@@ -133,44 +152,55 @@ def tone_is_heard(tone, sound: Sound):
     band = np.abs(np.log(pitch[:, None] / bands)).argmin(axis=1)
     heard = above[band, np.arange(len(band))] > 0
     silent = np.flatnonzero(~heard)
-    since = seen.time[inside][silent[-1] + 1] if len(silent) and silent[-1] + 1 < len(heard) else sound.source_end
-    return sound.source_end - (since if len(silent) else seen.time[inside][0]), WINDOW / 4
+    since = (
+        seen.time[inside][silent[-1] + 1]
+        if len(silent) and silent[-1] + 1 < len(heard)
+        else sound.source_end
+    )
+    begin = since if len(silent) else seen.time[inside][0]
+    return Measured(sound.source_end - begin, WINDOW / 4)
 
 
 @finding(
     "What is heard of the disk in the last second is the vibration of its modes",
     "dB(A), ringing of the modes over rigid motion of the disk",
     "section 8: this is not the primary sound source; the forcing excites modes",
+    needs=("sound",),
     at_least=0.0,
 )
 def modes_carry_the_end(sound: Sound, error: float = 0.0):
-    """The level of the ringing of the modes over that of the rigid disk, in the last second [dB(A)].
+    """The level of the ringing of the modes over that of the rigid disk, in the last second
+    [dB(A)].
 
-    What differs by the relative `error` in quadratic mean has an energy within a factor of (1 + error)^2.
-    """
+    What differs by the relative `error` in quadratic mean has an energy within a factor of (1 +
+    error)^2."""
     heave, tilt, smooth, jumps = (weighted_power(sound, sound.track(name)) for name in STEMS)
-    return level_db(smooth + jumps) - level_db(heave + tilt), 20 * np.log10(1 + error)
+    return Measured(level_db(smooth + jumps) - level_db(heave + tilt), 20 * np.log10(1 + error))
 
 
 @finding(
     "The modes take too little energy to act back on the motion",
     "s before the end when the modes first hold as much energy as the disk",
     "section 8: the vibrations will result in a loss of contact; here they do not act back",
+    needs=("motion", "sound"),
     at_most=0.0,
 )
 def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0):
-    """The one-way coupling holds while the modes own less than the disk: when do they first own as much?
+    """The one-way coupling holds while the modes own less than the disk: when do they first own as
+    much?
 
     Their energy is known within a factor of (1 + error)^2, as in `modes_carry_the_end`.
     """
     return since_as_much(motion, sound.energy_time, sound.energy, error)
 
 
-def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -> tuple[float, float]:
-    """Return how long before the end [s] an energy (e,) [J] at t (e,) [s] first is more than a share of the disk's, or
-    0; and how wrong that may be towards its bar where the energy is known within a factor of (1 + error)^2."""
+def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -> Measured:
+    """Return how long before the end [s] an energy (e,) [J] at t (e,) [s] first is more than a
+    share of the disk's, or 0; and how wrong that may be towards its bar where the energy is known
+    within a factor of (1 + error)^2."""
     inside = (t >= 0) & (t <= motion.t[-1])
-    t, energy = t[inside], energy[inside]
+    t = t[inside]
+    energy = energy[inside]
     whole = share * motion.energy(t)
 
     def since(factor):
@@ -178,40 +208,52 @@ def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -
         return float(motion.t[-1] - t[more[0]]) if len(more) else 0.0
 
     value = since(1.0)
-    return value, value - since((1 + error) ** -2) if value else since((1 + error) ** 2)
+    margin = value - since((1 + error) ** -2) if value else since((1 + error) ** 2)
+    return Measured(value, margin)
 
 
 @finding(
     "The strongest steady tone keeps its pitch: no mode rises",
     "cents, spread over the sound",
     "linear modes; from the sound alone",
+    needs=("sound",),
     at_most=5.0,
 )
 def carriers_are_steady(heard: Heard):
-    """How far the strongest line spreads or drifts [cents]; its spread is known to a half from five frames."""
+    """How far the strongest line spreads or drifts [cents]; its spread is known to a half from five
+    frames."""
     one = heard.lines[0]
     drift, error = (x * (one.end - one.begin) for x in (abs(one.drift), one.drift_error))
-    return max(one.spread, drift), max(one.spread / 2, 2 * error)
+    return Measured(max(one.spread, drift), max(one.spread / 2, 2 * error))
 
 
-@finding("The strongest steady tone is a mode of the disk", "cents to the nearest mode", "section 8", at_most=5.0)
+@finding(
+    "The strongest steady tone is a mode of the disk",
+    "cents to the nearest mode",
+    "section 8",
+    needs=("sound", "modes"),
+    at_most=5.0,
+)
 def carriers_are_modes(heard: Heard, modes: Modes):
     """The distance of the strongest line from the nearest mode [cents]."""
     strongest = heard.lines[0]
     away = np.abs(1200 * np.log2(strongest.frequency / modes.frequency)).min()
-    return away, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency
+    return Measured(away, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency)
 
 
 def _ratio(tone, here, motion, sound, solved):
-    """The median, over the frames (r,) chosen, of the frequency heard over a solved rate, and its error."""
+    """The median, over the frames (r,) chosen, of the frequency heard over a solved rate, and its
+    error."""
     delay = sound.source_end - motion.t[-1]
-    rate = np.interp(tone.time[here] - delay, nutation_frequency(motion)[0], solved)
+    rate = np.interp(tone.time[here] - delay, *solved)
     return median(tone.frequency[here] / rate, INDEPENDENT)
 
 
-def weighted_power(sound, stem):
-    """Mean square of a stem over the last second of the motion, A-weighted [Pa^2]."""
-    span = (max(sound.source_end - LAST, 0.0), sound.source_end)
-    seen = spectrogram(stem, 0.1, span=span)
-    weight = 10 ** (a_weighting_db(seen.frequency) / 10)
-    return np.mean(weight @ seen.power) / HANN_BANDWIDTH
+def weighted_power(sound: Sound, stem: Track) -> float:
+    """Return the A-weighted mean square [Pa^2] of a stem over the last second of the motion."""
+    rate = sound.sample_rate
+    end = int(sound.source_end * rate)
+    begin = max(end - int(LAST * rate), 0)
+    settled = max(begin - rate // 2, 0)  # the filter has forgotten what was before
+    weighted = sosfilt(a_weighting(rate), stem.read(settled, end).astype(float))
+    return float(np.mean(weighted[begin - settled :] ** 2))

@@ -1,11 +1,12 @@
-"""TABLE: what it carries of the sound, and from when on it must act back on the disk; a "no" is a result."""
+"""TABLE: what it carries of the sound, and from when on it must act back on the disk; a "no" is a
+result."""
 
 import numpy as np
 
 from dynamics import Motion
 from dynamics.surface import ACTS
-from sonify.claims import two_ways
-from sonify.claims.motion import Finding, finding
+from sonify.claims import two_way
+from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.sound import LAST, since_as_much
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
 from sonify.hearing.rising_tone import RisingTone, rising_tone
@@ -25,22 +26,32 @@ ENDS = ("SETTLED", "FELL")
 
 
 def table_findings(
-    scene: Scene, motion: Motion, sound: Sound, listener: Listener, tone: RisingTone | None, error: float = 0.0
+    scene: Scene,
+    motion: Motion,
+    sound: Sound,
+    listener: Listener,
+    tone: RisingTone | None,
+    error: float = 0.0,
 ) -> list[Finding]:
-    """Every claim on a wavy table, or the sound of an elastic one: none of a rigid one, nor on an end that was not
-    reached.
+    """Every claim on a wavy table, or the sound of an elastic one: none of a rigid one, nor on an
+    end that was not reached.
 
-    `tone` is the rising tone of the whole sound, or None; `error` the relative one of the sound, in quadratic mean.
-    """
+    `tone` is the rising tone of the whole sound, or None; `error` the relative one of the sound, in
+    quadratic mean."""
     found = motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
-    apart = scene.roughness is None or scene.contact.law == "rigid"  # else the contact's stem is the table's as well
+    apart = (
+        scene.roughness is None or scene.contact.law == "rigid"
+    )  # else the contact's stem is the table's as well
     found += [table_is_louder(motion, sound, error)] if apart else []
     found += [radiation_takes_little(motion, sound, listener, error)]
-    found += [waves_become_heat(motion, sound, listener)] if two_ways.two_way(motion) else []
+    found += [waves_become_heat(motion, sound, listener)] if two_way.two_way(motion) else []
     if sound.table_energy is not None:  # an endless plate holds none
-        found += [table_takes_little(motion, sound, error), table_takes_a_hundredth(motion, sound, error)]
+        found += [
+            table_takes_little(motion, sound, error),
+            table_takes_a_hundredth(motion, sound, error),
+        ]
     if motion.outcome.name not in ENDS:
         return found
     carries = [table_carries_the_tone(sound, tone, error)] if tone is not None and apart else []
@@ -55,28 +66,34 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
 @finding(
     "The waves of the table break the contact where they outweigh the inclination",
     "inclination at the first loss of contact over (n^2 - 1) amplitude/radius",
-    "section 8: the vibrations will result in a loss of contact; here the waves are those of the table",
+    "section 8: the vibrations will result in a loss of contact; here the waves are those of the "
+    "table",
+    needs=("scene", "motion"),
     at_least=0.7,
     at_most=1.8,
 )
 def waves_break_contact(scene: Scene, motion: Motion) -> float:
     """The inclination at which contact is first lost over (n^2 - 1) delta/R; 0 if it never is.
 
-    There a plane rim can no longer stand in a trough: along it a wave h bends up by h + h'' = (n^2 - 1) delta, and the
-    rim of a disk of inclination beta by beta R, both against the circle that any tilt would follow.
-    """
-    lost, waves = motion.contact_losses, scene.imperfection
+    There a plane rim can no longer stand in a trough: along it a wave h bends up by h + h'' = (n^2
+    - 1) delta, and the rim of a disk of inclination beta by beta R, both against the circle that
+    any tilt would follow."""
+    lost = motion.contact_losses
+    waves = scene.imperfection
     scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius if waves else np.inf
     return float(motion.at([lost[0].t])[0, 1]) / scale if lost else 0.0
 
 
 def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:
-    """Return the A-weighted mean square [Pa^2] of every stem in each second from begin to end [s], (t,) each."""
+    """Return the A-weighted mean square [Pa^2] of every stem in each second from begin to end [s],
+    (t,) each."""
     found = {}
     for name, stem in sound.stems.items():
         seen = spectrogram(stem, WINDOW, span=(begin, end))
         power = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
-        found[name] = np.array([part.mean() for part in np.array_split(power, max(len(power) // SECOND, 1))])
+        found[name] = np.array(
+            [part.mean() for part in np.array_split(power, max(len(power) // SECOND, 1))]
+        )
     return found
 
 
@@ -84,36 +101,46 @@ def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]
     "The table, and not the disk, is what is heard",
     "dB(A), table over disk in a second, median over the motion",
     "section 1: vibrations of disk and surface",
+    needs=("motion", "sound"),
     at_least=0.0,
 )
-def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> tuple[float, float]:
-    """The level of the table over that of everything else in a second, median over the motion [dB(A)]."""
+def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measured:
+    """The level of the table over that of everything else in a second, median over the motion
+    [dB(A)]."""
     levels = stem_levels(sound, sound.source_end - motion.t[-1], sound.source_end)
     table = levels.pop("table")
-    return float(np.median(level_db(table) - level_db(sum(levels.values())))), 20 * np.log10(1 + error)
+    louder = float(np.median(level_db(table) - level_db(sum(levels.values()))))
+    return Measured(louder, 20 * np.log10(1 + error))
 
 
 @finding(
     "The tone of the table rises",
     "times over the ridge that is heard in its stem alone; 1 if none stands out",
     "section 8: the frequencies rise; a point of the table hears n times the precession",
+    needs=("sound",),
     at_least=2.0,
 )
-def table_tone_rises(sound: Sound) -> tuple[float, float]:
-    """The frequency of the rising tone in the sound of the table alone, at its end over that at its beginning."""
+def table_tone_rises(sound: Sound) -> Measured:
+    """The frequency of the rising tone in the sound of the table alone, at its end over that at its
+    beginning."""
     tone = rising_tone(sound.track("table").read().astype(float), sound.sample_rate)
-    factor = tone.factor if tone else 1.0
-    return factor, 2 * factor * np.log(factor) * tone.exponent_error / tone.exponent if tone else 0.0
+    if tone is None:
+        return Measured(1.0)
+    return Measured(
+        tone.factor, 2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent
+    )
 
 
 @finding(
     "The rising tone of the last second is the table's",
     "dB, table over disk in the third octave of the tone",
     "abstract: the vibrations of disk and surface are the sound",
+    needs=("tone", "sound"),
     at_least=0.0,
 )
-def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> tuple[float, float]:
-    """The level of the table over that of everything else in the third octave of the tone, in the last second [dB]."""
+def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
+    """The level of the table over that of everything else in the third octave of the tone, in the
+    last second [dB]."""
     table = rest = 0.0
     for name, stem in sound.stems.items():
         seen = spectrogram(stem, WINDOW, span=(max(sound.source_end - LAST, 0.0), sound.source_end))
@@ -121,17 +148,19 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> tuple[floa
         near = np.abs(np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)) < np.log(THIRD)
         power = float((seen.power * near).sum())
         table, rest = (table + power, rest) if name == "table" else (table, rest + power)
-    return float(level_db(table) - level_db(rest)), 20 * np.log10(1 + error)
+    return Measured(float(level_db(table) - level_db(rest)), 20 * np.log10(1 + error))
 
 
 @finding(
     "The table takes too little energy to act back on the motion",
     "s before the end when the modes of the table first hold as much energy as the disk",
     "section 8: the vibrations will result in a loss of contact; here they do not act back",
+    needs=("motion", "sound"),
     at_most=0.0,
 )
 def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
-    """When the modes of the table first hold as much energy as the disk, while they do not act back on it."""
+    """When the modes of the table first hold as much energy as the disk, while they do not act back
+    on it."""
     return since_as_much(motion, sound.energy_time, sound.table_energy, error)
 
 
@@ -139,6 +168,7 @@ def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
     "The table may be left out of the motion until the last half second",
     f"s before the end when the modes of the table first hold {ACTS:.0%} of the energy of the disk",
     "energy of a motion on a rigid table, and of the modes that its force drives",
+    needs=("motion", "sound"),
     at_most=0.5,
 )
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
@@ -147,14 +177,20 @@ def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
 
 
 def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (e,) [s] of the last TAIL of a motion and the power (e,) [W] that its table radiates then.
+    """Return times (e,) [s] of the last TAIL of a motion and the power (e,) [W] that its table
+    radiates then.
 
     2 pi r^2 p^2/(rho c), as loud in every direction as at the listener.
     """
-    air, rate = listener.air, sound.sample_rate
+    air = listener.air
+    rate = sound.sample_rate
     first = int(max(sound.source_end - TAIL, 0.0) * rate)
     pressure = sound.track("table").read(first).astype(float)
-    power = 2 * np.pi * listener.distance**2 * pressure**2 / (air.density * air.sound_speed)
+    impedance = air.density * air.sound_speed
+    per_square = (
+        2 * np.pi * listener.distance**2 / impedance if impedance else 0.0
+    )  # nothing radiates in a vacuum
+    power = per_square * pressure**2
     return (first + np.arange(len(power))) / rate - listener.delay, power
 
 
@@ -162,28 +198,33 @@ def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.nda
     "What the waves of the table take becomes heat in it, and little of it sound",
     "of what the modes of the table lose until the end is radiated",
     "balance of energy of a table that acts back",
+    needs=("motion", "sound"),
     at_most=0.5,
 )
-def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> tuple[float, float]:
-    """The energy that a table which acts back radiates, over what its modes lose, until the disk lies flat.
+def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measured:
+    """The energy that a table which acts back radiates, over what its modes lose, until the disk
+    lies flat.
 
     The sound is as loud all round as at the listener, which is right to a factor of two.
     """
     heard = radiated_power(sound, listener)
-    begin = max(heard[0][0], two_ways.two_way(motion)[1])
-    budget = two_ways.energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
+    begin = max(heard[0][0], two_way.two_way(motion)[1])
+    budget = two_way.energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
     lost = budget.lost["table"][-1]
     share = float(budget.sound[-1] / lost) if lost > 0 else 0.0
-    return share, share
+    return Measured(share, share)
 
 
 @finding(
     "The energy of the disk is enough for the sound of the table",
     "s before the end from when on the table would radiate more than the disk has",
     "balance of energy: a table that sounds so must act back",
+    needs=("motion", "sound"),
     at_most=0.0,
 )
-def radiation_takes_little(motion: Motion, sound: Sound, listener: Listener, error: float = 0.0) -> tuple[float, float]:
+def radiation_takes_little(
+    motion: Motion, sound: Sound, listener: Listener, error: float = 0.0
+) -> Measured:
     """When what the table goes on to radiate is first more than the energy of the disk."""
     t, power = radiated_power(sound, listener)
     still = np.cumsum(power[::-1])[::-1] / sound.sample_rate

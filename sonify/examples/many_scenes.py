@@ -1,14 +1,20 @@
-"""A loop over scenes: how long the disk runs and how loud it gets, by the arm of its rolling friction."""
+"""A loop over scenes: how long the disk runs and how loud it gets, by the arm of its rolling
+friction."""
 
 from sonify import load_scene, solve, summary
 
 
 def main() -> list[dict]:
     """Solve a draft for each arm, print one line for each, return the rows of the table."""
-    scene, rows = load_scene("published").replace("release.inclination_deg=3", "release.omega=[0.0, 1.3, 7.4]"), []
+    scene = load_scene("published").replace(
+        "release.inclination_deg=3", "release.omega=[0.0, 1.3, 7.4]"
+    )
+    rows = []
     for arm in (3e-4, 5e-4, 1e-3):
         row = summary(solve(scene.replace(f"friction.arm_rolling={arm}"), accuracy="draft"))
-        print(f"arm {arm:.0e} m: {row['t_end']:6.2f} s, {row['peak_pascal']:.4f} Pa, {row['outcome']}")
+        print(
+            f"arm {arm:.0e} m: {row['t_end']:6.2f} s, {row['peak_pascal']:.4f} Pa, {row['outcome']}"
+        )
         rows.append(row)
     return rows
 

@@ -1,4 +1,5 @@
-"""A table of modes: the published disk, free as if it were hung from a thread, and how long each mode rings."""
+"""A table of modes: the published disk, free as if it were hung from a thread, and how long each
+mode rings."""
 
 from modal import Modes, eigenmodes
 from sonify import load_scene

@@ -1,4 +1,5 @@
-"""One motion: when the published disk stops, how often it slips, and what it does one second before."""
+"""One motion: when the published disk stops, how often it slips, and what it does one second
+before."""
 
 from dynamics import Motion, simulate
 from sonify import load_scene
@@ -10,7 +11,8 @@ def main() -> Motion:
     end = motion.t[-1]
     print(f"{motion.outcome.sentence}: at {end:.3f} s")
     print(f"slides: {sum(change.after.startswith('slide') for change in motion.transitions)}")
-    state, force = motion.at([end - 1.0])[0], motion.force([end - 1.0])[0]
+    state = motion.at([end - 1.0])[0]
+    force = motion.force([end - 1.0])[0]
     print(f"a second before: inclination {state[1]:.4f} rad, normal force {force[2]:.3f} N")
     return motion
 

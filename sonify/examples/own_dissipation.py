@@ -1,7 +1,7 @@
 """A law of dissipation of your own: turbulent drag takes the power c |Omega|^3 from the disk.
 
-A law returns dimensionless loads: masses in that of the disk, lengths in its radius, times in its `time_unit`.
-"""
+A law returns dimensionless loads: masses in that of the disk, lengths in its radius, times in its
+`time_unit`."""
 
 from dataclasses import dataclass
 
@@ -15,21 +15,26 @@ DRAG = 1e-9
 
 @dataclass(frozen=True)
 class Turbulent(OwnLaw):
-    """The moment -c Omega |Omega| / cos(alpha) about e_3, whose power is that of the law; `drag` is dimensionless."""
+    """The moment -c Omega |Omega| / cos(alpha) about e_3, whose power is that of the law; `drag` is
+    dimensionless."""
 
     drag: float
 
     def __call__(self, beta, omega, slip, law, flow) -> Loads:
-        """Return the loads at inclination beta and angular velocity omega; `flow` has the functions to use."""
+        """Return the loads at inclination beta and angular velocity omega; `flow` has the functions
+        to use."""
         cos_a = flow.sin(beta)
         rate = omega[2] / cos_a
         return Loads(M3=-self.drag * rate * flow.power(rate * rate, 0.5) / cos_a)
 
 
 def main() -> Motion:
-    """Solve the published motion without and with the drag, print how long each lasts, return the latter."""
+    """Solve the published motion without and with the drag, print how long each lasts, return the
+    latter."""
     scene = load_scene("published").replace("numerics.accuracy=draft")
-    inertia = scene.disk.weight / GRAVITY * scene.disk.radius**2  # the unit of c [kg m^2]: times cancel in it
+    inertia = (
+        scene.disk.weight / GRAVITY * scene.disk.radius**2
+    )  # the unit of c [kg m^2]: times cancel in it
     slowed = simulate(scene, loads=Turbulent(DRAG / inertia))
     print(f"{simulate(scene).t[-1]:.3f} s without, {slowed.t[-1]:.3f} s with the drag")
     return slowed

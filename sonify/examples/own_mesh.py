@@ -21,7 +21,9 @@ def disk(path: Path, radius: float = 0.03755, thickness: float = 0.0128) -> Path
     side = np.linspace(-1, 1, 7)
     mesh = MeshHex.init_tensor(side, side, np.linspace(-thickness / 2, thickness / 2, 3))
     x, y, z = mesh.p
-    points = np.column_stack([radius * x * np.sqrt(1 - y**2 / 2), radius * y * np.sqrt(1 - x**2 / 2), z])
+    points = np.column_stack(
+        [radius * x * np.sqrt(1 - y**2 / 2), radius * y * np.sqrt(1 - x**2 / 2), z]
+    )
     meshio.Mesh(points, [("hexahedron", mesh.t.T[:, [0, 1, 4, 2, 3, 5, 7, 6]])]).write(path)
     return path
 

@@ -1,4 +1,5 @@
-"""A recording of your own: whether a tone rises in it, when it ends, and by which power of the time left.
+"""A recording of your own: whether a tone rises in it, when it ends, and by which power of the time
+left.
 
 Without a file, one is made whose answer is known: the tone rises as 60 Hz s / (4 s - t).
 """
@@ -31,7 +32,9 @@ def main(path: Path | None = None) -> Heard:
     if heard.tone is None:
         print("no tone rises")
     else:
-        print(f"a tone rises until {heard.tone.end:.3f} s as (t_end - t)^-{heard.tone.exponent:.3f}")
+        print(
+            f"a tone rises until {heard.tone.end:.3f} s as (t_end - t)^-{heard.tone.exponent:.3f}"
+        )
     for carrier in heard.carriers:
         print(f"a steady tone at {carrier.frequency:.2f} Hz")
     return heard

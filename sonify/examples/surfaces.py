@@ -1,7 +1,7 @@
-"""Was the paper right? It depends on the surface: five scenes, and what their findings say, as the README shows it."""
+"""Was the paper right? Print the table of the README from the findings of five scenes."""
 
 from sonify import solve
-from sonify.claims.answers import SURFACES, answer_table
+from sonify.claims.surface_summary import SURFACES, answer_table
 
 
 def main(accuracy: str = "standard") -> str:

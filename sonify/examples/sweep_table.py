@@ -1,4 +1,5 @@
-"""A sweep and its table: how often the disk slips, by the arm of its rolling friction and by Coulomb friction."""
+"""A sweep and its table: how often the disk slips, by the arm of its rolling friction and by
+Coulomb friction."""
 
 import pandas as pd
 
@@ -9,14 +10,21 @@ SWEEP = {
     "accuracy": "draft",
     "set": ["release.inclination_deg=3", "release.omega=[0.0, 1.3, 7.4]"],
     "find": ["repeated_slips"],
-    "axes": {"friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 2}, "friction.mu_static": [0.3, 0.5]},
+    "axes": {
+        "friction.arm_rolling": {"from": 1e-3, "to": 3e-3, "n": 2},
+        "friction.mu_static": [0.3, 0.5],
+    },
 }
 
 
 def main(out: str = "outputs/sweeps/slips") -> pd.DataFrame:
     """Run what is missing of the sweep, print the slips as a cross-table, return all rows."""
     table = pd.read_parquet(sweep(SWEEP, out=out))
-    print(table.pivot(index="friction.arm_rolling", columns="friction.mu_static", values="repeated_slips"))
+    print(
+        table.pivot(
+            index="friction.arm_rolling", columns="friction.mu_static", values="repeated_slips"
+        )
+    )
     return table
 
 

@@ -1,4 +1,5 @@
-"""A table of your own: the mesh of a top on four feet, which a scene names with [surface] kind = "mesh".
+"""A table of your own: the mesh of a top on four feet, which a scene names with [surface] kind =
+"mesh".
 
 The file that comes with the scene wood-table is made by this.
 """
@@ -11,19 +12,25 @@ import meshio
 import numpy as np
 
 LENGTH, WIDTH, TOP, FEET = 0.6, 0.4, (-0.02, 0.0), (-0.04, -0.035, -0.025, -0.02)
-"""Sizes, and the heights between layers of cells [m]: thin ones where the feet stand, and where they meet the top."""
+"""Sizes, and the heights between layers of cells [m]: thin ones where the feet stand, and where
+they meet the top."""
 CELLS = 15, 10
 """Along length and width; the four feet stand under the cells next to the corners, one each."""
 RINGS = 1.4, 1.0, 0.6
-"""Squares about the middle of a foot, of whose size one is, with cells between them: small ones along its sides."""
+"""Squares about the middle of a foot, of whose size one is, with cells between them: small ones
+along its sides."""
 AROUND = ((0, 0), (1, 0), (1, 1), (0, 1))
 Corner = tuple[int, int, float]
-"""Numbers of a corner along length and width, and on which ring it is about the foot there, if one is."""
+"""Numbers of a corner along length and width, and on which ring it is about the foot there, if one
+is."""
 
 
 def table(path: Path) -> Path:
     """Write hexahedra (c, 8) on points (p, 3) [m], the top face at z = 0, with a surface "feet"."""
-    x, y = (np.linspace(-size / 2, size / 2, n + 1) for size, n in zip((LENGTH, WIDTH), CELLS, strict=True))
+    x, y = (
+        np.linspace(-size / 2, size / 2, n + 1)
+        for size, n in zip((LENGTH, WIDTH), CELLS, strict=True)
+    )
     feet = [(i, j) for i in (1, CELLS[0] - 2) for j in (1, CELLS[1] - 2)]
     foot_of = {(i + a, j + b): (i, j) for i, j in feet for a, b in AROUND}
     numbers: dict[tuple[int, int, float, float], int] = {}
@@ -34,7 +41,11 @@ def table(path: Path) -> Path:
 
     def place(i: int, j: int, ring: float, z: float) -> list[float]:
         a, b = foot_of.get((i, j), (i, j))
-        middle = np.array([x[a : a + 2].mean(), y[b : b + 2].mean()]) if (i, j) in foot_of else np.zeros(2)
+        middle = (
+            np.array([x[a : a + 2].mean(), y[b : b + 2].mean()])
+            if (i, j) in foot_of
+            else np.zeros(2)
+        )
         return [*(middle + ring * (np.array([x[i], y[j]]) - middle)), z]
 
     def square(i: int, j: int, ring: float) -> list[Corner]:
@@ -42,17 +53,28 @@ def table(path: Path) -> Path:
 
     def hexahedra(squares: list[list[Corner]], heights: tuple[float, ...]) -> list[list[int]]:
         layers = pairwise(heights)
-        return [[number(corner, z) for z in pair for corner in corners] for pair in layers for corners in squares]
+        return [
+            [number(corner, z) for z in pair for corner in corners]
+            for pair in layers
+            for corners in squares
+        ]
 
-    rest = [square(i, j, RINGS[0]) for i in range(CELLS[0]) for j in range(CELLS[1]) if (i, j) not in feet]
+    rest = [
+        square(i, j, RINGS[0])
+        for i in range(CELLS[0])
+        for j in range(CELLS[1])
+        if (i, j) not in feet
+    ]
     around: list[list[Corner]] = []
     within = [square(*foot, RINGS[-1]) for foot in feet]
     for outer, inner in pairwise(RINGS):
         for foot in feet:
-            out, inside = square(*foot, outer), square(*foot, inner)
+            out = square(*foot, outer)
+            inside = square(*foot, inner)
             sides = [[out[k - 1], out[k], inside[k], inside[k - 1]] for k in range(4)]
             (around if outer > 1 else within).extend(sides)
-    top, legs = hexahedra(rest + around + within, TOP), hexahedra(within, FEET)
+    top = hexahedra(rest + around + within, TOP)
+    legs = hexahedra(within, FEET)
     stand = [[number(corner, FEET[0]) for corner in corners] for corners in within]
     tags = [np.full(len(top) + len(legs), 1), np.full(len(stand), 2)]
     mesh = meshio.Mesh(

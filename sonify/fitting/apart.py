@@ -7,13 +7,14 @@ from queue import SimpleQueue
 from typing import Any
 
 from sonify.hearing.recording import RecordingError
-from sonify.process import GoneError, asked, ended, started
+from sonify.runtime.signals import GoneError, asked, ended, started
 
 
 def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
-    """Yield `function(*task)` for every task, in order, from `count` processes. Raises what it raises."""
+    """Yield `function(*task)` for every task, in order, from `count` processes. Raises what it
+    raises."""
     idle: SimpleQueue = SimpleQueue()
-    processes = [started(sys.executable, "sonify.process") for _ in range(count)]
+    processes = [started(sys.executable, "sonify.runtime.signals") for _ in range(count)]
     for process in processes:
         idle.put(process)
 

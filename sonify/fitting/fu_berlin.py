@@ -1,9 +1,10 @@
-"""RECORDING -> EXPONENT AS PUBLISHED: the chain of a group that fits ridges by hand, to compare like with like.
+"""RECORDING -> EXPONENT AS PUBLISHED: the chain of a group that fits ridges by hand, to compare
+like with like.
 
-Band-pass (FIR), Hilbert envelope, decimation to 960 Hz, high-pass at 3 Hz, a spectrogram of 512-point Hamming windows
-every 12 samples, the maximum of each column, and a straight line through log Omega against log(t0 - t): FU Berlin,
-2026. Its window of 0.53 s reads the exponent 1/3 as 0.30 over a whole run and as 0.26 over its last four seconds.
-"""
+Band-pass (FIR), Hilbert envelope, decimation to 960 Hz, high-pass at 3 Hz, a spectrogram of
+512-point Hamming windows every 12 samples, the maximum of each column, and a straight line through
+log Omega against log(t0 - t): FU Berlin, 2026. Its window of 0.53 s reads the exponent 1/3 as 0.30
+over a whole run and as 0.26 over its last four seconds."""
 
 from typing import NamedTuple
 
@@ -22,7 +23,8 @@ CLOSEST = 0.02
 
 
 class Exponent(NamedTuple):
-    """The exponent of Omega in the time left over a stretch, its standard error, and how many columns gave it."""
+    """The exponent of Omega in the time left over a stretch, its standard error, and how many
+    columns gave it."""
 
     value: float
     error: float
@@ -30,12 +32,15 @@ class Exponent(NamedTuple):
 
 
 def exponents(samples, rate: float, end: float, band=BAND) -> dict[str, Exponent]:
-    """Return the exponents over WINDOWS of samples (n,) at `rate` [Hz] of a disk that ends at `end` [s].
+    """Return the exponents over WINDOWS of samples (n,) at `rate` [Hz] of a disk that ends at `end`
+    [s].
 
     Raises ValueError if the rate does not hold the `band` [Hz].
     """
     if rate < 2.2 * band[1]:
-        raise ValueError(f"{rate:g} samples a second do not hold the band of {band[0]:g} to {band[1]:g} Hz")
+        raise ValueError(
+            f"{rate:g} samples a second do not hold the band of {band[0]:g} to {band[1]:g} Hz"
+        )
     high = oaconvolve(samples, firwin(TAPS, band, pass_zero=False, fs=rate), mode="same")
     envelope = np.abs(hilbert(high))
     down = max(int(rate // RATE), 1)

@@ -6,24 +6,26 @@ from typing import Any
 
 import numpy as np
 
-from sonify.files import claimed, numbered, whole
-from sonify.fitting.decline import left_out
-from sonify.fitting.ear import shares_of_power
-from sonify.fitting.estimate import LAST, in_words
+from sonify.fitting.decay_model import left_out
 from sonify.fitting.fu_berlin import THEIRS
+from sonify.fitting.least_squares import LAST, in_words
+from sonify.fitting.line_selection import shares_of_power
 from sonify.fitting.result import Fits, Fitted
-from sonify.report.figure import figure_at
+from sonify.report.figure import figure_at, legend_above, plain_decades
 from sonify.report.recording import carrier_numbers
 from sonify.report.write import finite, write_json
+from sonify.runtime.files import claimed, numbered, whole
 
 NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
 """What a law takes that was not sought, as the film in a vacuum."""
 PANELS, DRAWN = 6, 120
-"""Recordings in the picture at most, the first; as likely declines in the band of a fit, at most about."""
+"""Recordings in the picture at most, the first; as likely declines in the band of a fit, at most
+about."""
 
 
 def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
-    """Write fit.json, fit.csv, fit.png and fit.md into `out`, return the folder. Raises OutputError."""
+    """Write fit.json, fit.csv, fit.png and fit.md into `out`, return the folder. Raises
+    OutputError."""
     with claimed(out or own_folder(fits.files[0].file)) as folder:
         write_json(finite(as_json(fits)), folder / "fit.json")
         with whole(folder / "fit.png") as temporary:
@@ -36,15 +38,21 @@ def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
 
 
 def own_folder(file: str) -> Path:
-    """Return outputs/fit/<name of the recording>, or <name>-2, ... where the folder before is there already."""
-    return numbered(Path("outputs") / "fit" / Path(file).stem, lambda folder: not (folder / "fit.json").exists())
+    """Return outputs/fit/<name of the recording>, or <name>-2, ... where the folder before is there
+    already."""
+    return numbered(
+        Path("outputs") / "fit" / Path(file).stem, lambda folder: not (folder / "fit.json").exists()
+    )
 
 
 def as_json(fits: Fits) -> dict[str, Any]:
     """Return what fit.json holds."""
     end = asdict(fits.pool.value(0)) if len(fits.files) == 1 else None
     pool = {"t_end": end} | _values(fits.values()) | {"verdict": fits.verdict}
-    shares = {name: list(share) for name, share in shares_of_power(fits.files[0].judged.decline, fits.pool).items()}
+    shares = {
+        name: list(share)
+        for name, share in shares_of_power(fits.files[0].judged.decline, fits.pool).items()
+    }
     files = [_one(f, fits.resonances) for f in fits.files]
     return {
         "scene": fits.scene.name,
@@ -55,9 +63,11 @@ def as_json(fits: Fits) -> dict[str, Any]:
 
 
 def _one(fitted: Fitted, known) -> dict[str, Any]:
-    judged, rates = fitted.judged, fitted.judged.fit.heard[0].rates
+    judged = fitted.judged
+    rates = fitted.judged.fit.heard[0].rates
     head = {"file": fitted.file, "t_end": asdict(judged.fit.value(0))} | _values(judged.values())
     return head | {
+        "truncation": asdict(fitted.truncation) if fitted.truncation else None,
         "verdict": judged.verdict,
         "contour_friction_fits": judged.contour_fits,
         "explained": judged.explained,
@@ -83,13 +93,22 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
 
 def _values(values) -> dict[str, Any]:
     """Values by name; `rolling` and `air` always."""
-    return dict.fromkeys(("rolling", "air"), NOTHING) | {name: asdict(v) for name, v in values.items()}
+    return dict.fromkeys(("rolling", "air"), NOTHING) | {
+        name: asdict(v) for name, v in values.items()
+    }
 
 
 def table(fits: Fits, separator: str = " | ") -> list[str]:
     """Return a line for every recording, and one for all together."""
-    lines = [separator.join(("recording", "t_end [s]", "rolling", "low", "high", "air", "low", "high", "verdict"))]
-    rows = [(f.file, f.judged.fit.value(0).value, f.judged.values(), f.judged.verdict) for f in fits.files]
+    lines = [
+        separator.join(
+            ("recording", "t_end [s]", "rolling", "low", "high", "air", "low", "high", "verdict")
+        )
+    ]
+    rows = [
+        (f.file, f.judged.fit.value(0).value, f.judged.values(), f.judged.verdict)
+        for f in fits.files
+    ]
     if len(rows) > 1:
         rows.append(("together", None, fits.values(), fits.verdict))
     for name, end, values, verdict in rows:
@@ -98,7 +117,11 @@ def table(fits: Fits, separator: str = " | ") -> list[str]:
             for v in (_values(values)[k] for k in ("rolling", "air"))
             for x in (v["value"], v["low"], v["high"])
         ]
-        lines.append(separator.join((Path(name).name, "" if end is None else f"{end:.4f}", *numbers, verdict)))
+        lines.append(
+            separator.join(
+                (Path(name).name, "" if end is None else f"{end:.4f}", *numbers, verdict)
+            )
+        )
     return lines
 
 
@@ -111,7 +134,8 @@ def sentences(fits: Fits) -> list[str]:
 
 
 def _of_one(fitted):
-    judged, end = fitted.judged, fitted.judged.fit.value(0)
+    judged = fitted.judged
+    end = fitted.judged.fit.value(0)
     told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.2%}"
     yield f"{fitted.file}: {judged.verdict}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
     yield f"  {in_words(judged.values())}"
@@ -123,21 +147,43 @@ def _of_one(fitted):
     for null in fitted.nulls:
         yield f"  null test: a disk slowed by {null.truth} alone, with the same noise, is called: {null.verdict}"
     for name, e in (fitted.published_way or {}).items():
-        theirs = "; theirs on granite {:.3f}, one run ± {:.3f}".format(*THEIRS[name]) if name in THEIRS else ""
+        theirs = (
+            "; theirs on granite {:.3f}, one run ± {:.3f}".format(*THEIRS[name])
+            if name in THEIRS
+            else ""
+        )
         yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f}, {e.columns} columns{theirs}"
 
 
 def _carriers(fits: Fits) -> list[str]:
     """Return a line for every carrier in the first recordings, and what it is a resonance of."""
-    head = ("recording", "carrier [Hz]", "level [dB]", "spread [cents]", "drift [cents/s]", "from, to [s]", "near")
-    rows = [(f.file, carrier_numbers(carrier, fits.resonances)) for f in fits.files[:PANELS] for carrier in f.carriers]
+    head = (
+        "recording",
+        "carrier [Hz]",
+        "level [dB]",
+        "spread [cents]",
+        "drift [cents/s]",
+        "from, to [s]",
+        "near",
+    )
+    rows = [
+        (f.file, carrier_numbers(carrier, fits.resonances))
+        for f in fits.files[:PANELS]
+        for carrier in f.carriers
+    ]
     return [" | ".join(head)] + [_carrier(Path(name).name, c) for name, c in rows]
 
 
 def _carrier(name, c):
-    near = ["{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"])] if c["matched"] else []
+    near = (
+        ["{of}, {cents:+.1f} cents from {frequency:.1f} Hz".format(**c["matched"])]
+        if c["matched"]
+        else []
+    )
     drift = f"{c['drift']:.2f} ± {c['drift_error']:.2f}, {c['course']}"
-    place = f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
+    place = (
+        f"{c['frequency']:.2f} ± {c['error']:.2f} | {c['level']:.0f} | {c['spread']:.1f} | {drift}"
+    )
     near += [] if c["heard"] else ["heard by its sidebands alone"]
     near += [f"a band of noise that reaches {c['reach']:.0f} cents"] if c["reach"] else []
     return f"{name} | {place} | {c['begin']:.2f}, {c['end']:.2f} | {'; '.join(near)}"
@@ -145,7 +191,12 @@ def _carrier(name, c):
 
 def page(fits: Fits) -> str:
     """Return a short page, Markdown."""
-    lines = [f"# What slowed the disk '{fits.scene.name}'", "", *(f"* {s.strip()}" for s in sentences(fits)), ""]
+    lines = [
+        f"# What slowed the disk '{fits.scene.name}'",
+        "",
+        *(f"* {s.strip()}" for s in sentences(fits)),
+        "",
+    ]
     lines += ["![heard and fitted](fit.png)", "", *_as_markdown(table(fits))]
     if any(fitted.carriers for fitted in fits.files[:PANELS]):
         lines += ["", "Carriers, and the resonances of the scene that they are near:", ""]
@@ -155,40 +206,58 @@ def page(fits: Fits) -> str:
 
 def _as_markdown(rows):
     """A table, of which the first row is the head."""
-    return [f"| {rows[0]} |", "|---" * len(rows[0].split(" | ")) + "|", *(f"| {row} |" for row in rows[1:])]
+    return [
+        f"| {rows[0]} |",
+        "|---" * len(rows[0].split(" | ")) + "|",
+        *(f"| {row} |" for row in rows[1:]),
+    ]
 
 
 def draw(fits: Fits, path: Path):
-    """Draw for each recording the rates heard and fitted against the time left, and how far they are apart."""
+    """Draw for each recording the rates heard and fitted against the time left, and how far they
+    are apart."""
     shown = fits.files[:PANELS]
-    with figure_at(path, 2, len(shown), (max(4.5 * len(shown), 7), 7), sharex="col", squeeze=False) as (_, axes):
+    with figure_at(
+        path, 2, len(shown), (max(4.5 * len(shown), 7), 7), sharex="col", squeeze=False
+    ) as (_, axes):
         for (above, below), fitted in zip(axes.T, shown, strict=True):
             _draw_one(above, below, fitted)
-        axes[0, 0].set_ylabel(f"{shown[0].judged.line}, periods a second [Hz]")
-        axes[1, 0].set_ylabel("heard over fitted - 1 [%]")
 
 
 def _draw_one(above, below, fitted):
-    one, decline = fitted.judged.fit, fitted.judged.decline
+    one = fitted.judged.fit
+    decline = fitted.judged.decline
     rates = one.heard[0].rates
     left = one.ends[0] - rates.time
     fitted_rate = rates.frequency / np.exp(one.residual[: len(left)])
-    at, order = np.geomspace(left.min(), left.max(), 200), np.argsort(left)
-    drawn = np.array([_drawn(decline, one, d, at) for d in one.draws[:: max(len(one.draws) // DRAWN, 1)]])
+    at = np.geomspace(left.min(), left.max(), 200)
+    order = np.argsort(left)
+    drawn = np.array(
+        [_drawn(decline, one, d, at) for d in one.draws[:: max(len(one.draws) // DRAWN, 1)]]
+    )
     low, high = np.percentile(drawn / np.median(drawn, axis=0) - 1, [2.5, 97.5], axis=0)
-    above.errorbar(left, rates.frequency, rates.error, fmt=".", color="#0072b2", label="heard, from the phase")
-    above.plot(left[order], fitted_rate[order], color="#d55e00", label=f"fitted: {fitted.judged.verdict}")
-    above.set(xscale="log", yscale="log", title=Path(fitted.file).name)
+    above.errorbar(
+        left, rates.frequency, rates.error, fmt=".", color="#0072b2", label="heard, from the phase"
+    )
+    above.plot(
+        left[order], fitted_rate[order], color="#d55e00", label=f"fitted: {fitted.judged.verdict}"
+    )
+    above.set(xscale="log", yscale="log", xlabel="time left [s]")
+    above.set_ylabel(f"{fitted.judged.line}, periods a second [Hz]")
+    above.set_title(f"{Path(fitted.file).name}\n", loc="left")  # its legend is below
+    above.tick_params(labelbottom=True)
     above.yaxis.set_major_formatter("{x:g}")
     above.yaxis.set_minor_formatter("{x:g}")
-    above.legend(fontsize=8)
-    below.fill_between(at, 100 * low, 100 * high, color="#d55e00", alpha=0.25, label="95 % of the fit")
+    legend_above(above, frameon=False)
+    below.fill_between(
+        at, 100 * low, 100 * high, color="#d55e00", alpha=0.25, label="95 % of the fit"
+    )
     below.errorbar(left, 100 * np.expm1(one.residual), 100 * one.sigma, fmt=".", color="#0072b2")
     below.axhline(0.0, color="#d55e00", lw=1)
-    below.set(xlabel="time left [s]")
-    below.xaxis.set_major_formatter("{x:g}")
+    below.set(xlabel="time left [s]", ylabel="heard over fitted - 1 [%]")
+    plain_decades(below.xaxis)
     below.invert_xaxis()
-    below.legend(fontsize=8)
+    legend_above(below, frameon=False)
 
 
 def _drawn(decline, one, draw, at):

@@ -1,20 +1,22 @@
-"""FILES + SCENE -> FITTED: each recording by itself, all of them together, and what else could have been heard."""
+"""FILES + SCENE -> FITTED: each recording by itself, all of them together, and what else could have
+been heard."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from modal.one_thread import one_blas_thread
-from sonify.fitting import estimate
+from modal.blas_threads import one_blas_thread
+from sonify.fitting import least_squares
 from sonify.fitting.apart import each
-from sonify.fitting.decline import Decline
-from sonify.fitting.ear import Judged, heard, judge, verdict_of
-from sonify.fitting.estimate import FLOOR, Fit, Value, in_words, pooled
+from sonify.fitting.decay_model import Decline
 from sonify.fitting.fu_berlin import Exponent, exponents
-from sonify.fitting.null import Null, null_tests
-from sonify.fitting.readings import recorded, source, takes
-from sonify.hearing.carriers import Carrier, carriers
+from sonify.fitting.least_squares import FLOOR, Fit, Value, in_words, pooled
+from sonify.fitting.line_selection import Judged, heard, judge, verdict_of
+from sonify.fitting.null_test import Null, null_tests
+from sonify.fitting.recordings_io import recorded, source, takes
+from sonify.hearing.audio_source import Truncation, truncation_of
 from sonify.hearing.recording import RecordingError
+from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene import Scene, from_document, load_scene
 
 WRONG = (0.9, 1.1)
@@ -27,7 +29,8 @@ WORKERS, MANY = 2, 3
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fitted:
-    """One recording: what was `judged` of it, the null tests, whether a radius 10 % off would show, its carriers."""
+    """One recording: what was `judged` of it, the null tests, whether a radius 10 % off would show,
+    its carriers, and how much of it is there if its file was cut off."""
 
     file: str
     judged: Judged
@@ -35,6 +38,7 @@ class Fitted:
     radius_shows: bool
     carriers: list[Carrier]
     published_way: dict[str, Exponent] | None = None
+    truncation: Truncation | None = None
 
     def __repr__(self):
         return f"Fitted({self.file}: {self.judged.verdict}; {in_words(self.judged.values())})"
@@ -42,8 +46,8 @@ class Fitted:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fits:
-    """Recordings of one disk: each in `files`, and all of them in the `pool`, with its `verdict`; `resonances` of the
-    scene are of what, and their frequencies [Hz]."""
+    """Recordings of one disk: each in `files`, and all of them in the `pool`, with its `verdict`;
+    `resonances` of the scene are of what, and their frequencies [Hz]."""
 
     scene: Scene
     files: list[Fitted]
@@ -66,21 +70,26 @@ def fit(
     like: str | None = None,
     watch: Callable[[float, str], None] = lambda share, doing: None,
 ) -> Fits:
-    """Return what slowed the disk of a scene in recordings: sound files, exports of phyphox, folders of takes.
+    """Return what slowed the disk of a scene in recordings: sound files, exports of phyphox,
+    folders of takes.
 
-    The scene gives radius, thickness and air. `like` "fu-berlin" adds the exponents of a published chain. Raises
-    RecordingError for a recording that cannot be fitted, in one line, and SceneError for a wrong scene.
-    """
-    from sonify.claims.carriers import resonances  # modes load slowly
+    The scene gives radius, thickness and air. `like` "fu-berlin" adds the exponents of a published
+    chain. Raises RecordingError for a recording that cannot be fitted, in one line, and SceneError
+    for a wrong scene."""
+    from sonify.claims.resonance_matching import resonances  # modes load slowly
 
     scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene
-    paths, known = takes([files] if isinstance(files, (str, Path)) else files), resonances(scene)
+    paths = takes([files] if isinstance(files, (str, Path)) else files)
+    known = resonances(scene)
     fitted = []
     tasks = [(path, scene.document, like) for path in paths]
-    for one in (fit_one(*task) for task in tasks) if len(tasks) < MANY else each(fit_one, tasks, WORKERS):
+    for one in (
+        (fit_one(*task) for task in tasks) if len(tasks) < MANY else each(fit_one, tasks, WORKERS)
+    ):
         fitted.append(one)
         watch(len(fitted) / len(paths), one.file)
-    decline, fits = fitted[0].judged.decline, [one.judged.fit for one in fitted]
+    decline = fitted[0].judged.decline
+    fits = [one.judged.fit for one in fitted]
     pool = fits[0] if len(fits) == 1 else pooled(fits)
     verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool)
     return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict, resonances=known)
@@ -90,7 +99,8 @@ def fit(
 def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
     """Return the fit of one recording; the scene comes as its document. Raises RecordingError."""
     scene = from_document(document)
-    sound = heard(source(path), str(path), recorded=recorded(path))
+    recording = source(path)
+    sound = heard(recording, str(path), recorded=recorded(path))
     decline = Decline(scene)
     judged = judge(decline, [sound])
     published = None
@@ -107,13 +117,17 @@ def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
         radius_shows=radius_shows(judged),
         carriers=carriers(sound.samples, sound.rate, sound.start),
         published_way=published,
+        truncation=truncation_of(recording),
     )
 
 
 def radius_shows(judged: Judged) -> bool:
-    """Return whether declines of disks whose radius is 10 % off fit far worse, however what slows them is chosen."""
+    """Return whether declines of disks whose radius is 10 % off fit far worse, however what slows
+    them is chosen."""
     found = [_with_radius(judged, factor) for factor in WRONG]
-    return all(spread is None or spread > BETTER * max(judged.fit.spread, FLOOR) for spread in found)
+    return all(
+        spread is None or spread > BETTER * max(judged.fit.spread, FLOOR) for spread in found
+    )
 
 
 def _with_radius(judged, factor):
@@ -123,6 +137,8 @@ def _with_radius(judged, factor):
     decline = Decline(replace(scene, disk=disk)).lines[judged.line]
     decline.ahead = judged.decline.ahead
     try:
-        return estimate.fit(decline, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free).spread
+        return least_squares.fit(
+            decline, judged.streams, judged.fit.ends, judged.fit.shares, judged.fit.free
+        ).spread
     except ValueError:
         return None

@@ -1,4 +1,5 @@
-"""DECLINE -> RECORDING: what a phone would hear of a disk that declines as it is told, with all that spoils it."""
+"""DECLINE -> RECORDING: what a phone would hear of a disk that declines as it is told, with all
+that spoils it."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -6,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.signal import butter, sosfilt
 
-from sonify.fitting.decline import Decline
+from sonify.fitting.decay_model import Decline
 
 BLOCK = 1 << 16
 
@@ -44,11 +45,11 @@ def recording(
     bits: int | None = None,
     seed: int = 0,
 ) -> np.ndarray:
-    """Return samples (n,) of a disk that is heard from `start` to `end` [s]: its tone with two harmonics, and noise
-    above 2 kHz that it modulates.
+    """Return samples (n,) of a disk that is heard from `start` to `end` [s]: its tone with two
+    harmonics, and noise above 2 kHz that it modulates.
 
-    `noise` is the standard deviation of white noise over the amplitude of the tone at its loudest, `hum` that of 50 Hz.
-    """
+    `noise` is the standard deviation of white noise over the amplitude of the tone at its loudest,
+    `hum` that of 50 Hz."""
     random = np.random.default_rng(seed)
     t = np.arange(int(duration * rate)) / rate
     sounding = (t > start) & (t < end - 2 / rate)
@@ -56,14 +57,18 @@ def recording(
     turns, frequency = decline.turns(left, shares)
     loud = np.minimum(frequency / frequency[np.argmin(np.abs(left - 0.1))], 1.0)
     phase = -2 * np.pi * turns + random.uniform(0, 2 * np.pi)
-    hiss = sosfilt(butter(4, 2000.0, "highpass", fs=rate, output="sos"), random.standard_normal(len(t)))[sounding]
+    hiss = sosfilt(
+        butter(4, 2000.0, "highpass", fs=rate, output="sos"), random.standard_normal(len(t))
+    )[sounding]
     out = np.zeros(len(t))
     tone = np.cos(phase) + 0.4 * np.cos(2 * phase + 1) + 0.2 * np.cos(3 * phase + 2)
     out[sounding] = loud * (tone + 0.3 * (1 + 0.8 * np.cos(phase + 0.5)) * hiss)
     out += noise * random.standard_normal(len(t))
     out += hum * np.sin(2 * np.pi * 50 * t + random.uniform(0, 6))
     for place in random.integers(0, len(t), clicks):
-        out[place : place + 40] += 3 * np.exp(-np.arange(len(out[place : place + 40])) / 8) * random.choice([-1, 1])
+        out[place : place + 40] += (
+            3 * np.exp(-np.arange(len(out[place : place + 40])) / 8) * random.choice([-1, 1])
+        )
     if high_pass:
         out = sosfilt(butter(2, high_pass, "highpass", fs=rate, output="sos"), out)
     out *= 0.8 / np.abs(out).max()

@@ -1,5 +1,5 @@
-"""SOUND -> LOG MAP: levels over time and the logarithm of frequency, in windows that suit a tone that rises as
-1/(t_end - t)."""
+"""SOUND -> LOG MAP: levels over time and the logarithm of frequency, in windows that suit a tone
+that rises as 1/(t_end - t)."""
 
 from dataclasses import dataclass
 
@@ -8,31 +8,39 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.ndimage import map_coordinates, maximum_filter1d, uniform_filter1d
 from scipy.signal import resample_poly
 
-from sonify.hearing.hum import without_hum
+from sonify.hearing.mains_hum import without_hum
 
 HOP = 0.005
 """Spacing of the frames [s]."""
 STEPS_PER_OCTAVE = 48
 """Of the logarithmic frequency axis."""
-BANDS = ((8.0, 40.0, 0.5), (40.0, 120.0, 0.2), (120.0, 400.0, 0.07), (400.0, 1500.0, 0.025), (1500.0, 8000.0, 0.01))
-"""From, to [Hz], and the window there [s]: a tone that goes as 1/(t_end - t) stays within a line of it."""
+BANDS = (
+    (8.0, 40.0, 0.5),
+    (40.0, 120.0, 0.2),
+    (120.0, 400.0, 0.07),
+    (400.0, 1500.0, 0.025),
+    (1500.0, 8000.0, 0.01),
+)
+"""From, to [Hz], and the window there [s]: a tone that goes as 1/(t_end - t) stays within a line of
+it."""
 HUM_FROM = 0.025
 """From the band with this window downwards hums are taken away first."""
 OCTAVE = STEPS_PER_OCTAVE + 1
 """Bins from half an octave below to half an octave above."""
 DEEPEST_DB, LEAST_DB, MOST_DB = 60.0, -6.0, 20.0
-"""What is so far below the loudest at its frequency is as good as silence; bounds of what a frame contributes [dB]."""
+"""What is so far below the loudest at its frequency is as good as silence; bounds of what a frame
+contributes [dB]."""
 GROUP = 1024
 """So many frames are transformed at once."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class LogMap:
-    """Level (t, f) [dB] at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm, and how far it stands out.
+    """Level (t, f) [dB] at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm, and how
+    far it stands out.
 
-    `contrast` (t, f) [dB] is from the median over time and from half an octave to either side, between LEAST_DB and
-    MOST_DB, so that no frame decides alone.
-    """
+    `contrast` (t, f) [dB] is from the median over time and from half an octave to either side,
+    between LEAST_DB and MOST_DB, so that no frame decides alone."""
 
     time: np.ndarray
     frequency: np.ndarray
@@ -47,9 +55,12 @@ class LogMap:
 
 
 def log_map(samples: np.ndarray, rate: float) -> LogMap:
-    """Return the map of samples (n,), with a window for every band that suits a tone rising as 1/(t_end - t)."""
+    """Return the map of samples (n,), with a window for every band that suits a tone rising as
+    1/(t_end - t)."""
     time = np.arange(0, len(samples) / rate, HOP)
-    frequency = BANDS[0][0] * 2 ** (np.arange(0, np.log2(BANDS[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE))
+    frequency = BANDS[0][0] * 2 ** (
+        np.arange(0, np.log2(BANDS[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE)
+    )
     frequency = frequency[frequency < 0.45 * rate]
     level = np.zeros((len(time), len(frequency)), np.float32)
     samples = np.asarray(samples, np.float32)
@@ -57,8 +68,11 @@ def log_map(samples: np.ndarray, rate: float) -> LogMap:
         here = (frequency >= low) & (frequency < high)
         if not here.any():  # above what the samples hold
             continue
-        down = max(int(rate / (4 * frequency[here][-1])), 1)  # the samples that this band and those below it need
-        samples, rate = resample_poly(samples, 1, down) if down > 1 else samples, rate / down
+        down = max(
+            int(rate / (4 * frequency[here][-1])), 1
+        )  # the samples that this band and those below it need
+        samples = resample_poly(samples, 1, down) if down > 1 else samples
+        rate = rate / down
         samples = without_hum(samples, rate) if window == HUM_FROM else samples
         level[:, here] = _levels(samples, rate, time, frequency[here], window)
     return LogMap(time=time, frequency=frequency, level=level, contrast=_contrast(level))
@@ -75,7 +89,10 @@ def _contrast(level):
 def _levels(samples, rate, time, frequency, window):
     """Levels (t, f) [dB] at frequencies (f,) through Hann windows around times (t,)."""
     size = 2 * max(int(window * rate / 2), 8) + 1
-    turning = np.exp(-2j * np.pi / rate * np.outer(np.arange(size), frequency)) * (np.hanning(size) / size)[:, None]
+    turning = (
+        np.exp(-2j * np.pi / rate * np.outer(np.arange(size), frequency))
+        * (np.hanning(size) / size)[:, None]
+    )
     kernel = np.hstack([turning.real, turning.imag]).astype(np.float32)
     frames = sliding_window_view(np.pad(samples, size), size)
     start = np.minimum(np.round(time * rate).astype(int) + size - size // 2, len(frames) - 1)

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from scipy.signal import resample_poly
 
-from sonify.hearing.source import Source, source_of, stretch
+from sonify.hearing.audio_source import Source, source_of, stretch
 from sonify.hearing.spectrogram import REFERENCE_PRESSURE, Spectrogram, spectrogram
 
 # fmt: off
@@ -19,7 +19,8 @@ ISO_226 = {
     5000: -1.5, 6300: 6.0, 8000: 12.6, 10000: 13.9, 12500: 12.3,
 }
 # fmt: on
-"""Threshold of hearing T_f for pure tones in a free field [dB re 20 uPa] by frequency [Hz], ISO 226:2003, table 1."""
+"""Threshold of hearing T_f for pure tones in a free field [dB re 20 uPa] by frequency [Hz], ISO
+226:2003, table 1."""
 THRESHOLD_DB = np.array(list(ISO_226.values()))
 HANN_BANDWIDTH = 1.5
 """Width in bins over which a Hann window spreads the power of a sine."""
@@ -27,8 +28,11 @@ WINDOW, COLUMNS = 0.4, 600
 """Window [s]: long enough to tell the bands at 20 and 25 Hz apart; greatest number of windows."""
 
 ROUGH_LAST, ROUGH_WINDOW, ROUGH_RATE = 2.0, 0.2, 48000
-"""So much of the end is judged for roughness [s], in windows [s], at the sample rate of the model [Hz]."""
-ROUGHNESS_MISSING = 'The roughness of the sound: it needs mosqito, python -m pip install -e ".[roughness]".'
+"""So much of the end is judged for roughness [s], in windows [s], at the sample rate of the model
+[Hz]."""
+ROUGHNESS_MISSING = (
+    'The roughness of the sound: it needs mosqito, python -m pip install -e ".[roughness]".'
+)
 
 
 class MissingExtraError(Exception):
@@ -37,8 +41,9 @@ class MissingExtraError(Exception):
 
 @dataclass(frozen=True, kw_only=True)
 class Audibility:
-    """Over `time` (t,) [s]: A-weighted level `a_weighted` (t,) [dB re 20 uPa], and by how many dB the third-octave band
-    that stands out most is above the threshold of hearing, `above_threshold` (t,), below 0 where nothing is heard."""
+    """Over `time` (t,) [s]: A-weighted level `a_weighted` (t,) [dB re 20 uPa], and by how many dB
+    the third-octave band that stands out most is above the threshold of hearing, `above_threshold`
+    (t,), below 0 where nothing is heard."""
 
     time: np.ndarray
     a_weighted: np.ndarray
@@ -46,15 +51,20 @@ class Audibility:
 
 
 def a_weighting_db(frequency) -> np.ndarray:
-    """Return the A-weighting [dB] at frequencies [Hz]; IEC 61672-1, annex E, with its four poles, 0 dB at 1 kHz."""
+    """Return the A-weighting [dB] at frequencies [Hz]; IEC 61672-1, annex E, with its four poles, 0
+    dB at 1 kHz."""
     f2 = np.square(np.asarray(frequency, float))
-    a, b, c, d = 20.598997**2, 107.65265**2, 737.86223**2, 12194.217**2
+    a = 20.598997**2
+    b = 107.65265**2
+    c = 737.86223**2
+    d = 12194.217**2
     gain = d * f2 * f2 / ((f2 + a) * np.sqrt((f2 + b) * (f2 + c)) * (f2 + d))
     return 20 * np.log10(np.maximum(gain, 1e-15)) + 1.9997
 
 
 def audibility(pressure: Source | str | Path) -> Audibility:
-    """Return how audible a pressure [Pa] is, window by window. Tones below 20 Hz have no threshold here."""
+    """Return how audible a pressure [Pa] is, window by window. Tones below 20 Hz have no threshold
+    here."""
     seen = spectrogram(pressure, WINDOW, COLUMNS)
     weighted = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power
     return Audibility(
@@ -65,10 +75,14 @@ def audibility(pressure: Source | str | Path) -> Audibility:
 
 
 def band_levels(seen: Spectrogram) -> np.ndarray:
-    """Return the levels (29, t) [dB re 20 uPa] of a spectrogram of pascal in the third-octave bands of ISO_226."""
+    """Return the levels (29, t) [dB re 20 uPa] of a spectrogram of pascal in the third-octave bands
+    of ISO_226."""
     edges = 1000 * 10 ** ((np.arange(30) - 17.5) / 10)  # base 10, IEC 61260
-    low, high = np.searchsorted(seen.frequency, edges[:-1]), np.searchsorted(seen.frequency, edges[1:])
-    power = np.array([seen.power[a : max(b, a + 1)].sum(axis=0) for a, b in zip(low, high, strict=True)])
+    low = np.searchsorted(seen.frequency, edges[:-1])
+    high = np.searchsorted(seen.frequency, edges[1:])
+    power = np.array(
+        [seen.power[a : max(b, a + 1)].sum(axis=0) for a, b in zip(low, high, strict=True)]
+    )
     return level_db(power / HANN_BANDWIDTH)
 
 
@@ -78,17 +92,21 @@ def level_db(mean_square) -> np.ndarray:
 
 
 def loudness_lufs(sound: Source | str | Path) -> float:
-    """Return the integrated loudness [LUFS] of a source or file, ITU-R BS.1770 by pyloudnorm; -inf for silence.
+    """Return the integrated loudness [LUFS] of a source or file, ITU-R BS.1770 by pyloudnorm; -inf
+    for silence.
 
-    At most the last ten minutes count. Raises ValueError for less than 0.4 s, the length of a gating block.
-    """
+    At most the last ten minutes count. Raises ValueError for less than 0.4 s, the length of a
+    gating block."""
     from pyloudnorm import Meter
 
     source = source_of(sound)
-    rate, frames = source.sample_rate, source.frames
+    rate = source.sample_rate
+    frames = source.frames
     if frames < 0.4 * rate:
         raise ValueError("loudness needs at least 0.4 s")
-    return float(Meter(rate).integrated_loudness(stretch(source, max(frames - 600 * rate, 0), frames)[:, :5]))
+    return float(
+        Meter(rate).integrated_loudness(stretch(source, max(frames - 600 * rate, 0), frames)[:, :5])
+    )
 
 
 def unheard() -> list[str]:
@@ -97,11 +115,12 @@ def unheard() -> list[str]:
 
 
 def roughness(pressure: Source | str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa], ROUGH_LAST seconds up to `end` [s].
+    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa], ROUGH_LAST seconds up to
+    `end` [s].
 
-    By the model of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and 60 dB, fully modulated at
-    70 Hz. Raises MissingExtraError where mosqito is not installed, ValueError where less than a window is left.
-    """
+    By the model of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and 60 dB,
+    fully modulated at 70 Hz. Raises MissingExtraError where mosqito is not installed, ValueError
+    where less than a window is left."""
     try:
         from mosqito.sq_metrics import roughness_dw
     except ImportError:
@@ -114,6 +133,10 @@ def roughness(pressure: Source | str | Path, end: float) -> tuple[np.ndarray, np
         raise ValueError(f"roughness needs at least {ROUGH_WINDOW:g} s")
     samples = stretch(source, first, last).mean(axis=1)
     common = gcd(rate, ROUGH_RATE)
-    samples = resample_poly(samples, ROUGH_RATE // common, rate // common) if rate != ROUGH_RATE else samples
+    samples = (
+        resample_poly(samples, ROUGH_RATE // common, rate // common)
+        if rate != ROUGH_RATE
+        else samples
+    )
     asper, _, _, time = roughness_dw(samples, ROUGH_RATE, overlap=0)
     return first / rate + np.asarray(time), np.asarray(asper)

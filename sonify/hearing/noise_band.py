@@ -1,11 +1,12 @@
-"""SOUND -> CARRIER: the band of noise that stands out, stretch after stretch, told by nothing but the samples."""
+"""SOUND -> CARRIER: the band of noise that stands out, stretch after stretch, told by nothing but
+the samples."""
 
 from typing import NamedTuple
 
 import numpy as np
 from scipy.ndimage import median_filter
 
-from sonify.hearing.source import Source
+from sonify.hearing.audio_source import Source
 from sonify.hearing.spectrogram import spectrogram
 
 WINDOW, BAND = 0.04, (700.0, 20e3)
@@ -17,14 +18,15 @@ STEPS = 48
 LINE = 5
 """What is narrower than half of so many steps is a line, and no band."""
 NEAR = 0.1
-"""Half of what is left out around a line, relative: that of a mode which the air detunes is broad."""
+"""Half of what is left out around a line, relative: that of a mode which the air detunes is
+broad."""
 FAINTEST_DB = 10.0
 """A carrier stands out by as much above the median of the stretch."""
 
 
 class NoiseBand(NamedTuple):
-    """Of each stretch (s,): its middle [s], the frequency of the band [Hz], NaN if none stands out, and its level above
-    the median of the stretch [dB], 0 at the ends of BAND."""
+    """Of each stretch (s,): its middle [s], the frequency of the band [Hz], NaN if none stands out,
+    and its level above the median of the stretch [dB], 0 at the ends of BAND."""
 
     time: np.ndarray
     frequency: np.ndarray
@@ -32,12 +34,12 @@ class NoiseBand(NamedTuple):
 
 
 def noise_band(sound: Source, start: float, stop: float, length: float, lines=()) -> NoiseBand:
-    """Return the band of noise that rises or falls, in stretches of `length` [s] from `start` to `stop` [s], if any.
+    """Return the band of noise that rises or falls, in stretches of `length` [s] from `start` to
+    `stop` [s], if any.
 
-    Around known steady `lines` [Hz] nothing is looked at.
-    The highest peak is sought without lines, as modes are, and without what sounds in most stretches alike;
-    a loud line within a third of the band still draws its frequency there.
-    """
+    Around known steady `lines` [Hz] nothing is looked at. The highest peak is sought without lines,
+    as modes are, and without what sounds in most stretches alike; a loud line within a third of the
+    band still draws its frequency there."""
     edges = np.arange(start, stop - length * (1 - 1e-9), length)
     if not len(edges):
         return NoiseBand(*np.zeros((3, 0)))
@@ -47,19 +49,27 @@ def noise_band(sound: Source, start: float, stop: float, length: float, lines=()
     for line in lines:
         near = np.abs(seen.frequency / line - 1) < NEAR
         power[:, near] = power[:, near].min(axis=1, initial=np.inf, keepdims=True)
-    f = np.geomspace(*seen.frequency[[0, -1]], int(STEPS * np.log2(seen.frequency[-1] / seen.frequency[0])))
+    f = np.geomspace(
+        *seen.frequency[[0, -1]], int(STEPS * np.log2(seen.frequency[-1] / seen.frequency[0]))
+    )
     level = np.array([median_filter(np.interp(f, seen.frequency, row), LINE) for row in power])
     peak = (level - np.percentile(level, QUARTER, axis=0)).argmax(axis=1)
-    highest = 10 * np.log10(level[np.arange(len(peak)), peak] / np.median(level, axis=1))
+    median_level = np.median(level, axis=1)
+    heard = median_level > 0  # digital silence has no band
+    highest = np.zeros(len(peak))
+    highest[heard] = 10 * np.log10(level[heard, peak[heard]] / median_level[heard])
     highest[(peak < LINE) | (peak >= len(f) - LINE)] = 0.0  # the flank of what lies outside
-    middles = np.array([middle(seen.frequency, row, f[i]) for row, i in zip(power, peak, strict=True)])
+    middles = np.full(len(peak), np.nan)
+    for i in np.flatnonzero(highest > FAINTEST_DB):
+        middles[i] = middle(seen.frequency, power[i], f[peak[i]])
     for line in lines:
         middles[np.abs(middles / line - 1) < NEAR] = np.nan
-    return NoiseBand(edges + length / 2, np.where(highest > FAINTEST_DB, middles, np.nan), highest)
+    return NoiseBand(edges + length / 2, middles, highest)
 
 
 def middle(frequency, power, near: float) -> float:
-    """Return the mean frequency [Hz], by power, of what is above a third of the highest within a third of `near`."""
+    """Return the mean frequency [Hz], by power, of what is above a third of the highest within a
+    third of `near`."""
     here = np.abs(frequency / near - 1) < 1 / 3
     here &= power > power[here].max() / 3
     return float(np.average(frequency[here], weights=power[here]))

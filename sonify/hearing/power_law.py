@@ -1,8 +1,9 @@
-"""PEAKS -> POWER LAW: the curve f = a (t_end - t)^-p that most peaks of a spectrogram are near, and its errors.
+"""PEAKS -> POWER LAW: the curve f = a (t_end - t)^-p that most peaks of a spectrogram are near, and
+its errors.
 
-A curve is (end [s], exponent, log2 of a). Peaks (3, n) are times [s], rising, log2 frequencies and levels [dB] of the
-lines in each frame of a spectrogram; those of other tones and of noise are far from the curve and do not count.
-"""
+A curve is (end [s], exponent, log2 of a). Peaks (3, n) are times [s], rising, log2 frequencies and
+levels [dB] of the lines in each frame of a spectrogram; those of other tones and of noise are far
+from the curve and do not count."""
 
 import numpy as np
 
@@ -11,29 +12,35 @@ from sonify.hearing.log_spectrogram import HOP
 TIME_LEFT = (0.02, 8.0)
 """The stretch before the end in which the tone is sought [s]."""
 WIDE, NARROW = (0.3, 0.2, 0.12, 0.08, 0.05, 0.04), (0.05, 0.04, 0.03, 0.03, 0.03)
-"""How far from the curve a peak counts [octaves], step by step: at last far less than from one line to the next."""
+"""How far from the curve a peak counts [octaves], step by step: at last far less than from one line
+to the next."""
 ENDS, EXPONENTS, MOST_RIVALS = np.arange(-0.1, 0.4, 0.01), np.arange(-0.1, 0.101, 0.01), 20
-"""All these ends [s] and exponents around a first fit are tried, and so many of the best are fitted anew: where the
-sound passes from one line to another, such as from the nutation to the precession, a curve between them is found
-first."""
+"""All these ends [s] and exponents around a first fit are tried, and so many of the best are fitted
+anew: where the sound passes from one line to another, such as from the nutation to the precession,
+a curve between them is found first."""
 BESIDE = 0.4
-"""So far from the curve a line is still told as one of the tone [octaves]: the nutation is 0.3 below the precession."""
+"""So far from the curve a line is still told as one of the tone [octaves]: the nutation is 0.3
+below the precession."""
 BINS, RIVAL = 32, 0.85
-"""Bins of an octave when peaks are counted, a power of two; a rival has at least so large a share of the most peaks."""
+"""Bins of an octave when peaks are counted, a power of two; a rival has at least so large a share
+of the most peaks."""
 BLOCKS, RESOLUTION = 12, (0.0005, 0.001, 0.0)
-"""Parts of the ridge for the jackknife; errors of end [s] and exponent that no sound is without: a tenth of a hop, and
-the bend of the tone within a window."""
+"""Parts of the ridge for the jackknife; errors of end [s] and exponent that no sound is without: a
+tenth of a hop, and the bend of the tone within a window."""
 SHARE = 0.5
-"""An octave with so large a share of the peaks of the richest one is the tone, and that its harmonic."""
+"""An octave with so large a share of the peaks of the richest one is the tone, and that its
+harmonic."""
 
 
 def best_curve(peaks: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the curve (3,) that most peaks (3, n) are near, sought from guesses (g, 3), and its standard errors (3,).
+    """Return the curve (3,) that most peaks (3, n) are near, sought from guesses (g, 3), and its
+    standard errors (3,).
 
-    The tone may have harmonics one and two octaves apart. Where another curve has nearly as many peaks, its distance
-    counts as an error.
-    """
-    first = max((_fit(peaks, guess, WIDE) for guess in guesses), key=lambda curve: octaves(peaks, curve))
+    The tone may have harmonics one and two octaves apart. Where another curve has nearly as many
+    peaks, its distance counts as an error."""
+    first = max(
+        (_fit(peaks, guess, WIDE) for guess in guesses), key=lambda curve: octaves(peaks, curve)
+    )
     rivals = [_fit(peaks, guess, NARROW) for guess in _around(peaks, first)]
     counts = np.array([octaves(peaks, curve) for curve in rivals])
     best = rivals[np.argmax(counts)]
@@ -43,12 +50,14 @@ def best_curve(peaks: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def octaves(peaks: np.ndarray, curve: np.ndarray) -> float:
-    """Return over how many octaves of the time left there are peaks on the curve, harmonics counted by themselves."""
+    """Return over how many octaves of the time left there are peaks on the curve, harmonics counted
+    by themselves."""
     return _normal(peaks, curve, NARROW[-1])[2]
 
 
 def ridge(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
-    """Return the strongest peak (3, r) of every frame that has one beside the curve, be it on another line."""
+    """Return the strongest peak (3, r) of every frame that has one beside the curve, be it on
+    another line."""
     inside = peaks[:, _inside(peaks, curve[0])]
     beside = inside[:, np.abs(_residual(inside, curve)) < BESIDE]
     beside = beside[:, np.lexsort((-beside[2], beside[0]))]
@@ -58,7 +67,9 @@ def ridge(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
 def _inside(peaks, end):
     """Where among peaks are those in the TIME_LEFT before an end [s]."""
     since = peaks[0] - end
-    return slice(np.searchsorted(since, -TIME_LEFT[1], "right"), np.searchsorted(since, -TIME_LEFT[0]))
+    return slice(
+        np.searchsorted(since, -TIME_LEFT[1], "right"), np.searchsorted(since, -TIME_LEFT[0])
+    )
 
 
 def _residual(peaks, curve):
@@ -67,7 +78,8 @@ def _residual(peaks, curve):
 
 
 def _fit(peaks, curve, widths):
-    """Gauss-Newton's steps, never longer than 0.1 s and 0.2 of the exponent, while the bounds narrow."""
+    """Gauss-Newton's steps, never longer than 0.1 s and 0.2 of the exponent, while the bounds
+    narrow."""
     for width in widths:
         matrix, right, _ = _normal(peaks, curve, width)
         step = np.linalg.lstsq(matrix, right)[0]
@@ -76,16 +88,17 @@ def _fit(peaks, curve, widths):
 
 
 def _normal(peaks, curve, width):
-    """The normal equations (3, 3), (3,) of a robust linear fit about a curve, and the octaves of the time left it has.
+    """The normal equations (3, 3), (3,) of a robust linear fit about a curve, and the octaves of
+    the time left it has.
 
-    The residual is log2 f - log2 a + p log2(t_end - t), to the nearest of three octaves. Tukey's biweight is 0 from
-    `width` on. Every octave of the time left counts the same.
-    """
+    The residual is log2 f - log2 a + p log2(t_end - t), to the nearest of three octaves. Tukey's
+    biweight is 0 from `width` on. Every octave of the time left counts the same."""
     peaks = peaks[:, _inside(peaks, curve[0])]
     residual = _residual(peaks, curve)
     residual -= np.clip(np.round(residual), -1, 1)
     near = np.abs(residual) < width
-    residual, left = residual[near], curve[0] - peaks[0, near]
+    residual = residual[near]
+    left = curve[0] - peaks[0, near]
     slope = np.array([-curve[1] / left / np.log(2), -np.log2(left), np.ones_like(left)])
     weight = (1 - (residual / width) ** 2) ** 2 * HOP / left / np.log(2)
     return (slope * weight) @ slope.T, (slope * weight) @ residual, weight.sum()
@@ -93,7 +106,8 @@ def _normal(peaks, curve, width):
 
 def _around(peaks, curve):
     """The MOST_RIVALS curves around one that have the most peaks, whatever their octave."""
-    end, exponent = curve[0] + ENDS, np.maximum(curve[1] + EXPONENTS, 0.02)
+    end = curve[0] + ENDS
+    exponent = np.maximum(curve[1] + EXPONENTS, 0.02)
     count, scale = _count(peaks, end, exponent)
     i, j = np.unravel_index(np.argsort(count, axis=None)[-MOST_RIVALS:], count.shape)
     middle = curve[2] + (exponent[j] - curve[1]) * np.log2(TIME_LEFT).mean()
@@ -101,7 +115,8 @@ def _around(peaks, curve):
 
 
 def _count(peaks, end, exponent):
-    """How many peaks (e, p) the richest curve of every end and exponent has, and its log2 scale (e, p) in an octave."""
+    """How many peaks (e, p) the richest curve of every end and exponent has, and its log2 scale (e,
+    p) in an octave."""
     count, scale = np.empty((2, len(end), len(exponent)))
     rows = BINS * np.arange(len(exponent))[:, None]
     for i in range(len(end)):
@@ -117,16 +132,25 @@ def _count(peaks, end, exponent):
 
 
 def _jackknife(peaks, curve):
-    """Variances (3,) by leaving out, one at a time, parts of the ridge that are even in the logarithm of the time left:
-    what is near in time is not independent."""
+    """Variances (3,) by leaving out, one at a time, parts of the ridge that are even in the
+    logarithm of the time left: what is near in time is not independent."""
     left = np.clip(curve[0] - peaks[0], *TIME_LEFT)
     part = np.floor(BLOCKS * np.log(left / TIME_LEFT[0]) / np.log(TIME_LEFT[1] / TIME_LEFT[0]))
-    moved = np.array([_fit(peaks[:, part != block], curve, NARROW[-1:]) for block in np.unique(part)])
+    moved = np.array(
+        [_fit(peaks[:, part != block], curve, NARROW[-1:]) for block in np.unique(part)]
+    )
     return (len(moved) - 1) * moved.var(axis=0)
 
 
 def _lowest(peaks, curve):
-    """The curve in the lowest of its octaves that has its share of the peaks: what repeats, not its harmonic."""
-    moved, peaks = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)], peaks[:, _inside(peaks, curve[0])]
-    count = np.array([np.sum((np.abs(_residual(peaks, x)) < NARROW[-1]) / np.abs(x[0] - peaks[0])) for x in moved])
+    """The curve in the lowest of its octaves that has its share of the peaks: what repeats, not its
+    harmonic."""
+    moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
+    peaks = peaks[:, _inside(peaks, curve[0])]
+    count = np.array(
+        [
+            np.sum((np.abs(_residual(peaks, x)) < NARROW[-1]) / np.abs(x[0] - peaks[0]))
+            for x in moved
+        ]
+    )
     return moved[np.argmax(count > SHARE * count.max())]

@@ -1,4 +1,5 @@
-"""RECORDING -> WHAT IT TELLS: the rising tone, the repetition of its envelope and the carriers of any sound."""
+"""RECORDING -> WHAT IT TELLS: the rising tone, the repetition of its envelope and the carriers of
+any sound."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -8,15 +9,22 @@ import numpy as np
 import soundfile
 from scipy.signal import butter, resample_poly, sosfiltfilt
 
-from sonify.hearing.carriers import Carrier, carriers
+from sonify.hearing.audio_source import (
+    Source,
+    Truncation,
+    pieces,
+    source_of,
+    stretch,
+    truncation_of,
+)
+from sonify.hearing.find_end import run_end
 from sonify.hearing.rising_tone import RisingTone, rising_tone
-from sonify.hearing.run import run_end
-from sonify.hearing.source import Source, pieces, source_of, stretch
+from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene_errors import InputError
 
 LONGEST, AFTER = 120.0, 6.0
-"""Of a longer recording only so much is listened to, up to so long after a disk comes to rest in it, or else after
-its loudest second [s]."""
+"""Of a longer recording only so much is listened to, up to so long after a disk comes to rest in
+it, or else after its loudest second [s]."""
 SHORTEST, SLOWEST = 0.2, 1000
 """A recording that is shorter [s], or of fewer samples a second, tells nothing."""
 ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
@@ -31,8 +39,11 @@ class RecordingError(InputError):
 
 @dataclass(frozen=True, kw_only=True)
 class Heard:
-    """What a sound tells by itself. `start` [s] is where in the file the part that was listened to begins, `missing`
-    [s] how much more its header promises than the file holds."""
+    """What a sound tells by itself. `start` [s] is where in the file the part that was listened to
+    begins.
+
+    `duration` [s] is that of the sound that is there. Of a file that was cut off `truncation` says
+    so, and `missing` [s] is how much more its header announces."""
 
     duration: float
     sample_rate: int
@@ -41,6 +52,7 @@ class Heard:
     repetition: RisingTone | None
     carriers: list[Carrier]
     missing: float = 0.0
+    truncation: Truncation | None = None
 
     @property
     def lines(self) -> list[Carrier]:
@@ -49,12 +61,13 @@ class Heard:
 
 
 def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
-    """Return what a source, or a file of any rate, channels and format that libsndfile reads, tells; the repetition of
-    its envelope only if `beats`. Raises RecordingError.
+    """Return what a source, or a file of any rate, channels and format that libsndfile reads,
+    tells; the repetition of its envelope only if `beats`. Raises RecordingError.
 
     Times in the result are those of the sound. Memory does not grow with its length.
     """
     samples, rate, start, duration = read(sound)
+    truncation = truncation_of(sound)
     beaten = beats and rate > 2 * ENVELOPE_FROM
     with ThreadPoolExecutor() as pool:  # what takes long is arrays, which let go of Python's lock
         tone = pool.submit(rising_tone, samples, rate)
@@ -67,37 +80,44 @@ def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
         tone=later(tone.result(), start),
         repetition=later(repetition.result(), start),
         carriers=found,
-        missing=duration * getattr(source_of(sound), "missing", 0.0),
+        missing=truncation.announced - duration if truncation and truncation.announced else 0.0,
+        truncation=truncation,
     )
 
 
 def read(sound: Source | str | Path):
-    """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the sound [s].
+    """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the
+    sound [s].
 
-    Raises RecordingError for what is no sound file, is too short, too slow, silent, or holds samples that are not
-    finite.
-    """
+    Raises RecordingError for what is no sound file, is too short, too slow, silent, or holds
+    samples that are not finite."""
     source = source_of(sound)
     name = str(getattr(source, "path", "the sound"))
     try:
-        rate, (start, stop) = source.sample_rate, _part(source)
+        rate = source.sample_rate
+        (start, stop) = _part(source)
         channels = stretch(source, start, stop)
     except (soundfile.LibsndfileError, OSError) as error:
-        raise RecordingError(f"{name}: not a sound file that can be read: {_reason(name, error)}") from None
+        raise RecordingError(
+            f"{name}: not a sound file that can be read: {_reason(name, error)}"
+        ) from None
     if not np.isfinite(channels).all():
         raise RecordingError(f"{name}: holds samples that are not finite")
     if rate < SLOWEST:
         raise RecordingError(f"{name}: {rate} samples a second: at least {SLOWEST} are needed")
     samples = _loudest(channels)
     if len(samples) < SHORTEST * rate:
-        raise RecordingError(f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed")
+        raise RecordingError(
+            f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed"
+        )
     if not np.ptp(samples):
         raise RecordingError(f"{name}: silent")
     return samples - samples.mean(), rate, start / rate, source.frames / rate
 
 
 def between(source: Source, start: float, stop: float) -> np.ndarray:
-    """Return the samples (n,) of the loudest channel of a source between two times [s], less their mean."""
+    """Return the samples (n,) of the loudest channel of a source between two times [s], less their
+    mean."""
     rate = source.sample_rate
     samples = _loudest(stretch(source, int(start * rate), int(stop * rate)))
     return samples - samples.mean()
@@ -108,7 +128,8 @@ def _loudest(channels):
 
 
 def envelope(samples, rate) -> tuple[np.ndarray, float]:
-    """Return the square of the sound above ENVELOPE_FROM, less its mean, and its sample rate [Hz]."""
+    """Return the square of the sound above ENVELOPE_FROM, less its mean, and its sample rate
+    [Hz]."""
     high = sosfiltfilt(butter(4, ENVELOPE_FROM, "highpass", fs=rate, output="sos"), samples)
     down = max(rate // ENVELOPE_RATE, 1)
     square = resample_poly(high * high, 1, down)
@@ -121,20 +142,24 @@ def later(tone, start):
 
 
 def _part(source):
-    """First frame to listen to and the one after the last: all, or LONGEST up to AFTER the end of a run or the loudest
-    second."""
-    rate, most = source.sample_rate, int(LONGEST * source.sample_rate)
+    """First frame to listen to and the one after the last: all, or LONGEST up to AFTER the end of a
+    run or the loudest second."""
+    rate = source.sample_rate
+    most = int(LONGEST * source.sample_rate)
     if source.frames <= most:
         return 0, source.frames
     end = run_end(source)
     if end is None:
-        end = float(np.argmax([np.square(second, dtype=float).sum() for second in pieces(source, rate)]))
+        end = float(
+            np.argmax([np.square(second, dtype=float).sum() for second in pieces(source, rate)])
+        )
     stop = min(int((end + AFTER) * rate), source.frames)
     return max(stop - most, 0), max(stop, most)
 
 
 def _reason(path, error):
-    """Why a file cannot be read: what the system says of it, what helps, or what libsndfile says."""
+    """Why a file cannot be read: what the system says of it, what helps, or what libsndfile
+    says."""
     try:
         open(path, "rb").close()
     except OSError as refusal:

@@ -1,11 +1,12 @@
-"""SOUND -> RISING TONE: finds f(t) = a (t_end - t)^-p in a sound that is known by nothing but its samples."""
+"""SOUND -> RISING TONE: finds f(t) = a (t_end - t)^-p in a sound that is known by nothing but its
+samples."""
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from sonify.hearing.hum import vertex
 from sonify.hearing.log_spectrogram import HOP, STEPS_PER_OCTAVE, log_map
+from sonify.hearing.mains_hum import vertex
 from sonify.hearing.power_law import TIME_LEFT, best_curve, octaves, ridge
 
 EXPONENTS = np.arange(0.15, 1.66, 0.05)
@@ -16,18 +17,19 @@ LOWEST = 4
 STAND_OUT_DB = 6.0
 """A peak counts where it is so far above what is usual at its frequency."""
 FAINTEST_DB, LEAST_OCTAVES, LEAST_SPAN = 4.0, 3.0, 0.5
-"""A tone stands out by this on the mean (noise alone gives about 2.5 dB), is seen over so many octaves of the time left
-(tones that do not rise give up to 3), and rises by so many."""
+"""A tone stands out by this on the mean (noise alone gives about 2.5 dB), is seen over so many
+octaves of the time left (tones that do not rise give up to 3), and rises by so many."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class RisingTone:
-    """A tone f(t) = a (t_end - t)^-p: its end [s], exponent p, their standard errors, and the ridge itself.
+    """A tone f(t) = a (t_end - t)^-p: its end [s], exponent p, their standard errors, and the ridge
+    itself.
 
-    `time`, `frequency`, `level` (r,) [s, Hz, dB above what is usual around it] are the strongest line of every frame
-    that shows one beside the curve: early on it may be another than the one that obeys the law. `strength` [dB] is the
-    mean level along the fitted curve, which has peaks over so many `octaves` of the time left.
-    """
+    `time`, `frequency`, `level` (r,) [s, Hz, dB above what is usual around it] are the strongest
+    line of every frame that shows one beside the curve: early on it may be another than the one
+    that obeys the law. `strength` [dB] is the mean level along the fitted curve, which has peaks
+    over so many `octaves` of the time left."""
 
     end: float
     end_error: float
@@ -56,20 +58,22 @@ class RisingTone:
 
     @property
     def factor(self) -> float:
-        """By how much the pitch rises over the ridge: median of its last tenth over that of its first."""
+        """By how much the pitch rises over the ridge: median of its last tenth over that of its
+        first."""
         tenth = max(len(self.frequency) // 10, 1)
         return float(np.median(self.frequency[-tenth:]) / np.median(self.frequency[:tenth]))
 
 
 def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
-    """Return the strongest rising tone in samples (n,) at `rate` [Hz], or None where nothing stands out.
+    """Return the strongest rising tone in samples (n,) at `rate` [Hz], or None where nothing stands
+    out.
 
     Of its octaves it is the lowest that stands out: what repeats, not its strongest harmonic.
 
-    Every end, exponent and pitch is tried on points that are even in the logarithm of the time left; the best of every
-    exponent are refined by a robust fit to the peaks. tests/test_sound_listen.py gives its errors, in noise, in hum, in
-    a room, and where the sound passes from one line to another.
-    """
+    Every end, exponent and pitch is tried on points that are even in the logarithm of the time
+    left; the best of every exponent are refined by a robust fit to the peaks.
+    tests/test_sound_listen.py gives its errors, in noise, in hum, in a room, and where the sound
+    passes from one line to another."""
     tone = clearest_tone(samples, rate)
     return tone if tone is not None and tone.stands_out() else None
 
@@ -100,11 +104,15 @@ def clearest_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
 
 def _peaks(seen):
     """Times, log2 frequencies and levels (3, n) of every line of every frame that stands out."""
-    below, top, above = seen.level[:, :-2], seen.level[:, 1:-1], seen.level[:, 2:]
+    below = seen.level[:, :-2]
+    top = seen.level[:, 1:-1]
+    above = seen.level[:, 2:]
     contrast = seen.contrast[:, 1:-1]
     here = row, column = np.nonzero((contrast > STAND_OUT_DB) & (top >= below) & (top > above))
     column = column + 1 + vertex(below[here], top[here], above[here])
-    return np.array([seen.time[row], np.log2(seen.frequency[0]) + column / STEPS_PER_OCTAVE, contrast[here]])
+    return np.array(
+        [seen.time[row], np.log2(seen.frequency[0]) + column / STEPS_PER_OCTAVE, contrast[here]]
+    )
 
 
 def _left():
@@ -112,28 +120,37 @@ def _left():
 
 
 def _search(seen):
-    """For every exponent the (end, exponent, log2 scale) whose curve has the highest mean level, every other bin being
-    tried as its beginning."""
-    left, last = _left(), len(seen.time)
-    back, below = np.round(left / HOP).astype(int), LOWEST * STEPS_PER_OCTAVE
-    shape = np.round(np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE).astype(int)
+    """For every exponent the (end, exponent, log2 scale) whose curve has the highest mean level,
+    every other bin being tried as its beginning."""
+    left = _left()
+    last = len(seen.time)
+    back = np.round(left / HOP).astype(int)
+    below = LOWEST * STEPS_PER_OCTAVE
+    shape = np.round(np.outer(EXPONENTS, np.log2(TIME_LEFT[1] / left)) * STEPS_PER_OCTAVE).astype(
+        int
+    )
     ends = np.arange(EARLIEST, last + int(0.2 / HOP), EVERY)
     before = -(-back.max() // EVERY) * EVERY
     level = np.round(8 * seen.contrast[:, : len(seen.frequency) // 2 * 2]).astype(np.int16)
     level = np.pad(level, ((before, ends[-1] + EVERY - last), (below, 0)))
     grid = level.reshape(-1, EVERY, level.shape[1] // 2, 2).transpose(3, 1, 2, 0).copy()
-    i, k = np.transpose([_best(grid, before + EARLIEST - back, curve, len(ends)) for curve in shape])
+    i, k = np.transpose(
+        [_best(grid, before + EARLIEST - back, curve, len(ends)) for curve in shape]
+    )
     beginning = np.log2(seen.frequency[0]) + (2 * k - below) / STEPS_PER_OCTAVE
-    return np.column_stack([ends[i] * HOP, EXPONENTS, beginning + EXPONENTS * np.log2(TIME_LEFT[1])])
+    return np.column_stack(
+        [ends[i] * HOP, EXPONENTS, beginning + EXPONENTS * np.log2(TIME_LEFT[1])]
+    )
 
 
 def _best(grid, frames, curve, ends):
-    """Where (end, beginning) the mean level on a curve (l,) is highest, its points being at `frames` (l,) for the first
-    of the `ends`; `grid` (2, EVERY, bins / 2, frames / EVERY) has beside each other what is added for one after the
-    other of them."""
+    """Where (end, beginning) the mean level on a curve (l,) is highest, its points being at
+    `frames` (l,) for the first of the `ends`; `grid` (2, EVERY, bins / 2, frames / EVERY) has
+    beside each other what is added for one after the other of them."""
     score = np.zeros((grid.shape[2], ends), np.int16)
     for frame, down in zip(frames.tolist(), curve.tolist(), strict=True):
-        row, first = frame % EVERY, frame // EVERY
+        row = frame % EVERY
+        first = frame // EVERY
         found = grid[down % 2, row, down // 2 :, first : first + ends]
         score[: len(found)] += found
     return np.unravel_index(np.argmax(score.T), score.T.shape)

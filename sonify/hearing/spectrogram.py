@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 
-from sonify.hearing.source import BLOCK, Source, pieces, source_of
+from sonify.hearing.audio_source import BLOCK, Source, pieces, source_of
 
 MOST_COLUMNS = 1600
 """A longer sound is looked at in as many places, with gaps between them."""
@@ -22,15 +22,16 @@ REFERENCE_PRESSURE = 20e-6
 
 @dataclass(frozen=True, kw_only=True)
 class Spectrogram:
-    """`power` (f, t): mean square of a sine at `frequency` (f,) [Hz] in a window around `time` (t,) [s], units
-    squared."""
+    """`power` (f, t): mean square of a sine at `frequency` (f,) [Hz] in a window around `time` (t,)
+    [s], units squared."""
 
     time: np.ndarray
     frequency: np.ndarray
     power: np.ndarray
 
     def level_db(self, reference: float) -> np.ndarray:
-        """Return the level (f, t) [dB] of the root mean square over `reference`; -200 where there is nothing."""
+        """Return the level (f, t) [dB] of the root mean square over `reference`; -200 where there
+        is nothing."""
         return 10 * np.log10(np.maximum(self.power / np.float32(reference**2), np.float32(1e-20)))
 
     def band(self, low: float, high: float) -> "Spectrogram":
@@ -40,21 +41,31 @@ class Spectrogram:
 
     def during(self, begin: float, end: float) -> "Spectrogram":
         """Return the part from begin to end [s], and one window more on each side."""
-        part = slice(max(np.searchsorted(self.time, begin) - 1, 0), np.searchsorted(self.time, end) + 1)
-        return Spectrogram(time=self.time[part], frequency=self.frequency, power=self.power[:, part])
+        part = slice(
+            max(np.searchsorted(self.time, begin) - 1, 0), np.searchsorted(self.time, end) + 1
+        )
+        return Spectrogram(
+            time=self.time[part], frequency=self.frequency, power=self.power[:, part]
+        )
 
 
-def spectrogram(sound: Source | str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)) -> Spectrogram:
-    """Return the spectrogram of a source or file with Hann windows of `window` [s], the mean power of its channels.
+def spectrogram(
+    sound: Source | str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)
+) -> Spectrogram:
+    """Return the spectrogram of a source or file with Hann windows of `window` [s], the mean power
+    of its channels.
 
-    Windows overlap by three quarters, in a long sound by less: there are at most `columns`. Only the part within `span`
-    [s] is looked at. A part shorter than the window is padded with silence. Memory does not grow with the length.
-    """
+    Windows overlap by three quarters, in a long sound by less: there are at most `columns`. Only
+    the part within `span` [s] is looked at. A part shorter than the window is padded with silence.
+    Memory does not grow with the length."""
     source = source_of(sound)
-    rate, size = source.sample_rate, max(int(window * source.sample_rate), 16)
-    first, last = int(span[0] * rate), int(min(span[1] * rate, source.frames))
+    rate = source.sample_rate
+    size = max(int(window * source.sample_rate), 16)
+    first = int(span[0] * rate)
+    last = int(min(span[1] * rate, source.frames))
     hop = max(size // 4, -(-(last - first) // columns))
-    count, group = max(last - size - first, 0) // hop + 1, max(BLOCK // hop, 1)
+    count = max(last - size - first, 0) // hop + 1
+    group = max(BLOCK // hop, 1)
     shape = 1 - np.cos(2 * np.pi * np.arange(size) / size)
     shape = (shape / shape.sum()).astype(np.float32)
     parts = islice(pieces(source, group * hop, max(size - hop, 0), first), -(-count // group))
@@ -67,10 +78,11 @@ def spectrogram(sound: Source | str | Path, window: float, columns: int = MOST_C
 
 
 def _power(samples, shape, hop):
-    """Mean squares (t, f) of sines, means of the channels (n, c), in windows of a `shape` that begin `hop` apart.
+    """Mean squares (t, f) of sines, means of the channels (n, c), in windows of a `shape` that
+    begin `hop` apart.
 
-    Samples in single precision are transformed in it: what is 130 dB below the loudest is lost, and half the time.
-    """
+    Samples in single precision are transformed in it: what is 130 dB below the loudest is lost, and
+    half the time."""
     from scipy.fft import rfft  # loads slowly, and who draws a spectrogram has no need of it
 
     seen = rfft(sliding_window_view(samples, len(shape), axis=0)[::hop] * shape)

@@ -1,1 +1,2 @@
-"""SCENE -> PLAN: what a run computes, what it leaves out and why, and how far that is from the reference."""
+"""SCENE -> PLAN: what a run computes, what it leaves out and why, and how far that is from the
+reference."""

@@ -1,4 +1,5 @@
-"""SUPPORTS: what each way of holding a disk predicts, and how the modes of a disk on its contact move over the run."""
+"""SUPPORTS: what each way of holding a disk predicts, and how the modes of a disk on its contact
+move over the run."""
 
 from dataclasses import dataclass, replace
 
@@ -17,8 +18,8 @@ NAMED = 6
 
 @dataclass(frozen=True, kw_only=True)
 class Standing:
-    """The modes of a disk on its contact at one instant [s] and inclination [rad]; None where that is too stiff for
-    springs."""
+    """The modes of a disk on its contact at one instant [s] and inclination [rad]; None where that
+    is too stiff for springs."""
 
     name: str
     t: float
@@ -27,7 +28,8 @@ class Standing:
 
 
 def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
-    """Return the modes below `below` [Hz] at the release, in the middle and at the end; none of another support."""
+    """Return the modes below `below` [Hz] at the release, in the middle and at the end; none of
+    another support."""
     if scene.support.kind != "contact":
         return []
     found = []
@@ -37,12 +39,15 @@ def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
             modes = eigenmodes(scene, below, replace(scene.support, inclination_deg=degrees))
         except UnsolvableError:
             modes = None
-        found.append(Standing(name=name, t=float(t), inclination=float(np.radians(degrees)), modes=modes))
+        found.append(
+            Standing(name=name, t=float(t), inclination=float(np.radians(degrees)), modes=modes)
+        )
     return found
 
 
 def compared(scene: Scene, modes: Modes, below: float) -> Decision:
-    """Return what the paper's patch and the free disk predict beside the modes on the contact, by a draft of them."""
+    """Return what the paper's patch and the free disk predict beside the modes on the contact, by a
+    draft of them."""
     draft = scene.replace("numerics.accuracy=draft")
     others = {kind: eigenmodes(draft, below, Support(kind=kind)) for kind in ("patch", "free")}
     lowest = {
@@ -52,6 +57,7 @@ def compared(scene: Scene, modes: Modes, below: float) -> Decision:
     return Decision(
         subject="lowest modes by support [Hz]",
         choice="; ".join(f"{kind}: {frequencies}" for kind, frequencies in lowest.items()),
-        reason="on its contact a disk swings as a whole, as on the paper's patch, but on springs that stiffen as it "
+        reason="on its contact a disk swings as a whole, as on the paper's patch, but on springs "
+        "that stiffen as it "
         "falls; its other modes hardly differ from those of the free disk",
     )

@@ -13,11 +13,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from PIL import Image, ImageDraw, ImageFont
 
-from dynamics.rates import precession_rate
-from sonify.files import whole
+from dynamics.observables import precession_rate
 from sonify.hearing.spectrogram import spectrogram
+from sonify.report.perspective import TABLE, Camera, contact, exposed, rims, table, traced
 from sonify.report.sound import RANGE_DB, level_image, log_frequency, loudest_db
-from sonify.report.view import TABLE, Camera, contact, exposed, rims, table, traced
+from sonify.runtime.files import whole
 from sonify.scene_errors import InputError
 
 if TYPE_CHECKING:
@@ -48,7 +48,8 @@ CAPTION = (
 
 @dataclass(frozen=True, kw_only=True)
 class Clip:
-    """What is filmed: `frames` from `start` [s] on, in the time of the listener, who hears the source `delay` [s] late.
+    """What is filmed: `frames` from `start` [s] on, in the time of the listener, who hears the
+    source `delay` [s] late.
 
     The greatest inclination in it is `steepest` [rad].
     """
@@ -64,33 +65,40 @@ class Clip:
         return self.start, self.start + self.frames / FPS
 
     def states(self, t) -> np.ndarray:
-        """Return the states (k, 11) that are heard at t (k,) [s]; before and after the motion its first and last."""
-        motion, sound = self.result.motion, self.result.sound
+        """Return the states (k, 11) that are heard at t (k,) [s]; before and after the motion its
+        first and last."""
+        motion = self.result.motion
+        sound = self.result.sound
         return motion.at(np.clip(t - sound.source_end + motion.t[-1], 0.0, motion.t[-1]))
 
     def inclination(self, state) -> np.ndarray:
-        """Return the inclinations (k,) [rad] as they are drawn: their square root falls steadily to the end."""
+        """Return the inclinations (k,) [rad] as they are drawn: their square root falls steadily to
+        the end."""
         return max(self.steepest, STEEPEST) * np.sqrt(state[:, 1] / self.steepest)
 
 
 def require_encoder():
-    """Raise InputError, in one line that says how to get it, where the video encoder is not installed."""
+    """Raise InputError, in one line that says how to get it, where the video encoder is not
+    installed."""
     try:
         from imageio_ffmpeg import get_ffmpeg_exe
 
         get_ffmpeg_exe()
     except (ImportError, RuntimeError) as error:
-        raise InputError(f'an animation needs an encoder: python -m pip install -e ".[animation]" ({error})') from None
+        raise InputError(
+            f'an animation needs an encoder: python -m pip install -e ".[animation]" ({error})'
+        ) from None
 
 
 def animate(result: "Result", watch=lambda done: None) -> Path:
-    """Film the last seconds of a result into animation.mp4 (H.264, AAC) in its folder; return the path.
+    """Film the last seconds of a result into animation.mp4 (H.264, AAC) in its folder; return the
+    path.
 
-    `watch(share)` is called with the share done. Raises InputError without the encoder, and OSError when the disk is
-    full. tests/test_animation.py.
-    """
+    `watch(share)` is called with the share done. Raises InputError without the encoder, and OSError
+    when the disk is full. tests/test_animation.py."""
     require_encoder()
-    clip, path = clip_of(result), result.out / "animation.mp4"
+    clip = clip_of(result)
+    path = result.out / "animation.mp4"
     with whole(path) as film, TemporaryDirectory() as folder:
         sound = cut_sound(clip, Path(folder) / "sound.wav")
         encode(film, sound, clip.frames, pictures(clip), watch)
@@ -98,11 +106,14 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
 
 
 def clip_of(result: "Result") -> Clip:
-    """Return the end of a result: LENGTH seconds up to AFTER the end of the motion, or as much as there is."""
+    """Return the end of a result: LENGTH seconds up to AFTER the end of the motion, or as much as
+    there is."""
     sound = result.sound
     end = min(sound.source_end + AFTER, sound.duration)
     start = max(end - LENGTH, 0.0)
-    seen = Clip(result=result, start=start, frames=max(int((end - start) * FPS), 1), steepest=STEEPEST)
+    seen = Clip(
+        result=result, start=start, frames=max(int((end - start) * FPS), 1), steepest=STEEPEST
+    )
     return replace(seen, steepest=float(seen.states(np.linspace(*seen.span, 2000))[:, 1].max()))
 
 
@@ -110,12 +121,15 @@ def cut_sound(clip, path: Path) -> Path:
     """Write the part of the sound that belongs to the clip, as loud as in sound.wav."""
     sound = clip.result.sound
     first, last = (int(t * sound.sample_rate) for t in clip.span)
-    soundfile.write(path, sound.pressure.read(first, last) / sound.full_scale, sound.sample_rate, "PCM_24")
+    soundfile.write(
+        path, sound.pressure.read(first, last) / sound.full_scale, sound.sample_rate, "PCM_24"
+    )
     return path
 
 
 def encode(path, sound, frames: int, images, watch):
-    """Write images (h, w, 3) and a sound as a film. Raises OSError if not all of them arrive in it."""
+    """Write images (h, w, 3) and a sound as a film. Raises OSError if not all of them arrive in
+    it."""
     from imageio_ffmpeg import count_frames_and_secs, write_frames
 
     writer = write_frames(
@@ -175,9 +189,12 @@ def camera_of(clip) -> Camera:
 
 def disk_image(clip, camera, empty, t: float) -> Image.Image:
     """Return the disk in a frame, its shutter open all the time, and the trace of the contact."""
-    disk, last = clip.result.scene.disk, min(t + 1 / FPS, clip.result.sound.source_end)
+    disk = clip.result.scene.disk
+    last = min(t + 1 / FPS, clip.result.sound.source_end)
     state = clip.states(t + (np.arange(EXPOSURES) + 0.5) / EXPOSURES / FPS)
-    image = exposed(camera, empty, rims(state, clip.inclination(state), disk), disk.inner_radius / disk.radius)
+    image = exposed(
+        camera, empty, rims(state, clip.inclination(state), disk), disk.inner_radius / disk.radius
+    )
     turn = 2 * np.pi / abs(precession_rate(clip.states(np.array([last])))[0])
     touching = clip.states(np.linspace(last - min(TRACE, TURNS * turn), last, 100 * TURNS))
     path = contact(touching, clip.inclination(touching), disk)
@@ -191,12 +208,16 @@ def reading(clip, t: float) -> str:
     lines = ["at rest: its modes ring" if settled else "no longer solved: its modes ring", ""]
     if t < clip.result.sound.source_end:
         turns = abs(precession_rate(state)[0]) / (2 * np.pi)
-        lines = [f"inclination {np.degrees(state[0, 1]):.3g}°", f"the contact turns at {turns:.3g} Hz"]
+        lines = [
+            f"inclination {np.degrees(state[0, 1]):.3g}°",
+            f"the contact turns at {turns:.3g} Hz",
+        ]
     return "\n".join([f"{t:.2f} s", *lines, "", *CAPTION])
 
 
 def backdrop(clip):
-    """Return the still part of the frames, with the spectrogram, and the function from time [s] to its column [px]."""
+    """Return the still part of the frames, with the spectrogram, and the function from time [s] to
+    its column [px]."""
     figure = Figure(figsize=(SIZE[0] / 100, SIZE[1] / 100), dpi=100, facecolor="w")
     below = (SIZE[1] - STAGE[1] - 74) / SIZE[1]
     axes = figure.add_axes((0.066, 60 / SIZE[1], 0.84, below), facecolor="k")

@@ -1,40 +1,133 @@
-"""What a mode is, in words."""
+"""RESULT -> SENTENCES: what its pictures show, and from when on what is left out would count."""
 
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from modal.modes import Modes
+from dynamics.film.activation import decide_film
+from dynamics.observables import nutation_frequency, precession_rate
+from sonify.claims.details import unit_and_details
+from sonify.claims.two_way import energy_budget, two_way
+from sonify.hearing.loudness import level_db
 
 if TYPE_CHECKING:
-    from modal.table import SurfaceModes  # loads slowly
+    from sonify.result import Result
 
-SWING = 0.97
-"""A mode of a held disk of which so much is motion of the stiff disk is called a swing."""
-
-
-def caption(modes: Modes, i, held=False):
-    """Number, frequency, T60 and shape of mode i."""
-    time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
-    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{shape_in_words(modes, i, held)}"
+BEFORE_THE_END = {
+    "modes_take_little": "The modes of the disk act back on its motion",
+    "table_takes_a_hundredth": "The table acts back on the motion",
+}
+"""Finding [s before the end] -> what is left out before and may not be from then on."""
 
 
-def shape_in_words(modes: Modes, i, held=False):
-    """Family and order of mode i; a swing about the patch that holds a disk has no order."""
-    if held and stiff_share(modes, i) > SWING:
-        return f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
-    return f"{modes.family[i]}, {f'{modes.parity[i]}, ' if modes.partner[i] >= 0 else ''}order {modes.order[i]}"
+def spectrogram(result: "Result") -> str:
+    """Return what the spectrogram shows."""
+    tone = None if result.heard is None else result.heard.tone
+    rising = (
+        f", a tone that rises {tone.factor:.2g} times over the ridge that is heard" if tone else ""
+    )
+    carriers = [f"{c.frequency:.0f} Hz" for c in (result.heard.lines if result.heard else [])]
+    steady = f", steady tones at {', '.join(carriers)}" if carriers else ""
+    return (
+        f"Spectrogram of {result.scene.name}, 10 Hz to {result.sound.sample_rate / 2000:g} kHz "
+        f"over "
+        f"{result.sound.duration:.1f} s{rising}{steady}; the motion ends at "
+        f"{result.sound.source_end:.2f} s."
+    )
 
 
-def table_caption(table: "SurfaceModes", i) -> str:
-    """Number, frequency and order of mode i of a table; a table without an axis has no orders."""
-    return f"{i + 1}: {table.frequency[i]:.0f} Hz" + (f", order {table.order[i]}" if table.order[i] >= 0 else "")
+def stems(result: "Result") -> str:
+    """Return what the picture of the causes shows."""
+    peaks = sorted(result.sound.stem_peak.items(), key=lambda item: -item[1])
+    told = [f"{name.replace('_', ' ')} {level_db(peak**2):.0f} dB" for name, peak in peaks]
+    return f"Level of each cause over time, and how far it is above the threshold of hearing. Peaks: {', '.join(told)}."
 
 
-def stiff_share(modes: Modes, i) -> float:
-    """Return the share of the mean square of a rim's motion, in mode i, that the six motions of a stiff rim make up."""
-    c, s, none = np.cos(modes.rim_angle), np.sin(modes.rim_angle), 0 * modes.rim_angle
-    one = none + 1
-    motions = [(c, -s, none), (s, c, none), (none, one, none), (none, none, one), (none, none, c), (none, none, s)]
-    shape, basis = modes.rim_shape[i].T.ravel(), np.reshape(motions, (6, -1)).T
-    return float(1 - np.linalg.lstsq(basis, shape)[1][0] / (shape @ shape))
+def motion(result: "Result") -> str:
+    """Return what the curves of the motion show, from the first instant to the last."""
+    solved = result.motion
+    state = solved.at(solved.t[[0, -1]])
+    first, last = np.degrees(state[:, 1])
+    load = solved.force(solved.t)[:, 2]
+    turns = np.abs(precession_rate(state)) / (2 * np.pi)
+    reach = 1e3 * np.abs(solved.state[:, 3:5]).max()
+    nutation = nutation_frequency(solved)[1]
+    rises = (
+        f"; the nutation goes from {nutation[0]:.2g} to {nutation[-1]:.3g} Hz"
+        if len(nutation)
+        else ""
+    )
+    return (
+        f"Six curves over {solved.t[-1]:.4g} s: the inclination goes from {first:.3g} to "
+        f"{last:.2g} degrees; "
+        f"the energy falls to {solved.energy(solved.t[-1:])[0]:.2g} J; the normal force stays "
+        f"between {load.min():.2g} "
+        f"and {load.max():.2g} N, the weight is {solved.disk.weight:.3g} N; the centre stays "
+        f"within {reach:.2g} mm; "
+        f"the precession goes from {turns[0]:.3g} to {turns[1]:.3g} Hz{rises}."
+    )
+
+
+def energy(result: "Result") -> str:
+    """Return what the picture of the energies shows: what the greatest losses are, and what
+    sounds."""
+    begin = two_way(result.motion)[1]
+    end = result.motion.t[-1]
+    lost = energy_budget(result.motion, np.array([begin, end])).lost
+    told = [
+        f"{name} {energy[-1]:.2g} J"
+        for name, energy in sorted(lost.items(), key=lambda item: -item[1][-1])
+    ]
+    return f"Energies of disk and table over the last {end - begin:.2g} s, and what was lost to {', '.join(told)}."
+
+
+def modes(result: "Result") -> str:
+    """Return what the picture of the modes shows."""
+    found = result.modes
+    told = [
+        f"{f:.0f} Hz {kind} of order {n}"
+        for f, kind, n in zip(found.frequency, found.family, found.order, strict=True)
+    ]
+    table = f", and of the table from {result.table.frequency[0]:.0f} Hz on" if result.table else ""
+    return f"Shapes of {len(told)} modes of the disk: {', '.join(told[:12])}{', ...' if told[12:] else ''}{table}."
+
+
+def not_from(result: "Result") -> list[str]:
+    """Return from when on what the model leaves out may not be left out."""
+    end = result.motion.t[-1]
+    found = {finding.key: finding for finding in result.findings}
+    told = [
+        f"{what} from t = {end - found[key].value:.3f} s on, {found[key].measured} "
+        f"{unit_and_details(found[key])}."
+        for key, what in BEFORE_THE_END.items()
+        if key in found and found[key].value > 0
+    ]
+    air = found.get("air_negligible")
+    if air and air.value < 1 and not decide_film(result.scene).film:
+        told.append(f"The film of air takes 1 % of the power from t = {air.value * end:.3g} s on.")
+    return told or ["Nothing that is left out reaches its bar in this run."]
+
+
+PICTURES = {
+    "spectrogram.png": (
+        spectrogram,
+        "The pressure at the listener in two bands; the solved rates drawn over.",
+    ),
+    "stems.png": (
+        stems,
+        "What can be heard: each cause of sound against the threshold of hearing.",
+    ),
+    "motion.png": (
+        motion,
+        "The motion. Light blue: the range of what oscillates; for the scene of the paper, its "
+        "figures 3 to 6 below.",
+    ),
+    "energy.png": (energy, "Where the energy is and goes while the table acts back."),
+    "modes.png": (
+        modes,
+        "The modes: the whole body exaggerated, and the axial motion of its upper face with the "
+        "nodal lines; below, "
+        "those of the table, if it has any.",
+    ),
+}
+"""File -> what it shows, a function of the result, and its caption."""

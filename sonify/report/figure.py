@@ -5,8 +5,9 @@ from contextlib import contextmanager
 import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator, ScalarFormatter
+from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator, ScalarFormatter
 from PIL import Image
+from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
 DPI, MOST_TICKS = 110, 6
 SHORT = -2, 5
@@ -15,10 +16,16 @@ SHORT = -2, 5
 
 @contextmanager
 def figure_at(path, rows, columns, size, **options):
-    """A figure of `size` [in] with axes (rows, columns), written to a path or file as opaque PNG when it ends."""
+    """A figure of `size` [in] with axes (rows, columns), written to a path or file as opaque PNG
+    when it ends."""
     figure = Figure(figsize=size, dpi=DPI)
     axes = figure.subplots(rows, columns, **options)
-    inches = {"left": 0.75 / size[0], "right": 1 - 0.6 / size[0], "bottom": 0.6 / size[1], "top": 1 - 0.5 / size[1]}
+    inches = {
+        "left": 0.75 / size[0],
+        "right": 1 - 0.6 / size[0],
+        "bottom": 0.6 / size[1],
+        "top": 1 - 0.5 / size[1],
+    }
     figure.subplots_adjust(**inches, wspace=0.25, hspace=0.27)
     yield figure, axes
     for panel in np.ravel(axes):
@@ -29,13 +36,45 @@ def figure_at(path, rows, columns, size, **options):
 
 
 def _fix(panel):
-    """Few ticks, title and labels in fixed places: matplotlib would measure every tick to find them; both take long."""
+    """Few ticks, title and labels in fixed places: matplotlib would measure every tick to find
+    them; both take long."""
     for axis in (panel.xaxis, panel.yaxis):
         if axis.get_scale() == "linear":
             axis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 5, 10)))
             if isinstance(axis.get_major_formatter(), ScalarFormatter):
                 axis.get_major_formatter().set_powerlimits(SHORT)
     width, height = panel.get_window_extent().size / DPI
-    panel.set_title(panel.get_title(), y=1.0)
+    for side in ("left", "center"):
+        panel.set_title(panel.get_title(side), loc=side, y=1.0)
     panel.xaxis.set_label_coords(0.5, -0.3 / height)
     panel.yaxis.set_label_coords(-0.58 / width, 0.5)
+
+
+def plain_decades(axis):
+    """Give a logarithmic axis its numbers as people write them, at 1, 2, 5, 10 ..."""
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_locator(NullLocator())
+
+
+def legend_above(panel, columns: int = 3, **options):
+    """Put the legend of a panel above it, at its right, where no data are; its title is then at the
+    left."""
+    place = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0), "borderaxespad": 0.2}
+    panel.legend(**place, ncols=columns, fontsize=8, handlelength=2.5, columnspacing=1.2, **options)
+
+
+def envelope(y, share: float, columns: int = 1000) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return mean, least and greatest value (c,) of even readings y (k,) within a `share` of them,
+    about every k/c-th.
+
+    They are those of the deviation from the mean, so that a decline alone makes no band, but within
+    those of y itself."""
+    size = max(round(share * len(y)), 1)
+    mean = uniform_filter1d(y, size, mode="nearest")
+    below = mean + minimum_filter1d(y - mean, size, mode="nearest")
+    above = mean + maximum_filter1d(y - mean, size, mode="nearest")
+    least = np.maximum(below, minimum_filter1d(y, size, mode="nearest"))
+    greatest = np.minimum(above, maximum_filter1d(y, size, mode="nearest"))
+    every = slice(None, None, max(len(y) // columns, 1))
+    return mean[every], least[every], greatest[every]

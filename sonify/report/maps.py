@@ -1,4 +1,5 @@
-"""COLUMNS -> PICTURE: numbers as contours, categories by their marks, over one axis or two; failed runs as crosses."""
+"""COLUMNS -> PICTURE: numbers as contours, categories by their marks, over one axis or two; failed
+runs as crosses."""
 
 from collections import Counter, defaultdict
 from dataclasses import dataclass
@@ -7,7 +8,7 @@ from textwrap import fill
 
 import numpy as np
 from matplotlib.colors import LogNorm
-from matplotlib.ticker import LogLocator, NullFormatter
+from matplotlib.ticker import LogFormatterMathtext, LogLocator, NullFormatter
 from matplotlib.tri import Triangulation
 
 from sonify.report.figure import figure_at
@@ -21,8 +22,8 @@ LEVELS, WIDE, WORDS = 12, 300.0, 16
 
 @dataclass(frozen=True, kw_only=True)
 class Map:
-    """Columns `of` over `x`, and `y` if there is one: `columns` by name, as lists with None where there is no value;
-    the names in `logs` have logarithmic scales, those in `units` a unit."""
+    """Columns `of` over `x`, and `y` if there is one: `columns` by name, as lists with None where
+    there is no value; the names in `logs` have logarithmic scales, those in `units` a unit."""
 
     x: str
     y: str | None
@@ -34,9 +35,15 @@ class Map:
     def points(self) -> dict[tuple, list]:
         """Return the values by place (x) or (x, y), what is None left out."""
         found = defaultdict(list)
-        for *place, value in zip(*(self.columns[name] for name in (*self.over, self.of)), strict=True):
+        for *place, value in zip(
+            *(self.columns[name] for name in (*self.over, self.of)), strict=True
+        ):
             found[tuple(place)] += [] if value is None else [value]
         return found
+
+    def named(self, name: str) -> str:
+        """Return the name of a column with its unit, where it has one."""
+        return f"{name} [{self.units[name]}]" if name in self.units else name
 
     @property
     def over(self) -> list[str]:
@@ -45,38 +52,54 @@ class Map:
 
 
 def draw_map(what: Map, path):
-    """Draw a map into a PNG file. Runs that differ in other axes share a place: there the median is drawn, or the most
-    frequent category."""
+    """Draw a map into a PNG file. Runs that differ in other axes share a place: there the median is
+    drawn, or the most frequent category."""
     points = what.points()
     values = [value for found in points.values() for value in found]
     shared = max(map(len, points.values()))
     with figure_at(path, 1, 1, (8, 5.5)) as (figure, panel):
         figure.subplots_adjust(left=0.13)
         where = {name: _scaled(panel, k, name, what) for k, name in enumerate(what.over)}
-        places = np.array([[where[name][v] for name, v in zip(what.over, place, strict=True)] for place in points])
+        places = np.array(
+            [[where[name][v] for name, v in zip(what.over, place, strict=True)] for place in points]
+        )
         known = np.array([bool(found) for found in points.values()])
         if all(isinstance(value, float) for value in values):
-            _numbers(figure, panel, places[known], [np.median(found) for found in points.values() if found], what)
+            _numbers(
+                figure,
+                panel,
+                places[known],
+                [np.median(found) for found in points.values() if found],
+                what,
+            )
             told = f"{what.of}, median of up to {shared} runs" if shared > 1 else what.of
         else:
-            most = [Counter(map(_word, found)).most_common(1)[0][0] for found in points.values() if found]
+            most = [
+                Counter(map(_word, found)).most_common(1)[0][0]
+                for found in points.values()
+                if found
+            ]
             figure.subplots_adjust(right=0.77)
             _categories(panel, places[known], most)
             told = f"{what.of}, most frequent of up to {shared} runs" if shared > 1 else what.of
         _failed(panel, places[~known])
-        panel.set_title(told)
+        panel.set_title(told, loc="left")
 
 
 def _scaled(panel, k, name, what):
     """Scale and label an axis of the panel; return the coordinate of every value on it."""
-    values, axis = list(dict.fromkeys(what.columns[name])), (panel.xaxis, panel.yaxis)[k]
-    axis.set_label_text(f"{name} [{what.units[name]}]" if name in what.units else name)
+    values = list(dict.fromkeys(what.columns[name]))
+    axis = (panel.xaxis, panel.yaxis)[k]
+    axis.set_label_text(what.named(name))
     if all(isinstance(value, int | float) and not isinstance(value, bool) for value in values):
         if name in what.logs:
             (panel.set_xscale, panel.set_yscale)[k]("log")
-            axis.set_major_formatter("{x:g}")
+            short = min(values) >= 1e-3 and max(values) < 1e6
+            axis.set_major_formatter("{x:g}" if short else LogFormatterMathtext())
             axis.set_minor_locator(LogLocator(subs=(2, 3, 5)))
-            axis.set_minor_formatter(NullFormatter() if max(values) > DECADE * min(values) else "{x:g}")
+            axis.set_minor_formatter(
+                NullFormatter() if max(values) > DECADE * min(values) else "{x:g}"
+            )
         return {value: value for value in values}
     words = sorted(values, key=str)
     axis.set_major_formatter(lambda at, _: _word(words[int(at)]) if at in range(len(words)) else "")
@@ -87,11 +110,15 @@ def _numbers(figure, panel, places, values, what):
     if places.shape[1] == 1:
         order = places[:, 0].argsort()
         panel.plot(places[order, 0], np.array(values)[order], "k.-", lw=0.8)
-        panel.set_ylabel(what.of)
+        panel.set_ylabel(what.named(what.of))
         return
-    scaled = np.column_stack([np.log(p) if n in what.logs else p for n, p in zip(what.over, places.T, strict=True)])
+    scaled = np.column_stack(
+        [np.log(p) if n in what.logs else p for n, p in zip(what.over, places.T, strict=True)]
+    )
     within = (scaled - scaled.min(axis=0)) / np.maximum(np.ptp(scaled, axis=0), 1e-300)
-    if np.linalg.matrix_rank(within - within.mean(axis=0), 1e-6) < 2 or len(places) < 4:  # on a line, or few
+    if (
+        np.linalg.matrix_rank(within - within.mean(axis=0), 1e-6) < 2 or len(places) < 4
+    ):  # on a line, or few
         drawn = panel.scatter(*places.T, c=values, cmap="viridis")
     else:
         around = Triangulation(*within.T)
@@ -100,14 +127,15 @@ def _numbers(figure, panel, places, values, what):
         drawn = panel.tricontourf(mesh, values, levels, cmap="viridis", norm=scale)
         panel.tricontour(mesh, values, levels, colors="k", linewidths=0.4)
         panel.plot(*places.T, "k.", ms=1.5)
-    bar = figure.colorbar(drawn, ax=panel)
+    bar = figure.colorbar(drawn, ax=panel, label=what.named(what.of))
     if isinstance(drawn.norm, LogNorm):
         bar.set_ticks(drawn.levels, labels=[f"{level:.2g}" for level in drawn.levels], minor=False)
 
 
 def _levels(values):
     """Even levels, in the logarithm where positive values span more than WIDE."""
-    low, high = min(values), max(values)
+    low = min(values)
+    high = max(values)
     if not 0 < WIDE * low < high:
         return LEVELS, None
     return np.geomspace(low, high * (1 + 1e-9), LEVELS), LogNorm(low, high)
@@ -116,14 +144,24 @@ def _levels(values):
 def _categories(panel, places, words):
     names = sorted(set(words))
     for name, mark, colour in zip(names, cycle(MARKS), cycle(COLOURS), strict=False):
-        here, label = places[np.array(words) == name], fill(name.replace("_", " "), WORDS)
-        panel.plot(here[:, 0], _heights(here, names.index(name)), mark, color=colour, ls="", label=label)
+        here = places[np.array(words) == name]
+        label = fill(name.replace("_", " "), WORDS)
+        panel.plot(
+            here[:, 0], _heights(here, names.index(name)), mark, color=colour, ls="", label=label
+        )
     _legend(panel)
 
 
 def _failed(panel, places):
     if len(places):
-        panel.plot(places[:, 0], _heights(places, panel.get_ylim()[0]), "rx", ms=7, label="no value", clip_on=False)
+        panel.plot(
+            places[:, 0],
+            _heights(places, panel.get_ylim()[0]),
+            "rx",
+            ms=7,
+            label="no value",
+            clip_on=False,
+        )
         _legend(panel)
 
 
@@ -134,9 +172,15 @@ def _heights(places, at):
 
 def _legend(panel):
     """Beside the panel, where there is room; over it beside a bar of colours."""
-    beside = {"loc": "upper left", "bbox_to_anchor": (1.01, 1)} if len(panel.figure.axes) == 1 else {"loc": "best"}
+    beside = (
+        {"loc": "upper left", "bbox_to_anchor": (1.01, 1)}
+        if len(panel.figure.axes) == 1
+        else {"loc": "best"}
+    )
     panel.legend(**beside, frameon=False)
 
 
 def _word(value):
-    return {True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value)
+    return (
+        {True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value)
+    )

@@ -9,12 +9,14 @@ from matplotlib.patches import Arc, Circle
 from matplotlib.tri import Triangulation
 
 from modal.modes import Modes, Support
-from sonify.report.captions import caption, stiff_share  # noqa: F401, found here, too
-from sonify.report.solid_view import skin, view
+from sonify.report.lit_polygons import skin, view
+from sonify.report.mode_names import caption, stiff_share  # noqa: F401, found here, too
 
 COLUMNS = 5
 ACROSS, SLANTED, ABOVE, HEAD = 2.6, 1.9, 2.5, 0.6
 """Width of a mode, heights of its two views and of the title, over the radius of the disk."""
+SCALE = 0.95
+"""Height of the scales of colour, over the radius of the disk."""
 INCH = 0.95
 """Size of a radius [in]."""
 STRETCH = 0.16
@@ -22,28 +24,41 @@ STRETCH = 0.16
 
 
 def draw_modes(
-    modes: Modes, path, slanted: bool = True, support: Support | None = None, moving: str = "", table=None
+    modes: Modes,
+    path,
+    slanted: bool = True,
+    support: Support | None = None,
+    moving: str = "",
+    table=None,
 ) -> None:
-    """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the whole body over it.
+    """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the
+    whole body over it.
 
-    At a slant colour is how far a point moves; from above it is axial motion, black its nodal lines, dashed the rim
-    moved in its plane. All are to scale within a mode. The arc of the rim over which the patch of `support` holds it,
-    where it is given, is green. `moving`, lines on where the modes go, stands where the next mode would. Below are
-    those of a `table`: points (p, 2) and upward motion (n, p) of its face, n captions, and how many modes it has.
-    A disk without modes gives a picture that says so.
-    """
+    At a slant colour is how far a point moves; from above it is axial motion, black its nodal
+    lines, dashed the rim moved in its plane. All are to scale within a mode. The arc of the rim
+    over which the patch of `support` holds it, where it is given, is green. `moving`, lines on
+    where the modes go, stands where the next mode would. Below are those of a `table`: points (p,
+    2) and upward motion (n, p) of its face, n captions, and how many modes it has. A disk without
+    modes gives a picture that says so."""
     tall = SLANTED if slanted else 0.0
-    rows, high = max(1, -(-(len(modes) + bool(moving)) // COLUMNS)), HEAD + tall + ABOVE
+    rows = max(1, -(-(len(modes) + bool(moving)) // COLUMNS))
+    high = HEAD + tall + ABOVE
     below = (HEAD + -(-len(table[2]) // COLUMNS) * (HEAD + ABOVE)) if table else 0.0
-    figure = Figure(figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + below + HEAD)), dpi=100)
+    figure = Figure(
+        figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + below + HEAD + SCALE)), dpi=100
+    )
     FigureCanvasAgg(figure)
-    axis = figure.add_axes((0, 0, 1, 1))  # one for all: every other one would cost as much as a mode
-    axis.set(xlim=(0, ACROSS * COLUMNS), ylim=(-high * rows - below, HEAD))
+    axis = figure.add_axes(
+        (0, 0, 1, 1)
+    )  # one for all: every other one would cost as much as a mode
+    limits = {"xlim": (0, ACROSS * COLUMNS), "ylim": (-high * rows - below - SCALE, HEAD)}
+    axis.set(**limits)
     axis.set_axis_off()
     polygons = skin(modes.body) if slanted and len(modes) else None
     for i in range(len(modes)):
         row, column = divmod(i, COLUMNS)
-        x, y = ACROSS * (column + 0.5), -high * row
+        x = ACROSS * (column + 0.5)
+        y = -high * row
         told = caption(modes, i, bool(support) and support.kind != "free")
         axis.text(x, y - 0.05, told, fontsize=10, ha="center", va="top")
         if slanted:
@@ -51,21 +66,70 @@ def draw_modes(
         draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2), support)
     if moving:
         row, column = divmod(len(modes), COLUMNS)
-        axis.text(ACROSS * (column + 0.5), -high * row - 0.05, moving, fontsize=10, ha="center", va="top")
+        axis.text(
+            ACROSS * (column + 0.5), -high * row - 0.05, moving, fontsize=10, ha="center", va="top"
+        )
     if not len(modes):
-        axis.text(ACROSS * COLUMNS / 2, -high / 2, "no mode below the highest frequency asked for", ha="center")
+        axis.text(
+            ACROSS * COLUMNS / 2,
+            -high / 2,
+            "no mode below the highest frequency asked for",
+            ha="center",
+        )
     if table:
         draw_table(axis, *table, -high * rows)
-    legend = AT_A_SLANT + LEGEND if slanted else LEGEND
-    axis.text(ACROSS * COLUMNS / 2, HEAD / 2, legend, fontsize=11, ha="center", va="center")
+    axis.text(
+        ACROSS * COLUMNS / 2,
+        HEAD / 2,
+        legend(slanted, support),
+        fontsize=11,
+        ha="center",
+        va="center",
+    )
+    scales = {}
+    if slanted and len(modes):
+        scales["at a slant: displacement / its greatest"] = (0, "viridis")
+    if table or len(modes):
+        scales["from above: axial displacement / the greatest"] = (-1, "RdBu_r")
+    for column, (label, (least, name)) in enumerate(scales.items()):
+        left = ACROSS * (COLUMNS / 2 - 1.2 + 2.4 * (column - (len(scales) - 1) / 2))
+        draw_scale(axis, (left, -high * rows - below - SCALE), label, least, name)
+    axis.set(**limits, aspect="auto")
     figure.savefig(path)
 
 
-AT_A_SLANT = "At a slant: exaggerated, bright where it moves most. "
-LEGEND = (
-    "From above: axial motion of the top face (colour),\n"
-    "nodal lines (black), rim (dashed); a patch that holds the disk is to the right (green), a swing turns about it"
-)
+def legend(slanted: bool, support: Support | None) -> str:
+    """What the picture shows, in two lines."""
+    at_a_slant = "At a slant: the body exaggerated, bright where it moves most. " if slanted else ""
+    held = (
+        "; green: the patch that holds the disk, about which a swing turns"
+        if _on_patch(support)
+        else ""
+    )
+    first = f"{at_a_slant}From above: axial motion of the top face (colour)"
+    return f"{first},\nnodal lines (black), the rim moved in its plane (dashed){held}"
+
+
+def _on_patch(support: Support | None) -> bool:
+    return support is not None and support.kind == "patch"
+
+
+def draw_scale(axis, at, label: str, least: float, colours: str):
+    """A bar of the `colours` from `least` to 1 with numbers and `label`, in a box whose lower left
+    corner is (x, y)."""
+    x, y = at
+    long = 2.0
+    tall = 0.16
+    steps = np.linspace(0, 1, 256)[None]
+    x += (2.4 * ACROSS - long) / 2
+    middle = y + 0.62
+    axis.imshow(
+        steps, cmap=colours, extent=(x, x + long, middle, middle + tall), aspect="auto", zorder=2
+    )
+    for share in (0.0, 0.5, 1.0):
+        number = f"{least + share * (1 - least):g}"
+        axis.text(x + share * long, middle - 0.05, number, fontsize=9, ha="center", va="top")
+    axis.text(x + long / 2, middle - 0.3, label, fontsize=10, ha="center", va="top")
 
 
 def draw_solid(axis, modes: Modes, polygons, i, at):
@@ -76,12 +140,14 @@ def draw_solid(axis, modes: Modes, polygons, i, at):
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
     axis.add_collection(
-        PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4), autolim=False
+        PolyCollection(places / radius + at, facecolors=colour, edgecolors=colour, linewidths=0.4),
+        autolim=False,
     )
 
 
 def draw_table(axis, points, face, captions, count, top):
-    """The modes of a table from above, below the height `top`: upward motion (colour), nodal lines (black)."""
+    """The modes of a table from above, below the height `top`: upward motion (colour), nodal lines
+    (black)."""
     few = "" if len(face) == count else f", the lowest {len(face)} of {count}"
     told = f"Modes of the table{few}: upward motion of its top face (colour), nodal lines (black)"
     axis.text(ACROSS * COLUMNS / 2, top - HEAD / 2, told, fontsize=11, ha="center", va="center")
@@ -90,25 +156,31 @@ def draw_table(axis, points, face, captions, count, top):
     mesh = Triangulation(x, y)
     for i, (shape, told) in enumerate(zip(face, captions, strict=True)):
         row, column = divmod(i, COLUMNS)
-        at, head = ACROSS * (column + 0.5), top - HEAD - (HEAD + ABOVE) * row
+        at = ACROSS * (column + 0.5)
+        head = top - HEAD - (HEAD + ABOVE) * row
         here = Triangulation(x + at, y + head - HEAD - ABOVE / 2, mesh.triangles)
         axis.text(at, head - 0.05, told, fontsize=10, ha="center", va="top")
-        axis.tricontourf(here, shape / np.abs(shape).max(), levels=np.linspace(-1, 1, 22), cmap="RdBu_r")
+        axis.tricontourf(
+            here, shape / np.abs(shape).max(), levels=np.linspace(-1, 1, 22), cmap="RdBu_r"
+        )
         axis.tricontour(here, shape, levels=[0.0], colors="black", linewidths=1.3)
 
 
 def edges(modes: Modes):
-    """Radius of the rim and of the hole, 0 if there is none, of the faces [m]: the weights add up to (R^2 - r^2)/2."""
+    """Radius of the rim and of the hole, 0 if there is none, of the faces [m]: the weights add up
+    to (R^2 - r^2)/2."""
     radius = np.hypot(*modes.body.points[:, :2].T).max()
     hole = radius**2 - 2 * modes.face_weight.sum()
     return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
 
 
 def draw_above(axis, modes: Modes, i, at, support: Support | None):
-    """One mode from above, its centre `at` (x, y) in radii: colours, nodal lines, rim at rest and displaced, patch."""
+    """One mode from above, its centre `at` (x, y) in radii: colours, nodal lines, rim at rest and
+    displaced, patch."""
     radius, hole = edges(modes)
     x, y, w = top_face(modes, i, radius, hole)
-    x, y = x / radius + at[0], y / radius + at[1]
+    x = x / radius + at[0]
+    y = y / radius + at[1]
     plane = modes.rim_shape[i, :, :2]
     scale = max(np.abs(w).max(), np.abs(plane).max())
     axis.contourf(x, y, w / scale, levels=np.linspace(-1, 1, 22), cmap="RdBu_r")
@@ -118,16 +190,22 @@ def draw_above(axis, modes: Modes, i, at, support: Support | None):
         axis.add_patch(Circle(at, r, fill=False, color="0.3", lw=1))
     moved = moved_rim(modes, i, 1.0, STRETCH / scale)
     axis.plot(moved[0] + at[0], moved[1] + at[1], color="0.1", lw=1, ls=(0, (4, 2)))
-    if support and support.kind == "patch":
+    if _on_patch(support):
         reach = support.half_angle_deg
         axis.add_patch(Arc(at, 2, 2, theta1=-reach, theta2=reach, color="tab:green", lw=5))
 
 
 def top_face(modes: Modes, i, radius, hole):
-    """Cartesian grids x, y and axial motion w of the top face, closed around, up to the rim and the centre or hole."""
-    w, at = modes.face_shape[i, 1], modes.face_radius
+    """Cartesian grids x, y and axial motion w of the top face, closed around, up to the rim and the
+    centre or hole."""
+    w = modes.face_shape[i, 1]
+    at = modes.face_radius
     rim = w[-1] + (w[-1] - w[-2]) * (radius - at[-1]) / (at[-1] - at[-2])
-    within = w[0] + (w[1] - w[0]) * (hole - at[0]) / (at[1] - at[0]) if hole else np.full(w.shape[1], w[0].mean())
+    within = (
+        w[0] + (w[1] - w[0]) * (hole - at[0]) / (at[1] - at[0])
+        if hole
+        else np.full(w.shape[1], w[0].mean())
+    )
     w = np.vstack([within, w, rim])
     r = np.concatenate([[hole], at, [radius]])
     angle = np.append(modes.face_angle, 2 * np.pi)
@@ -137,7 +215,10 @@ def top_face(modes: Modes, i, radius, hole):
 
 def moved_rim(modes: Modes, i, radius, factor):
     """x, y (k + 1,) of the bottom edge displaced in the plane."""
-    radial, tangential = factor * modes.rim_shape[i, :, 0], factor * modes.rim_shape[i, :, 1]
-    c, s = np.cos(modes.rim_angle), np.sin(modes.rim_angle)
-    x, y = (radius + radial) * c - tangential * s, (radius + radial) * s + tangential * c
+    radial = factor * modes.rim_shape[i, :, 0]
+    tangential = factor * modes.rim_shape[i, :, 1]
+    c = np.cos(modes.rim_angle)
+    s = np.sin(modes.rim_angle)
+    x = (radius + radial) * c - tangential * s
+    y = (radius + radial) * s + tangential * c
     return np.append(x, x[0]), np.append(y, y[0])

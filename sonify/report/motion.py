@@ -1,58 +1,141 @@
-"""MOTION -> PICTURES: the paper's figures 3 to 6, and where the energy goes on a table that acts back."""
+"""MOTION -> PICTURES: its course in SI units, the paper's figures 3 to 6, and the energies on a
+moving table."""
 
 import numpy as np
 
-from sonify.report.figure import figure_at
+from sonify.report.figure import envelope, figure_at, legend_above, plain_decades
 
-TITLES = (
-    ("α [rad]", "Figure 3 (a): angle of the disk to the upright"),
-    ("Ê", "Figure 3 (b): energy"),
-    ("Φ", "Figure 4 (a): normal force"),
-    ("f̂", "Figure 4 (b): frequency of the normal force"),
+PAPER = (
+    ("angle to the upright α [rad]", "Figure 3 (a) of the paper"),
+    ("energy Ê", "Figure 3 (b)"),
+    ("normal force Φ", "Figure 4 (a)"),
+    ("frequency of the normal force f̂", "Figure 4 (b)"),
     ("y/R", "Figure 5: path of the centre"),
-    ("dθ/dτ", "Figure 6: rate of precession"),
+    ("precession rate dθ/dτ", "Figure 6"),
 )
+"""Names of the axis and of the panel for each of the paper's figures."""
+AVERAGED = 0.015
+"""Share of the motion over which its range and its mean are drawn."""
+ENERGY_UNITS = {1.0: "J", 1e-3: "mJ", 1e-6: "µJ", 1e-9: "nJ"}
+"""Units of energy by their size [J]."""
 
 
-def draw_motion(path, curves, weight: float, paper: tuple[float, float] | None = None):
-    """Draw the `curves` (x, y) of the paper's figures 3 to 6, and the normal force of a disk at rest; of the `paper`'s
-    scene what it says besides: where the angle begins, and the frequency of the normal force that it names, and when.
-    """
-    with figure_at(path, 3, 2, (11, 11)) as (_, axes):
-        for panel, (x, y), (label, title) in zip(axes.flat, curves, TITLES, strict=True):
-            panel.plot(x, y, color="k", lw=0.6)
-            panel.set(xlabel="time τ = t/χ", ylabel=label, title=title)
-            panel.grid(alpha=0.3)
-        for panel, height, name in ((axes[0, 0], np.pi / 2, "flat"), (axes[1, 0], weight, "weight")):
-            panel.axhline(height, color="0.5", lw=1.2, ls="--", label=name)
-        if paper is not None:
-            axes[0, 0].plot(0, 1.0, "o", color="#d55e00", label="the paper: α = 1.0 at τ = 0")
-            axes[0, 1].annotate("the paper: steeper in each slide", (0.35, 0.8), xycoords="axes fraction")
-            axes[1, 0].axhline(0, color="#d55e00", lw=1.2, label="the paper: never reached")
-            axes[1, 1].axhline(paper[0], color="#d55e00", lw=1.2, ls="--", label=f"the paper: {paper[0]:g} is 36 Hz")
-            axes[1, 1].plot(paper[1], paper[0], "o", color="#d55e00", label=f"reached at τ = {paper[1]:g}")
-        for panel in (axes[0, 0], axes[1, 0], *([axes[1, 1]] if paper else [])):
-            panel.legend(loc="best", fontsize=8, framealpha=1)
-        axes[1, 1].set(ylim=(0, 4))
-        axes[2, 0].set(xlabel="x/R", aspect="equal", adjustable="datalim")
-        lowest, highest = np.percentile(curves[5][1], [1, 99])
-        axes[2, 1].set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
+def draw_motion(path, motion: dict, paper: dict | None = None):
+    """Draw a motion in SI units; below it, of the `paper`'s scene alone, its dimensionless figures
+    3 to 6."""
+    rows = 6 if paper else 3
+    with figure_at(path, rows, 2, (11, 3.67 * rows)) as (_, axes):
+        _draw_si(axes[:3], **motion)
+        if paper:
+            _draw_paper(axes[3:], **paper)
+
+
+def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, before_end):
+    """Draw the curves over `time` (k,) [s]: inclination [degrees], energy [J] and force [N], and
+    the path of the `centre` (2, k) [mm]. `rates` and `before_end` are rows of times [s], precession
+    and nutation [Hz]."""
+    (tilt, held, load) = axes[:, 0]
+    (hertz, end, path) = axes[[1, 2, 0], 1]
+    for panel, curve in ((tilt, inclination), (load, force)):
+        mean, least, greatest = envelope(curve, AVERAGED)
+        at = np.linspace(time[0], time[-1], len(mean))
+        panel.fill_between(at, least, greatest, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range")
+        panel.plot(
+            at, mean, color="#0072b2", lw=1.0, label=f"mean over {AVERAGED * np.ptp(time):.2g} s"
+        )
+    load.axhline(weight, color="k", lw=1.0, ls="--", label="weight")
+    size = next((size for size in ENERGY_UNITS if energy.max() >= size), 1e-9)
+    held.plot(time, energy / size, color="k", lw=1.2)
+    path.plot(*centre, color="k", lw=0.6)
+    for panel, (instants, precession, nutation) in ((hertz, rates), (end, before_end)):
+        panel.plot(instants, precession, color="k", lw=1.2, label="precession")
+        panel.plot(instants, nutation, color="#0072b2", lw=1.2, ls="--", label="nutation")
+        panel.set(yscale="log", ylabel="frequency [Hz]")
+        plain_decades(panel.yaxis)
+    for panel in (tilt, held, load, hertz):
+        panel.set(xlabel="time [s]", xlim=(time[0], time[-1]))
+    tilt.set(ylabel="inclination [degrees]", ylim=(0, None))
+    held.set(ylabel=f"energy [{ENERGY_UNITS[size]}]", ylim=(0, None))
+    load.set(ylabel="normal force [N]")
+    hertz.set(ylim=_range(rates))
+    end.set(xscale="log", xlabel="time before the end [s]")
+    end.invert_xaxis()
+    path.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal", adjustable="datalim")
+    titles = {tilt: "Inclination", held: "Energy", load: "Normal force", path: "Path of the centre"}
+    titles |= {hertz: "Rates", end: "Rates towards the end"}
+    for panel, title in titles.items():
+        panel.set_title(title, loc="left")
+        panel.grid(alpha=0.3)
+    for panel in (tilt, load, hertz, end):
+        legend_above(panel, frameon=False)
+
+
+def _range(rates):
+    """Return the frequencies [Hz] between which the rates (3, q) are drawn: not the last thousandth
+    of the time."""
+    time = rates[0]
+    seen = np.concatenate([curve[time <= time[-1] - 1e-3 * np.ptp(time)] for curve in rates[1:]])
+    seen = seen[np.isfinite(seen) & (seen > 0)]
+    return (seen.min() / 1.2, seen.max() * 1.2) if len(seen) else (1.0, 10.0)
+
+
+def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
+    """Draw the `curves` (x, y) of the paper's figures 3 to 6 in units of `chi` [s], the height of
+    the `weight` in that of the normal force, and what the paper says: the `frequency` over 1/chi
+    that it names, when it is `reached`."""
+    orange = "#d55e00"
+    for panel, (x, y), (label, title) in zip(axes.flat, curves, PAPER, strict=True):
+        panel.plot(x, y, color="k", lw=0.6)
+        panel.set(xlabel=f"time τ = t/χ, χ = {chi:.4g} s", ylabel=label)
+        panel.set_title(title, loc="left")
+        panel.grid(alpha=0.3)
+    (alpha, energy), (load, rate), (path, precession) = axes
+    alpha.axhline(np.pi / 2, color="0.5", lw=1.2, ls="--", label="flat")
+    alpha.plot(0, 1.0, "o", color=orange, label="paper: α(0) = 1")
+    energy.plot([], [], " ", label="paper: steeper in each slide")
+    load.axhline(weight, color="0.5", lw=1.2, ls="--", label="weight")
+    load.axhline(0, color=orange, lw=1.2, label="paper: never reached")
+    rate.axhline(frequency, color=orange, lw=1.2, ls="--", label=f"paper: {frequency:g} is 36 Hz")
+    rate.plot(reached, frequency, "o", color=orange, label=f"τ = {reached:g}")
+    for panel in (alpha, energy, load, rate):
+        legend_above(panel, frameon=False)
+    rate.set(ylim=(0, 4))
+    path.set(xlabel="x/R", aspect="equal", adjustable="datalim")
+    lowest, highest = np.percentile(curves[5][1], [1, 99])
+    precession.set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
 
 
 STYLES = "-", "--", ":", "-.", (0, (5, 1)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)), (0, (3, 1))
 LEAST = 1e-6
 """Energies are shown down to this part of the greatest."""
+CAUSE_NAMES = {
+    "contact": "compression of the contact",
+    "creep": "creep of the contact",
+    "slip": "sliding",
+    "moments": "rolling and pivoting friction",
+    "table": "vibration of the table",
+    "film": "film of air",
+    "body": "vibration of the disk",
+}
+"""Cause of a loss -> its name in a legend."""
 
 
 def draw_energy(path, left, held: dict, lost: dict):
-    """Draw the energies [J] that are `held`, and what was `lost` since, by name (k,), at times `left` [s]."""
-    with figure_at(path, 1, 2, (11, 4.6)) as (_, axes):
-        for panel, curves, title in zip(axes, (held, lost), ("What holds energy", "What took energy"), strict=True):
+    """Draw the energies [J] that are `held`, and what was `lost` since, by name (k,), at times
+    `left` [s]."""
+    with figure_at(path, 1, 2, (11, 5.6)) as (figure, axes):
+        figure.subplots_adjust(top=0.76)
+        for panel, curves, title in zip(
+            axes, (held, lost), ("What holds energy", "What took energy"), strict=True
+        ):
             most = max(curve.max() for curve in curves.values())
             shown = {name: curve for name, curve in curves.items() if curve.max() > LEAST * most}
             for (name, curve), style in zip(shown.items(), STYLES, strict=False):
-                panel.plot(left, curve, ls=style, lw=1.2, label=name)
-            panel.set(xscale="log", yscale="log", xlim=(left[0], left[-1]), ylim=(LEAST * most, 2 * most))
-            panel.set(xlabel="time left until the disk lies flat [s]", ylabel="energy [J]", title=title)
+                panel.plot(left, curve, ls=style, lw=1.2, label=CAUSE_NAMES.get(name, name))
+            panel.set(
+                xscale="log", yscale="log", xlim=(left[0], left[-1]), ylim=(LEAST * most, 2 * most)
+            )
+            panel.set(xlabel="time left until the disk lies flat [s]", ylabel="energy [J]")
             panel.grid(alpha=0.3)
-            panel.legend(loc="best", fontsize=8, framealpha=1)
+            figure.text(panel.get_position().x0, 0.91, title, fontsize=12)
+            legend_above(panel, columns=2, frameon=False)

@@ -1,23 +1,27 @@
-"""RESULT -> PAGE: one self-contained HTML file with the sound, the pictures, the checks and the findings."""
+"""RESULT -> PAGE: one self-contained HTML file with the sound, the pictures, the checks and the
+findings."""
 
 from base64 import b64encode
+from collections import Counter
 from functools import cache
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_args
 
 from jinja2 import Environment, PackageLoader
 from jinja2.utils import htmlsafe_json_dumps
 from markupsafe import Markup
 from tomli_w import dumps
 
-from sonify.claims.answers import in_short
-from sonify.claims.hangs import hangs_on
-from sonify.claims.paper import of_the_paper, paper_rows
-from sonify.files import whole
-from sonify.report import in_words as words
-from sonify.report.captions import shape_in_words
+from sonify.claims.details import unit_and_details
+from sonify.claims.finding import Finding, Verdict
+from sonify.claims.paper_figures import of_the_paper, paper_rows
+from sonify.claims.provenance import depends_on
+from sonify.claims.surface_summary import in_short
+from sonify.report import captions as words
+from sonify.report.mode_names import shape_in_words
 from sonify.report.page_data import compressed, page_data
+from sonify.runtime.files import whole
 
 if TYPE_CHECKING:
     from sonify.result import Result
@@ -27,9 +31,10 @@ MOST_EMBEDDED = 100_000_000
 
 
 def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
-    """Write the page of a result, with everything it shows and plays inside, but not a sound of hours; what is `told`
-    in it may be known as `numbers`."""
-    modes, held = result.modes, result.scene.support.kind == "patch"
+    """Write the page of a result, with everything it shows and plays inside, but not a sound of
+    hours; what is `told` in it may be known as `numbers`."""
+    modes = result.modes
+    held = result.scene.support.kind == "patch"
     shapes = [shape_in_words(modes, i, held) for i in range(len(modes))]
     text = (
         templates()
@@ -37,8 +42,10 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
         .render(
             result=result,
             modes=[*zip(modes.frequency, modes.decay_time, shapes, strict=True)],
-            hangs_on=hangs_on,
+            depends_on=depends_on,
+            unit_and_details=unit_and_details,
             answers=in_short(result.findings),
+            claims=counted(result.findings),
             paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
             not_from=words.not_from(result),
             scene=dumps(result.scene.document),
@@ -63,10 +70,12 @@ def told(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any
 
 
 def bundle() -> dict[str, str]:
-    """Return script, style and licences of the page, built from `web/`, as they go into its HTML."""
+    """Return script, style and licences of the page, built from `web/`, as they go into its
+    HTML."""
     files = {"script": "page.js", "style": "page.css", "licences": "page.licenses.txt"}
     held = {
-        name: (resources.files("sonify.report") / "templates" / file).read_text("utf-8") for name, file in files.items()
+        name: (resources.files("sonify.report") / "templates" / file).read_text("utf-8")
+        for name, file in files.items()
     }
     return held | {name: Markup(held[name].replace("</", "<\\/")) for name in ("script", "style")}
 
@@ -79,10 +88,20 @@ def templates() -> Environment:
 
 def in_words(result: "Result") -> str:
     """Return a result in a few lines."""
-    yes, passed = (sum(one) for one in ([f.holds for f in result.findings], [c.passed for c in result.checks]))
+    passed = sum(check.passed for check in result.checks)
     head = f"{result.scene.name}: {result.motion.outcome.sentence}"
-    count = f"{passed} of {len(result.checks)} self-checks passed; {yes} of {len(result.findings)} claims stand"
-    return "\n".join([head, *map(repr, (result.plan, result.modes, result.motion, result.sound)), count])
+    count = (
+        f"{passed} of {len(result.checks)} self-checks passed; claims: {counted(result.findings)}"
+    )
+    return "\n".join(
+        [head, *map(repr, (result.plan, result.modes, result.motion, result.sound)), count]
+    )
+
+
+def counted(findings: list[Finding]) -> str:
+    """Return how many claims came out yes, no and undecided, as in "5 yes, 2 no, 1 undecided"."""
+    verdicts = Counter(finding.verdict for finding in findings)
+    return ", ".join(f"{verdicts[verdict]} {verdict}" for verdict in get_args(Verdict))
 
 
 def in_a_notebook(result: "Result") -> str:
@@ -90,7 +109,13 @@ def in_a_notebook(result: "Result") -> str:
     template = templates().get_template("notebook.html")
     sound = result.sound.audible
     audible = compressed(sound) if 3 * sound.frames <= MOST_EMBEDDED else ""
-    return template.render(result=result, hangs_on=hangs_on, audible=audible, words=in_words(result))
+    return template.render(
+        result=result,
+        depends_on=depends_on,
+        unit_and_details=unit_and_details,
+        audible=audible,
+        words=in_words(result),
+    )
 
 
 def embedded(path: Path, kind: str) -> str:

@@ -1,4 +1,5 @@
-"""PICTURES: what was solved and what is heard, each readable without colour; this says what goes into them."""
+"""PICTURES: what was solved and what is heard, each readable without colour; this says what goes
+into them."""
 
 import os
 import pickle
@@ -10,22 +11,21 @@ from itertools import zip_longest
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from scipy.ndimage import median_filter
 
-from dynamics.rates import nutation_frequency, precession_rate, smooth_rates
+from dynamics.observables import drawn_rates, nutation_frequency, precession_rate
 from sonify.claims.contact import carrier_line
-from sonify.claims.motion import FIGURE_4
-from sonify.claims.paper import of_the_paper
+from sonify.claims.paper_figures import of_the_paper
+from sonify.claims.rigid_motion import FORCING_FREQUENCY_NAMED, FORCING_FREQUENCY_TIME
 from sonify.claims.sound import LAST
 from sonify.claims.table import radiated_power
-from sonify.claims.two_ways import energy_budget, two_way
-from sonify.files import whole
+from sonify.claims.two_way import energy_budget, two_way
 from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.plan.supports import over_the_run
-from sonify.progress import beside
-from sonify.report.captions import table_caption
-from sonify.report.painter import drawn, painter
+from sonify.report.mode_names import table_caption
+from sonify.report.render_worker import drawn, painter
+from sonify.runtime.files import whole
+from sonify.runtime.progress import beside
 from sonify.sound.radiation import listener_of
 
 if TYPE_CHECKING:
@@ -34,8 +34,6 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 
-AROUND = 15
-"""Periods of the nutation whose median is its usual share of the precession."""
 NEAREST = 1e-4
 """The energies of a table that acts back are drawn up to this part of the time before the end."""
 MOST_TABLE = 10
@@ -43,15 +41,16 @@ MOST_TABLE = 10
 
 
 class Pictures:
-    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and the parts of its page that
-    take long."""
+    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and the
+    parts of its page that take long."""
 
     def __init__(self):
         self._futures: dict[str, Future] = {}
         self._parts = {"colours": painter().draw("sound", "draw_colours", dict)}
 
     def begin(self, found: Any):
-        """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as a Result has."""
+        """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as
+        a Result has."""
         for name, (needs, *_) in PICTURES.items():
             if hasattr(found, needs) and name not in self._futures and not _left_out(name, found):
                 self._futures[name] = _begun(name, found)
@@ -90,7 +89,9 @@ def _of_the_modes(content):
 
 
 if hasattr(os, "register_at_fork"):
-    os.register_at_fork(after_in_child=_of_the_modes.cache_clear)  # what another process waits for does not come here
+    os.register_at_fork(
+        after_in_child=_of_the_modes.cache_clear
+    )  # what another process waits for does not come here
 
 
 def _instants(motion):
@@ -113,7 +114,8 @@ def _left_out(name, found):
 
 
 def picture(result: "Result", name: str) -> "Image":
-    """Return one of the PICTURES of a result, which a notebook shows. Raises ValueError for another name."""
+    """Return one of the PICTURES of a result, which a notebook shows. Raises ValueError for another
+    name."""
     from PIL import Image
 
     if name not in PICTURES:
@@ -123,24 +125,18 @@ def picture(result: "Result", name: str) -> "Image":
 
 
 def _spectrogram(found):
-    motion, sound = found.motion, found.sound
-    low, high = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES), spectrogram(sound.pressure, WINDOW_MODES)
+    motion = found.motion
+    sound = found.sound
+    low = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES)
+    high = spectrogram(sound.pressure, WINDOW_MODES)
     end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
-    peaks, precession, nutation = smooth_rates(motion)
+    time, precession, nutation = drawn_rates(motion)
     seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
     delay = sound.source_end - motion.t[-1]
     carrier = carrier_line(found.scene, motion, delay)
     table = found.table.frequency if found.table else []
     seen |= {"frequencies": found.modes.frequency, "table": table, "carrier": carrier}
-    return seen | {"time": peaks + delay, "rates": [precession, nutating(nutation, precession)]}
-
-
-def nutating(nutation: np.ndarray, precession: np.ndarray) -> np.ndarray:
-    """Return the nutation (q,), not a number where it is no nutation but the noise of a rough contact: off the
-    precession by more than a factor of two, or off its usual share of it, in AROUND periods, by more than a tenth."""
-    share = np.log(nutation / precession)
-    usual = median_filter(share, AROUND, mode="nearest")
-    return np.where((np.abs(share) < np.log(2)) & (np.abs(share - usual) < np.log(1.1)), nutation, np.nan)
+    return seen | {"time": time + delay, "rates": [precession, nutation]}
 
 
 def _stems(found):
@@ -151,10 +147,37 @@ def _stems(found):
 
 
 def _motion(found):
-    """The curves of the paper's figures, and the height of the weight in that of the normal force."""
-    motion, disk = found.motion, found.motion.disk
-    chi, t = disk.time_unit, np.linspace(0, motion.t[-1], 12000)
-    state, (peaks, frequency) = motion.at(t), nutation_frequency(motion)
+    """The course of a motion, and the curves of the paper's figures where the scene is the
+    paper's."""
+    paper = _figures_of_the_paper(found.motion) if of_the_paper(found.scene) else None
+    return {"motion": _course(found.motion), "paper": paper}
+
+
+def _course(motion):
+    """What is drawn of a motion, in SI units."""
+    t = np.linspace(0, motion.t[-1], 24_000)
+    state, force = motion.at_and_force(t)
+    rates = np.array(drawn_rates(motion))
+    return {
+        "time": t,
+        "inclination": np.degrees(state[:, 1]),
+        "energy": motion.energy(t),
+        "force": force[:, 2],
+        "weight": motion.disk.weight,
+        "centre": 1e3 * state[:, 3:5].T,
+        "rates": rates,
+        "before_end": np.vstack([motion.t_end - rates[:1], rates[1:]]),
+    }
+
+
+def _figures_of_the_paper(motion):
+    """The curves of the paper's figures, and the height of the weight in that of the normal
+    force."""
+    disk = motion.disk
+    chi = disk.time_unit
+    t = np.linspace(0, motion.t[-1], 12000)
+    state = motion.at(t)
+    (peaks, frequency) = nutation_frequency(motion)
     curves = (
         (t / chi, np.pi / 2 - state[:, 1]),
         (t / chi, motion.energy(t) * chi**2 / (disk.mass * disk.radius**2)),
@@ -164,40 +187,72 @@ def _motion(found):
         (t / chi, precession_rate(state) * chi),
     )
     weight = motion.normal_load([0.0])[0] * disk.weight / motion.force([0.0])[0, 2]
-    return {"curves": curves, "weight": weight, "paper": FIGURE_4 if of_the_paper(found.scene) else None}
+    frequency = FORCING_FREQUENCY_NAMED
+    reached = FORCING_FREQUENCY_TIME
+    return {
+        "curves": curves,
+        "weight": weight,
+        "chi": chi,
+        "frequency": frequency,
+        "reached": reached,
+    }
 
 
 def _energy(found):
     """The budget of a table that acts back, at times that come the closer the nearer the end is."""
-    end, begin = found.motion.t[-1], two_way(found.motion)[1]
+    end = found.motion.t[-1]
+    begin = two_way(found.motion)[1]
     t = nearing(begin, end)
     budget = energy_budget(found.motion, t, radiated_power(found.sound, listener_of(found.scene)))
-    held = {"disk": budget.disk, "modes of the table": budget.table, "modes of the disk": budget.bending}
-    return {"left": end - t, "held": held, "lost": budget.lost | {"sound of the table": budget.sound}}
+    held = {
+        "disk": budget.disk,
+        "modes of the table": budget.table,
+        "modes of the disk": budget.bending,
+    }
+    return {
+        "left": end - t,
+        "held": held,
+        "lost": budget.lost | {"sound of the table": budget.sound},
+    }
 
 
 def nearing(begin: float, end: float) -> np.ndarray:
     """Return times [s] from `begin` on that come the closer the nearer the end is."""
-    return np.maximum(end - np.geomspace(end - begin, NEAREST * (end - begin), 2000), begin)  # not before, by round-off
+    return np.maximum(
+        end - np.geomspace(end - begin, NEAREST * (end - begin), 2000), begin
+    )  # not before, by round-off
 
 
 def _modes(found):
     """The modes of a draft are seen from above only."""
     steps = over_the_run(found.scene, found.motion, found.plan.highest_mode)
-    slanted, table = found.plan.accuracy != "draft", found.table
-    shown = {"modes": found.modes, "slanted": slanted, "support": found.scene.support, "moving": moving(steps)}
+    slanted = found.plan.accuracy != "draft"
+    table = found.table
+    shown = {
+        "modes": found.modes,
+        "slanted": slanted,
+        "support": found.scene.support,
+        "moving": moving(steps),
+    }
     if not table:
         return shown
     few = range(min(len(table), MOST_TABLE))
-    return shown | {"table": (table.points, table.face[few], [table_caption(table, i) for i in few], len(table))}
+    return shown | {
+        "table": (table.points, table.face[few], [table_caption(table, i) for i in few], len(table))
+    }
 
 
 def moving(steps) -> str:
-    """Return a line for each mode of a disk on its contact: where its frequency goes as the disk falls."""
+    """Return a line for each mode of a disk on its contact: where its frequency goes as the disk
+    falls."""
     frequencies = [step.modes.frequency if step.modes else () for step in steps]
     rows = zip_longest(*[[f"{f:.0f}" for f in here] for here in frequencies], fillvalue="none")
     at = ",\n".join(f"{step.name} {np.degrees(step.inclination):.2g}°" for step in steps)
-    return "\n".join([f"[Hz] at {at}", *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1))]) if steps else ""
+    return (
+        "\n".join([f"[Hz] at {at}", *(f"{i}: {' → '.join(row)}" for i, row in enumerate(rows, 1))])
+        if steps
+        else ""
+    )
 
 
 PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
@@ -207,4 +262,5 @@ PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
     "energy": ("sound", "motion", "draw_energy", _energy),
     "modes": ("motion", "mode_shapes", "draw_modes", _modes),
 }
-"""By name: what has to be known, module and function that draw it, and what they are given to draw."""
+"""By name: what has to be known, module and function that draw it, and what they are given to
+draw."""

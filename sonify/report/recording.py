@@ -1,42 +1,69 @@
-"""RECORDING -> FILES: what a sound file of the user's own tells, in words, numbers and a picture."""
+"""RECORDING -> FILES: what a sound file of the user's own tells, in words, numbers and a
+picture."""
 
 import json
+from collections.abc import Callable
 from dataclasses import asdict
 from pathlib import Path
 
-from sonify.files import claim, numbered, whole
-from sonify.hearing.carriers import Carrier
+from sonify.hearing.audio_source import source_of
 from sonify.hearing.recording import Heard, listen
+from sonify.hearing.settling.detector import settling_runs
+from sonify.hearing.spectral_lines import Carrier
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
+from sonify.report.settling import run_numbers, run_sentences
+from sonify.runtime.files import claim, numbered, whole
 
 
-def tell(recording: str | Path, out: str | Path | None = None, scene: str | Path | None = None) -> list[str]:
-    """Listen to a recording, write heard.json and spectrogram.png into `out`, return what was heard as lines; the
-    carriers are matched to the resonances of a scene, if there is one.
+def tell(
+    recording: str | Path,
+    out: str | Path | None = None,
+    scene: str | Path | None = None,
+    warn: Callable[[str], None] = lambda line: None,
+) -> list[str]:
+    """Listen to a recording, write heard.json and spectrogram.png into `out`, return what was heard
+    as lines; the carriers are matched to the resonances of a scene, if there is one. `warn` gets a
+    line if the file is truncated.
 
-    Raises RecordingError and SceneError before anything is written, and OutputError when `out` cannot be written.
-    """
+    Raises RecordingError and SceneError before anything is written, and OutputError when `out`
+    cannot be written."""
     known = _resonances(scene) if scene else []
     heard = listen(recording)
+    if heard.truncation:
+        warn(f"{recording}: {heard.truncation}")
+    runs = settling_runs(source_of(recording))
     folder = claim(out or own_folder(recording))
     from sonify.report.sound import draw_recording
     from sonify.report.write import finite, write_json
 
-    low, high = spectrogram(recording, WINDOW_RATES).band(*RATES), spectrogram(recording, WINDOW_MODES)
+    low = spectrogram(recording, WINDOW_RATES).band(*RATES)
+    high = spectrogram(recording, WINDOW_MODES)
     with whole(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, heard.duration, heard.tone)
-    write_json({"recording": _name(recording)} | finite(numbers(heard, known)), folder / "heard.json")
-    return [*sentences(heard, known), str(folder)]
+    told = (
+        {"recording": _name(recording)}
+        | numbers(heard, known)
+        | {"runs": [run_numbers(run) for run in runs]}
+    )
+    write_json(finite(told), folder / "heard.json")
+    settled = [line for run in runs for line in run_sentences(run)]
+    return [
+        *sentences(heard, known),
+        *(settled or ["no disk or coin is heard coming to rest"]),
+        str(folder),
+    ]
 
 
 def own_folder(recording: str | Path) -> Path:
-    """Return outputs/listen/<name of the recording>, or <name>-2, ... where the folder before is another one's."""
+    """Return outputs/listen/<name of the recording>, or <name>-2, ... where the folder before is
+    another one's."""
     first = Path("outputs") / "listen" / Path(recording).stem
     return numbered(first, lambda folder: _recording_in(folder) in (None, _name(recording)))
 
 
 def _recording_in(folder):
-    """The recording that a folder tells of; None where it tells of none, "" where a foreign program told something."""
+    """The recording that a folder tells of; None where it tells of none, "" where a foreign program
+    told something."""
     told = folder / "heard.json"
     try:
         return json.loads(told.read_text(encoding="utf-8"))["recording"] if told.exists() else None
@@ -49,7 +76,7 @@ def _name(recording):
 
 
 def _resonances(scene):
-    from sonify.claims.carriers import resonances  # modes load slowly
+    from sonify.claims.resonance_matching import resonances  # modes load slowly
     from sonify.scene import load_scene
 
     return resonances(load_scene(scene))
@@ -58,7 +85,7 @@ def _resonances(scene):
 def _matched(carrier, known):
     if not known:
         return None
-    from sonify.claims.carriers import matched
+    from sonify.claims.resonance_matching import matched
 
     return matched(carrier, known)
 
@@ -71,7 +98,8 @@ def numbers(heard: Heard, known=()) -> dict:
 
 
 def carrier_numbers(carrier: Carrier, known=()) -> dict:
-    """Return a carrier as plain values, with its course and the one of the known resonances that it matches."""
+    """Return a carrier as plain values, with its course and the one of the known resonances that it
+    matches."""
     match = _matched(carrier, known)
     return asdict(carrier) | {"course": carrier.course, "matched": match and match._asdict()}
 
@@ -79,19 +107,28 @@ def carrier_numbers(carrier: Carrier, known=()) -> dict:
 def sentences(heard: Heard, known=()) -> list[str]:
     """Return what was heard in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
-    if heard.missing:
-        lines.append(f"the file is truncated: its header promises {heard.missing:.3f} s more")
-    for name, tone in (("rising tone", heard.tone), ("rising repetition of the envelope", heard.repetition)):
+    for name, tone in (
+        ("rising tone", heard.tone),
+        ("rising repetition of the envelope", heard.repetition),
+    ):
         lines.append(f"{name}: {_fit(tone) if tone else 'none stands out'}")
     return lines + [f"carrier: {_carrier(c)}{_near(_matched(c, known))}" for c in heard.carriers]
 
 
 def _near(match):
-    return f"; a resonance of the {match.of}, {match.cents:+.1f} cents from {match.frequency:.1f} Hz" if match else ""
+    return (
+        f"; a resonance of the {match.of}, {match.cents:+.1f} cents from {match.frequency:.1f} Hz"
+        if match
+        else ""
+    )
 
 
 def _carrier(c):
-    course = "steady" if c.course == "steady" else f"{c.course} by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"
+    course = (
+        "steady"
+        if c.course == "steady"
+        else f"{c.course} by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"
+    )
     beside = ", sidebands ± {:.3g} to {:.3g} Hz".format(*c.rates) if c.rates else ""
     beside += "" if c.heard else ", not heard itself but by these"
     beside += f", a band of noise that reaches {c.reach:.0f} cents" if c.reach else ""
@@ -108,4 +145,7 @@ def _fit(tone):
 def _tone(tone):
     if tone is None:
         return None
-    return {name: value if isinstance(value, float) else value.tolist() for name, value in vars(tone).items()}
+    return {
+        name: value if isinstance(value, float) else value.tolist()
+        for name, value in vars(tone).items()
+    }

@@ -1,4 +1,5 @@
-"""RESULT -> FILES: run.json, motion.npz, the modes, the pictures and the page that shows them all."""
+"""RESULT -> FILES: run.json, motion.npz, the modes, the pictures and the page that shows them
+all."""
 
 import json
 import shutil
@@ -18,12 +19,14 @@ from dynamics.motion import COLUMNS
 from modal import as_json, write_vtu
 from sonify.claims.air import air_scalars
 from sonify.claims.checks import Check
-from sonify.claims.motion import Finding
-from sonify.files import whole
+from sonify.claims.finding import Finding
 from sonify.hearing.loudness import MissingExtraError, roughness
 from sonify.plan.supports import over_the_run
-from sonify.progress import Stages
+from sonify.plan.unused import unused_keys
 from sonify.report.pictures import Pictures
+from sonify.runtime.files import whole
+from sonify.runtime.progress import Stages
+from sonify.sound.audible_modes import RingDown
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -40,14 +43,17 @@ def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
     return page.told(result, pictures.parts())
 
 
-def write_record(result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future) -> None:
-    """Write everything but the sound into the folder of the result; the stages are timed. `record` and `told` have
-    become what run.json and the page hold."""
+def write_record(
+    result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future
+) -> None:
+    """Write everything but the sound into the folder of the result; the stages are timed. `record`
+    and `told` have become what run.json and the page hold."""
     from sonify.report import page  # loads slowly
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
-        write_json(as_json(result.modes) | moved(result), result.out / "modes.json")
+        rings = {"ring_down": finite(ring_down_record(result.sound.ringing))}
+        write_json(as_json(result.modes) | moved(result) | rings, result.out / "modes.json")
         with whole(result.out / "modes.vtu") as temporary:
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
@@ -59,16 +65,26 @@ def write_record(result: "Result", stages: Stages, pictures: Pictures, record: F
 
 
 def moved(result: "Result") -> dict:
-    """Return what modes.json says of the modes of a disk on its contact as the inclination [rad] falls."""
+    """Return what modes.json says of the modes of a disk on its contact as the inclination [rad]
+    falls."""
     steps = over_the_run(result.scene, result.motion, result.plan.highest_mode)
     columns = ("frequency", "decay_rate")
-    rows = [vars(s) | {name: getattr(s.modes, name, np.array(None)).tolist() for name in columns} for s in steps]
-    return {"over_the_run": [{k: v for k, v in row.items() if k != "modes"} for row in rows]} if rows else {}
+    rows = [
+        vars(s) | {name: getattr(s.modes, name, np.array(None)).tolist() for name in columns}
+        for s in steps
+    ]
+    return (
+        {"over_the_run": [{k: v for k, v in row.items() if k != "modes"} for row in rows]}
+        if rows
+        else {}
+    )
 
 
 def write_motion(motion: Motion, path: Path):
-    """Write instants [s], states, forces [N] and regimes at the ends of the pieces, the jumps and the transitions."""
-    jumps, events = motion.jumps, motion.transitions
+    """Write instants [s], states, forces [N] and regimes at the ends of the pieces, the jumps and
+    the transitions."""
+    jumps = motion.jumps
+    events = motion.transitions
     with whole(path) as temporary:
         np.savez(
             temporary,
@@ -88,7 +104,8 @@ def write_motion(motion: Motion, path: Path):
 
 
 def keep_mesh(file: Path, out: Path):
-    """Copy the mesh of a table beside run.json, which names it alone and so is a scene on any machine."""
+    """Copy the mesh of a table beside run.json, which names it alone and so is a scene on any
+    machine."""
     if (out / file.name).resolve() != file.resolve():
         with whole(out / file.name) as temporary:
             shutil.copyfile(file, temporary)
@@ -107,6 +124,7 @@ def run_record(result: "Result") -> dict:
     sound = result.sound
     return {
         "scene": scene_record(result.scene),
+        "unused": list(unused_keys(result.scene)),
         "plan": asdict(result.plan),
         "outcome": {"name": result.motion.outcome.name, "sentence": result.motion.outcome.sentence},
         "motion": {"end": float(result.motion.t[-1]), "integrator": result.motion.integrator},
@@ -117,17 +135,34 @@ def run_record(result: "Result") -> dict:
             "full_scale_pascal": sound.full_scale,
             "gain_db": float(sound.gain_db),
             "loudness_lufs": finite(sound.loudness[0]),
-            "roughness": "not in a draft" if result.plan.accuracy == "draft" else roughness_before(sound),
+            "roughness": "not in a draft"
+            if result.plan.accuracy == "draft"
+            else roughness_before(sound),
             "stem_peak_pascal": sound.stem_peak,
             "energy_below_100_hz_300_hz": sound.low_share,
+            "ring_down": finite(ring_down_record(sound.ringing)),
             "audible_full_scale_pascal": sound.audible.full_scale,
             "audible_loudness_lufs": finite(sound.loudness[1]),
         },
         "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
-        "findings": [finite(asdict(f)) | {"holds": f.holds, "near": f.near} for f in result.findings],
+        "findings": [
+            finite(asdict(f)) | {"verdict": f.verdict, "holds": f.holds} for f in result.findings
+        ],
         "seconds": rounded(result.seconds),
         "versions": versions(),
     }
+
+
+def ring_down_record(ringing: RingDown) -> dict:
+    """Return frequency [Hz], decay rate and T60 of the modes after the motion, and the mean gap [m]
+    of the film."""
+    columns = {
+        "frequency": ringing.frequency,
+        "decay_rate": ringing.decay_rate,
+        "decay_time": ringing.decay_time,
+        "decay_rate_without_film": ringing.without_film,
+    }
+    return {name: column.tolist() for name, column in columns.items()} | {"mean_gap": ringing.gap}
 
 
 def rounded(seconds: dict[str, float]) -> dict[str, float]:
@@ -136,12 +171,18 @@ def rounded(seconds: dict[str, float]) -> dict[str, float]:
 
 
 def summary(result: "Result") -> dict[str, Any]:
-    """Return the plain scalars of a result, one row of a table: of each finding and check, by its key, the value and
-    whether it holds or passed; the seconds of each stage."""
-    row = {"outcome": result.motion.outcome.name, "t_end": float(result.motion.t[-1]), "passed": result.passed}
+    """Return the plain scalars of a result, one row of a table: of each finding and check, by its
+    key, the value and whether it holds or passed; the seconds of each stage."""
+    row = {
+        "outcome": result.motion.outcome.name,
+        "t_end": float(result.motion.t[-1]),
+        "passed": result.passed,
+    }
     row |= {"sound_seconds": result.sound.duration, "peak_pascal": result.sound.peak}
     row |= air_scalars(result.scene, result.motion)
-    row |= dict(zip(("energy_below_100_hz", "energy_below_300_hz"), result.sound.low_share, strict=True))
+    row |= dict(
+        zip(("energy_below_100_hz", "energy_below_300_hz"), result.sound.low_share, strict=True)
+    )
     return row | judged(result.findings, result.checks) | timed(result.seconds)
 
 
@@ -185,7 +226,8 @@ def write_json(value, path: Path):
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of this program, its commit where it runs from a checkout, and what it stands on."""
+    """Return the versions of this program, its commit where it runs from a checkout, and what it
+    stands on."""
     found = {"python": python_version(), "platform": platform(), "commit": commit()}
     return found | {name: version_of(name) for name in (NAME, *LIBRARIES)}
 
@@ -200,9 +242,13 @@ def version_of(package: str) -> str:
 
 
 def commit(*asked: str) -> str:
-    """Return what git tells of the checkout that this file is in, its commit unless `asked` else; or 'unknown'."""
+    """Return what git tells of the checkout that this file is in, its commit unless `asked` else;
+    or 'unknown'."""
     command = ["git", "-C", str(Path(__file__).parent), *(asked or ("rev-parse", "HEAD"))]
     try:
-        return subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip() or "unknown"
+        return (
+            subprocess.run(command, capture_output=True, text=True, check=False).stdout.strip()
+            or "unknown"
+        )
     except OSError:
         return "unknown"

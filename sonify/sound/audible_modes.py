@@ -1,47 +1,87 @@
-"""MODES -> LOUDNESS: what of the modes is heard, and how much each is worth."""
+"""MODES -> LOUDNESS: which modes are audible, and how much each contributes."""
+
+from dataclasses import dataclass
 
 import numpy as np
 
 from modal import Modes
 from sonify.hearing.loudness import a_weighting_db
 from sonify.scene import Scene
-from sonify.sound.drive import drive_per_newton
+from sonify.sound.modal_forcing import forcing_per_newton
 from sonify.sound.radiation import directions, listener_of
 
-VIEWS = 64
-"""Azimuths over which the radiation of a mode is averaged."""
-RING_DOWN_DB, LONGEST = 60.0, 10.0
-"""A ring is heard until it is so far [dB] below the loudest at its start, but not longer than this [s]."""
+RING_DOWN_DB = 60.0
+"""Decay [dB] from the loudest mode after which a ringing mode is inaudible."""
+MAX_RING_TIME = 10.0  # s
+"""Longest time for which a sound continues after the motion."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class RingDown:
+    """Free decay of m modes after the end of the motion.
+
+    Attributes
+    ----------
+    frequency : ndarray, shape (m,)
+        [Hz]
+    decay_rate : ndarray, shape (m,)
+        [1/s]
+    without_film : ndarray, shape (m,)
+        Decay rate by material and radiation alone [1/s].
+    gap : float or None
+        Mean gap [m] of the film that adds to the decay; None without a film.
+    """
+
+    frequency: np.ndarray
+    decay_rate: np.ndarray
+    without_film: np.ndarray
+    gap: float | None = None
+
+    @property
+    def decay_time(self) -> np.ndarray:
+        """Reverberation time T60 (m,) [s], in which each mode decays by 60 dB; infinite without
+        losses."""
+        with np.errstate(divide="ignore"):
+            return 3 * np.log(10) / self.decay_rate
 
 
 def sounding(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
-    """Return which (k,) of the indices `wanted`, of all modes if None, lie below half the sample rate: a higher one is
-    left out, not folded back."""
+    """Return those of the indices `wanted` (all modes if None) whose frequency is below half the
+    sample rate, (k,).
+
+    Higher modes are left out, because they would alias.
+    """
     keep = np.arange(len(modes)) if wanted is None else np.array(wanted, dtype=int)
     return keep[modes.frequency[keep] < sample_rate / 2]
 
 
-def after_a_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.ndarray]:
-    """Return what a jump of 1 N of the contact force leaves in the modes: loudness (m,) [Pa^2 s] and energy (m,) [J].
+def response_to_unit_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.ndarray]:
+    """Return the response of the modes to a force jump of 1 N: loudness (m,) [Pa^2 s] and energy
+    (m,) [J].
 
-    A mode of modal mass 1 driven by g rings as q'' = g exp(-d t) cos(w t), of energy g^2/(2 w^2); the square of its
-    pressure, A-weighted, adds up to (g R)^2/(4 d). g is the root of the sum of squares over the three directions, R the
-    root mean square of Rayleigh's integral round the axis. A nutation that sweeps through the modes excites them in the
-    same proportion: at the rate w^2/k it leaves q'' = g sqrt(pi k/2).
-    """
+    A mode of modal mass 1 with a forcing g rings as q'' = g exp(-d t) cos(w t). Its energy is
+    g^2/(2 w^2). The integral of its squared, A-weighted pressure is (g R)^2/(4 d). g is the root of
+    the sum of squares over three directions, R the root mean square of Rayleigh's integral over 64
+    azimuths. A nutation that sweeps through the modes excites them in the same proportion: at the
+    sweep rate w^2/k it leaves q'' = g sqrt(pi k/2)."""
     listener = listener_of(scene)
-    g2 = np.square(drive_per_newton(modes, scene)).sum(axis=0)
-    heard2 = np.mean(np.abs(directions(modes, listener, count=VIEWS)) ** 2, axis=0)
+    g2 = np.square(forcing_per_newton(modes, scene)).sum(axis=0)
+    pressure2 = np.mean(np.abs(directions(modes, listener, count=64)) ** 2, axis=0)
     weight = 10 ** (a_weighting_db(modes.frequency) / 10)
-    decay = np.maximum(modes.decay_rate, 1 / LONGEST)
-    return weight * g2 * heard2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)
+    decay = np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
+    return weight * g2 * pressure2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)
 
 
-def ring_down(modes: Modes, scene: Scene) -> float:
-    """Return for how long [s] the modes are still heard after the motion."""
-    loudness, _ = after_a_jump(modes, scene)
-    at_start = loudness * np.maximum(modes.decay_rate, 1 / LONGEST)
+def ring_down(modes: Modes, scene: Scene, decay_rate: np.ndarray | None = None) -> float:
+    """Return the time [s] for which the modes remain audible after the motion, at most
+    MAX_RING_TIME.
+
+    `decay_rate` (m,) [1/s] replaces that of the modes where a film adds to it.
+    """
+    loudness, _ = response_to_unit_jump(modes, scene)
+    at_start = loudness * np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
+    rate = modes.decay_rate if decay_rate is None else decay_rate
     with np.errstate(divide="ignore"):
         level = 10 * np.log10(at_start / at_start.max(initial=1e-300))
-        lasting = (RING_DOWN_DB + level) / (20 / np.log(10) * modes.decay_rate)
-    return float(np.clip(lasting.max(initial=0.0), 0.0, LONGEST))
+        duration = (RING_DOWN_DB + level) / (20 / np.log(10) * rate)
+    return float(np.clip(duration.max(initial=0.0), 0.0, MAX_RING_TIME))

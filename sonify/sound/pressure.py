@@ -1,4 +1,5 @@
-"""SOUND: the pressure at the listener, by cause, which can be read again and again, from any place on."""
+"""SOUND: the pressure at the listener, by cause, which can be read again and again, from any place
+on."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -9,11 +10,13 @@ from weakref import finalize
 
 import numpy as np
 
-from sonify.sound.listening import Copy, audible, energy_below, loudness
+from dynamics import Outcome
+from sonify.sound.audible_modes import RingDown
+from sonify.sound.playback import Copy, audible, energy_below, loudness
 
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
-"""The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring after its jumps. These
-sound in every scene; a scene may have more."""
+"""The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring
+after its jumps. These sound in every scene; a scene may have more."""
 COLUMNS = ("pressure", *STEMS)
 LISTENING_PEAK_DB = -1.0
 """Peak of sound.wav relative to full scale [dB]."""
@@ -25,7 +28,8 @@ BLOCK = 1 << 16
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Track:
-    """One column of a sound [Pa]: `frames` samples at `sample_rate` [Hz]; a source for everything in sonify.hearing.
+    """One column of a sound [Pa]: `frames` samples at `sample_rate` [Hz]; a source for everything
+    in sonify.hearing.
 
     What `others` hear of the same are its further channels.
     """
@@ -50,11 +54,13 @@ class Track:
         return 1 + len(self.others)
 
     def read(self, first: int = 0, last: int | None = None) -> np.ndarray:
-        """Return the samples (k,) of the first listener from number `first` up to `last`, or to the end."""
+        """Return the samples (k,) of the first listener from number `first` up to `last`, or to the
+        end."""
         return self.columns[first:last][:, self.column]
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, channels), float32: the samples from number `start` on; every call begins anew."""
+        """Yield (k, channels), float32: the samples from number `start` on; every call begins
+        anew."""
         for first in range(start, self.frames, BLOCK):
             block = np.zeros((min(BLOCK, self.frames - first), self.channels), np.float32)
             for channel, track in enumerate((self, *self.others)):
@@ -67,19 +73,21 @@ class Track:
 class Sound:
     """What is heard of the scene `name`, as rendered.
 
-    `columns` (n, 1 + s) [Pa], float32, are the pressure and its causes, of these `names` (s,); they are read by slices
-    of rows.
-    `modes_heard` is the number of modes that sound; `source_end` [s] is when the end of the motion reaches the
-    listener. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time of the motion; that of the
-    modes of an elastic table is `table_energy` (e,) [J]. `others` are what further listeners hear;
-    where it is `turned`, the last column is the pressure at an ear a quarter turn round the disk, for audible.wav.
-    """
+    `columns` (n, 1 + s) [Pa], float32, are the pressure and its causes, of these `names` (s,); they
+    are read by slices of rows. `modes_heard` is the number of modes that sound. `source_end` [s] is
+    when the end of the motion, its `outcome`, reaches the listener; from then on the modes ring as
+    `ringing` states. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time
+    of the motion; that of the modes of an elastic table is `table_energy` (e,) [J]. `others` are
+    what further listeners hear; where the sound is `turned`, the last column is the pressure at an
+    ear a quarter turn round the disk, for audible.wav."""
 
     name: str
     sample_rate: int
     columns: "np.ndarray | Scratch"
     modes_heard: int
     source_end: float
+    outcome: Outcome
+    ringing: RingDown
     energy_time: np.ndarray
     energy: np.ndarray
     table_energy: np.ndarray | None = None
@@ -98,13 +106,22 @@ class Sound:
         return {name: self.track(name) for name in self.names}
 
     def track(self, name: str) -> Track:
-        """Return the pressure or one of its causes by its name. Raises ValueError for another one."""
+        """Return the pressure or one of its causes by its name. Raises ValueError for another
+        one."""
         if name not in (tracks := ("pressure", *self.names)):
             raise ValueError(f"there is no track {name!r}: it is one of {', '.join(tracks)}")
-        return self._track(name, tracks.index(name), tuple(other.track(name) for other in self.others))
+        return self._track(
+            name, tracks.index(name), tuple(other.track(name) for other in self.others)
+        )
 
     def _track(self, name, column, others=()):
-        return Track(name=name, sample_rate=self.sample_rate, columns=self.columns, column=column, others=others)
+        return Track(
+            name=name,
+            sample_rate=self.sample_rate,
+            columns=self.columns,
+            column=column,
+            others=others,
+        )
 
     @property
     def samples(self) -> int:
@@ -165,20 +182,23 @@ class Sound:
 
     @cached_property
     def low_share(self) -> tuple[float, ...]:
-        """The shares of the energy of the pressure below 100 and below 300 Hz, which small loudspeakers hardly play."""
+        """The shares of the energy of the pressure below 100 and below 300 Hz, which small
+        loudspeakers hardly play."""
         return energy_below(self.pressure, 100.0, 300.0)
 
     def __repr__(self):
-        return (
-            f"Sound({self.duration:.3f} s at {self.sample_rate} Hz, peak {self.peak:.3g} Pa, {self.modes_heard} modes)"
-        )
+        recorded = f"{self.duration:.3f} s at {self.sample_rate} Hz"
+        return f"Sound({recorded}, peak {self.peak:.3g} Pa, {self.modes_heard} modes)"
 
 
 class Scratch:
-    """Rows (n, width) in a nameless file that goes with the last reader; scratch[first:last] reads them."""
+    """Rows (n, width) in a nameless file that goes with the last reader; scratch[first:last] reads
+    them."""
 
     def __init__(self, width: int):
-        self._file, self._rows, self._width = TemporaryFile(), 0, width  # noqa: SIM115, closed below
+        self._file = TemporaryFile()  # noqa: SIM115, closed below
+        self._rows = 0
+        self._width = width
         finalize(self, self._file.close)
 
     def append(self, rows):
@@ -192,17 +212,23 @@ class Scratch:
 
     def __getitem__(self, rows: slice):
         first, last, _ = rows.indices(self._rows)
-        width, count = self._width, max(last - first, 0)
+        width = self._width
+        count = max(last - first, 0)
         if not count:
             return np.empty((0, width), np.float32)
-        return np.memmap(self._file, np.float32, "r", offset=4 * width * first, shape=(count, width))
+        return np.memmap(
+            self._file, np.float32, "r", offset=4 * width * first, shape=(count, width)
+        )
 
 
 def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
-    """Return `count` rows that come in blocks (k, width), float32: as an array, or on disk where they are too many."""
+    """Return `count` rows that come in blocks (k, width), float32: as an array, or on disk where
+    they are too many."""
     first = next(rows)
     if first.itemsize * first.shape[1] * count <= MOST_IN_MEMORY:
-        return np.concatenate([block.T for block in (first, *rows)], axis=1).T  # a column is read at once
+        return np.concatenate(
+            [block.T for block in (first, *rows)], axis=1
+        ).T  # a column is read at once
     scratch = Scratch(first.shape[1])
     for block in chain([first], rows):
         scratch.append(block)
@@ -210,7 +236,7 @@ def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
 
 
 def with_sum(stems) -> np.ndarray:
-    """Return pressure and stems (k, 1 + s), float32, of stems (k, s) [Pa]: rounded, their sum in double precision and
-    rounded."""
+    """Return pressure and stems (k, 1 + s), float32, of stems (k, s) [Pa]: rounded, their sum in
+    double precision and rounded."""
     stems = stems.astype(np.float32)
     return np.column_stack([sum(stem.astype(float) for stem in stems.T).astype(np.float32), stems])

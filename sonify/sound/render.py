@@ -3,7 +3,6 @@
 from collections import defaultdict, deque
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from copy import copy
 from dataclasses import replace
 from functools import partial
 from itertools import islice, pairwise
@@ -14,105 +13,168 @@ import numpy as np
 from dynamics import Motion
 from modal import Modes, SurfaceModes
 from sonify.scene import Scene
-from sonify.sound.absorption import absorbing, reach
+from sonify.sound.absorption import absorbing, absorption_latency
 from sonify.sound.audible_modes import sounding
-from sonify.sound.contact import with_contact
-from sonify.sound.film import with_film
 from sonify.sound.force import ForceSampler
-from sonify.sound.infinite import table_sources
 from sonify.sound.pressure import Sound, kept, with_sum
-from sonify.sound.radiation import listener_of, listeners_of
+from sonify.sound.radiation import Listener, listener_of, listeners_of
 from sonify.sound.radiators import RigidFace
-from sonify.sound.sources import FADE_IN, FADE_OUT, ElasticDisk, RigidDisk, at_both_ears, held_back
+from sonify.sound.sources.contact import contact_sources
+from sonify.sound.sources.film import disk_sources
+from sonify.sound.sources.infinite_plate import table_sources
+from sonify.sound.sources.protocol import FADE_IN, FADE_OUT, ElasticDisk, Source, delay_output
 
-BLOCK = 1 << 16
-"""Samples computed at once; the samples depend on it by rounding only."""
-AHEAD = 3
-"""Blocks read before they sound: some take longer to read, and others to sound."""
+BLOCK = 1 << 16  # samples
+"""Samples rendered at once; the result depends on it only by rounding."""
+BLOCKS_AHEAD = 3
+"""Blocks of the force that a background thread evaluates in advance."""
 
 
 class Renderer:
-    """Turns a motion and the modes of its disk into blocks of pressure at the listener [Pa], one column per stem.
+    """Turns a motion and the modes of its disk into blocks of pressure at a listener [Pa], one
+    column per stem.
 
-    The stems are those of its `sources`, in turn. Of the modes those of the indices `wanted` sound, all if None, but
-    none at or above half the sample rate; of an elastic table the modes `table`. `calm` is that of the ForceSampler.
-    The `listener` is the scene's first, unless another is given. With a `turn` [rad] one more column is the pressure at
-    an ear that is so much further round.
-    The clock of the samples is the listener's: the source is heard distance / c later. However the motion ends, its
-    modes ring out. Nothing but the sampler's count of readings changes by use. tests/test_sound.py.
+    The clock of the samples is that of the listener, who hears the source distance / c later. After
+    the motion the modes ring out, whatever its outcome. Rendering changes nothing but the sampler's
+    count of evaluations.
+
+    Parameters
+    ----------
+    scene : Scene
+    motion : Motion
+    modes : Modes
+        Elastic modes of the disk.
+    wanted : sequence of int, optional
+        Indices of the modes to render, all by default. Modes at or above half the sample rate are
+        left out.
+    calm : float
+        Argument of the ForceSampler [rad].
+    table : SurfaceModes, optional
+        Modes of an elastic table.
+    listener : Listener, optional
+        By default the first listener of the scene.
+    turn : float, optional
+        Azimuth [rad] from the listener to a second ear, whose pressure is one more column.
+
+    Attributes
+    ----------
+    sources : list of Source
+    names : tuple of str
+        Names of the stems.
+    samples : int
+        Length of the sound.
+    source_end : float
+        Time [s] at which the end of the motion reaches the listener.
+    ringing : RingDown
+        Frequencies and decay rates of the modes after the motion.
     """
 
-    def __init__(self, scene, motion, modes, wanted=None, calm: float = 0.0, table=None, listener=None, turn=None):
-        self.scene, self.motion, self.sample_rate = scene, motion, scene.audio.sample_rate
+    def __init__(
+        self,
+        scene,
+        motion,
+        modes,
+        wanted=None,
+        calm: float = 0.0,
+        table=None,
+        listener: Listener | None = None,
+        turn: float | None = None,
+    ):
+        self.scene = scene
+        self.motion = motion
+        self.sample_rate = scene.audio.sample_rate
         self.listener = listener or listener_of(scene)
         self.chosen = sounding(modes, self.sample_rate, wanted)
         self.modes = modes.select(self.chosen)
         self.table = table
-        self._rigid = RigidFace(scene.disk, self.listener, 1 / self.sample_rate)
         self._turned = turn is not None
-        self.sources = self._at_both_ears(turn) if self._turned else self._sources()
-        self.late = max(source.late for source in self.sources)
+        elastic, self.sources = self._sources_at(self.listener)
+        if turn is not None:
+            second = replace(self.listener, azimuth=self.listener.azimuth + turn)
+            _, others = self._sources_at(second)
+            pairs = zip(self.sources, others, strict=True)
+            self.sources = [source.with_second_ear(other, turn) for source, other in pairs]
+        self.latency = max(source.latency for source in self.sources)
         self.names = tuple(name for source in self.sources for name in source.names)
-        bounds = np.cumsum([0, *(len(source.ends) for source in self.sources)])
+        bounds = np.cumsum([0, *(len(source.channel_ends) for source in self.sources)])
         self._parts = [slice(*pair) for pair in pairwise(bounds)]
-        late = self.late + reach(scene.air, self.listener.distance)
-        start = late / self.sample_rate - self.listener.delay
-        self._early = max(ceil(start * self.sample_rate), 0)  # samples that are read before the first one is heard
-        start -= self._early / self.sample_rate
-        rest, fade = np.vstack([source.ends for source in self.sources]).T
-        self.sampler = ForceSampler(motion, self.sample_rate, start, self._channels, rest, calm, fade)
+        latency = self.latency + absorption_latency(scene.air, self.listener.distance)
+        start = latency / self.sample_rate - self.listener.delay
+        self._lead = max(
+            ceil(start * self.sample_rate), 0
+        )  # samples rendered before the first one is heard
+        start -= self._lead / self.sample_rate
+        rest, fade = np.vstack([source.channel_ends for source in self.sources]).T
+        self.sampler = ForceSampler(
+            motion, self.sample_rate, start, self._channels, rest, calm, fade
+        )
+        self.ringing = elastic.ringing
         self.source_end = self.sampler.end + self.listener.delay
-        self.samples = ceil((self.source_end + max(s.lasting for s in self.sources)) * self.sample_rate)
+        tail = max(source.tail_duration for source in self.sources)
+        self.samples = ceil((self.source_end + tail) * self.sample_rate)
 
-    def _sources(self):
-        """What sounds in this scene; every cause of sound has its line."""
-        rigid = RigidDisk(self.scene, self._rigid, self.listener.azimuth)
-        elastic = ElasticDisk(self.scene, self.motion, self.modes, self.chosen, self.listener, self._rigid.reach)
-        tables = table_sources(self.scene, self.table, self.listener)
-        rigid, elastic = with_film(self.scene, self.motion, rigid, elastic, self.listener)
-        return with_contact(self.scene, self.motion, self.listener, rigid, elastic, *tables) + tables
-
-    def _at_both_ears(self, turn):
-        other = copy(self)
-        other.listener = replace(self.listener, azimuth=self.listener.azimuth + turn)
-        return [at_both_ears(*pair, turn) for pair in zip(self._sources(), other._sources(), strict=True)]
+    def _sources_at(self, listener) -> tuple[ElasticDisk, list[Source]]:
+        """Return the elastic disk and all sources of the scene for one listener; add new causes of
+        sound here."""
+        face = RigidFace(self.scene.disk, listener, 1 / self.sample_rate)
+        rigid, elastic = disk_sources(
+            self.scene, self.motion, self.modes, self.chosen, listener, face
+        )
+        tables = table_sources(self.scene, self.table, listener)
+        return elastic, contact_sources(
+            self.scene, self.motion, listener, rigid, elastic, *tables
+        ) + tables
 
     def blocks(self, size: int = BLOCK, note=lambda name, t, energy: None):
-        """Yield (k, s) [Pa]: the stems at the next k <= size samples, from the first to the last; every call anew.
+        """Yield the stems (k, s) [Pa] in blocks of k <= size samples; each call starts at the first
+        sample.
 
-        `note(name, t (e,) [s], energy (e,) [J])` is called with the energy of the modes of the source whose first stem
-        has that name, in the time of the motion.
-        """
+        `note(name, t (e,) [s], energy (e,) [J])` receives the energy of the modes of the source
+        whose first stem has that name, in the time of the motion."""
         first = self.sampler.block(0, 1).samples[0]
-        sounding = [
-            (held_back(source.from_rest(first[part], partial(note, source.names[0])), self.late - source.late), part)
+        rendering = [
+            (
+                delay_output(
+                    source.start_rendering(first[part], partial(note, source.names[0])),
+                    self.latency - source.latency,
+                ),
+                part,
+            )
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
-        absorbed = absorbing(self.scene.air, self.listener.distance, self.sample_rate)
-        early, past = self._early, self.samples + self._early
-        counts = {n: min(size, past - n) for n in range(0, past, size)}
-        with ThreadPoolExecutor(1) as reader:  # the next blocks are read while this one sounds
-            asked = (reader.submit(self.sampler.block, *block) for block in counts.items())
-            coming = deque(islice(asked, AHEAD))
+        absorb = absorbing(self.scene.air, self.listener.distance, self.sample_rate)
+        lead = self._lead
+        total = self.samples + lead
+        counts = {n: min(size, total - n) for n in range(0, total, size)}
+        with ThreadPoolExecutor(
+            1
+        ) as reader:  # evaluates the next blocks of the force during rendering
+            requests = (reader.submit(self.sampler.block, *block) for block in counts.items())
+            pending = deque(islice(requests, BLOCKS_AHEAD))
             for n in counts:
-                force = coming.popleft().result()
-                coming.extend(islice(asked, 1))
-                stems = absorbed(self._joined([advance(force.channels(part)) for advance, part in sounding]))
-                yield self._enveloped(stems[max(early - n, 0) :], max(n - early, 0))
+                force = pending.popleft().result()
+                pending.extend(islice(requests, 1))
+                stems = absorb(
+                    self._joined([advance(force.channels(part)) for advance, part in rendering])
+                )
+                yield self._enveloped(stems[max(lead - n, 0) :], max(n - lead, 0))
 
     def sound(self, watch=lambda share: None) -> Sound:
-        """Return the whole sound; `watch(share)` is called with the share done."""
-        noted, own = defaultdict(list), len(self.names)
+        """Render and return the whole sound; `watch(share)` is called with the share done."""
+        noted = defaultdict(list)
+        own = len(self.names)
 
         def rows():
-            for i, stems in enumerate(self.blocks(note=lambda name, *energy: noted[name].append(energy))):
+            for i, stems in enumerate(
+                self.blocks(note=lambda name, *energy: noted[name].append(energy))
+            ):
                 watch(min((i + 1) * BLOCK / self.samples, 1.0))
                 yield np.hstack([with_sum(stems[:, :own]), stems[:, own:].astype(np.float32)])
 
         columns = kept(rows(), self.samples)
         energies = {name: np.concatenate(parts, axis=1) for name, parts in noted.items()}
         table_energy = energies.pop("table", (None, None))[1]
-        ((time, energy),) = energies.values()  # the disk's
+        ((time, energy),) = energies.values()  # of the disk
         return Sound(
             name=self.scene.name,
             sample_rate=self.sample_rate,
@@ -121,6 +183,8 @@ class Renderer:
             turned=self._turned,
             modes_heard=len(self.modes),
             source_end=self.source_end,
+            outcome=self.motion.outcome,
+            ringing=self.ringing,
             energy_time=time,
             energy=energy,
             table_energy=table_energy,
@@ -130,19 +194,22 @@ class Renderer:
         return np.column_stack([source.channels(force, state) for source in self.sources])
 
     def _joined(self, parts):
-        """The stems (k, s) of all sources, and what the other ear hears of them as one more column."""
+        """Return the stems (k, s) of all sources, and their sum at the second ear as one more
+        column."""
         if not self._turned:
             return np.hstack(parts)
         return np.hstack([part[:, :-1] for part in parts] + [sum(part[:, -1:] for part in parts)])
 
     def _enveloped(self, stems, first):
-        """The stems (k, s) of the samples from `first` on, under the raised cosines at both ends."""
-        edges = FADE_IN * self.sample_rate, self.samples - FADE_OUT * self.sample_rate
-        if edges[0] < first and first + len(stems) < edges[1]:
+        """Return the stems (k, s) of the samples from `first` on, multiplied by the fades at both
+        ends."""
+        fade_in_end = FADE_IN * self.sample_rate
+        fade_out_start = self.samples - FADE_OUT * self.sample_rate
+        if fade_in_end < first and first + len(stems) < fade_out_start:
             return stems
         n = first + np.arange(len(stems)) + 0.5
-        rise = np.clip(n / edges[0], 0, 1)
-        fall = np.clip((self.samples - n) / (self.samples - edges[1]), 0, 1)
+        rise = np.clip(n / fade_in_end, 0, 1)
+        fall = np.clip((self.samples - n) / (self.samples - fade_out_start), 0, 1)
         return stems * (np.sin(np.pi / 2 * rise) ** 2 * np.sin(np.pi / 2 * fall) ** 2)[:, None]
 
 
@@ -155,17 +222,16 @@ def sound_of(
     table: SurfaceModes | None,
     watch: Callable[[float], None] = lambda share: None,
 ) -> Sound:
-    """Return the whole sound at every listener of the scene; the arguments are those of the Renderer.
+    """Render the sound at every listener of the scene; arguments as in Renderer.
 
-    `watch(share)` is called with the share done.
-    """
-    ears = listeners_of(scene)
+    `watch(share)` is called with the share done. A single listener gets a second ear for
+    audible.wav."""
+    listeners = listeners_of(scene)
+    turn = np.pi / 2 if len(listeners) == 1 else None
 
-    turn = np.pi / 2 if len(ears) == 1 else None  # audible.wav is for two ears at least
+    def render(i):
+        renderer = Renderer(scene, motion, modes, wanted, calm, table, listeners[i], turn)
+        return renderer.sound(lambda share: watch((i + share) / len(listeners)))
 
-    def heard(i):
-        renderer = Renderer(scene, motion, modes, wanted, calm, table, ears[i], turn)
-        return renderer.sound(lambda share: watch((i + share) / len(ears)))
-
-    first, *others = map(heard, range(len(ears)))
+    first, *others = map(render, range(len(listeners)))
     return replace(first, others=tuple(others))

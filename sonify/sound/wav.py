@@ -1,4 +1,5 @@
-"""SOUND -> FILES: pascal in 32-bit float, one file for the whole and one for every cause, and copies to listen to."""
+"""SOUND -> FILES: pascal in 32-bit float, one file for the whole and one for every cause, and
+copies to listen to."""
 
 import errno
 from collections.abc import Callable
@@ -7,35 +8,63 @@ from pathlib import Path
 
 import soundfile
 
+from dynamics import Outcome
 from sonify import __version__
-from sonify.files import whole
+from sonify.runtime.files import whole
 from sonify.sound.pressure import Sound
 
+NOT_THE_END = "; the motion did not come to rest, and its end is missing: {}"
 NOT_PASCAL = "A-weighted and made loud for small loudspeakers, not the pressure; 1.0 = {:.6g} pascal, A-weighted"
 
 MOST_BYTES = 2**32 - 2**12
-"""Samples that take more do not fit into a WAV file: it is RF64 then (EBU Tech 3306), which has lengths of 64 bits."""
+"""Samples that take more do not fit into a WAV file: it is RF64 then (EBU Tech 3306), which has
+lengths of 64 bits."""
 BYTES = {"FLOAT": 4, "PCM_24": 3}
 
 
-def write_sound(sound: Sound, folder: str | Path, watch: Callable[[float], None] = lambda share: None) -> None:
-    """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`, with what 1.0 is in each.
+def write_sound(
+    sound: Sound, folder: str | Path, watch: Callable[[float], None] = lambda share: None
+) -> None:
+    """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`, with what 1.0
+    is in each.
 
-    Memory does not grow with the length. `watch(share)` is called with the share done. Raises OSError when the disk is
-    full.
-    """
-    folder, pascal = Path(folder), "1.0 = 1 pascal at the listener"
+    The comment of a file also says where the motion did not come to rest, so that the sound lacks
+    its end. Memory does not grow with the length. `watch(share)` is called with the share done.
+    Raises OSError when the disk is full."""
+    folder = Path(folder)
+    pascal = "1.0 = 1 pascal at the listener"
+    unfinished = (
+        "" if sound.outcome is Outcome.SETTLED else NOT_THE_END.format(sound.outcome.sentence)
+    )
     files = [(folder / "pressure.wav", sound.pressure, "FLOAT", pascal)]
-    files += [(folder / "stems" / f"{name}.wav", stem, "FLOAT", pascal) for name, stem in sound.stems.items()]
     files += [
-        (folder / "sound.wav", sound.copy, "PCM_24", f"1.0 = {sound.full_scale:.6g} pascal, {sound.gain_db:.2f} dB"),
-        (folder / "audible.wav", sound.audible, "PCM_24", NOT_PASCAL.format(sound.audible.full_scale)),
+        (folder / "stems" / f"{name}.wav", stem, "FLOAT", pascal)
+        for name, stem in sound.stems.items()
+    ]
+    files += [
+        (
+            folder / "sound.wav",
+            sound.copy,
+            "PCM_24",
+            f"1.0 = {sound.full_scale:.6g} pascal, {sound.gain_db:.2f} dB",
+        ),
+        (
+            folder / "audible.wav",
+            sound.audible,
+            "PCM_24",
+            NOT_PASCAL.format(sound.audible.full_scale),
+        ),
     ]
     with ExitStack() as stack:
         for i, (path, source, subtype, comment) in enumerate(files):
-            form = "RF64" if source.frames * source.channels * BYTES[subtype] > MOST_BYTES else "WAV"
-            file = stack.enter_context(_wav(path, source.sample_rate, source.channels, subtype, form))
-            file.title, file.comment = f"Euler's disk, {sound.name}: {path.stem.replace('_', ' ')}", comment
+            form = (
+                "RF64" if source.frames * source.channels * BYTES[subtype] > MOST_BYTES else "WAV"
+            )
+            file = stack.enter_context(
+                _wav(path, source.sample_rate, source.channels, subtype, form)
+            )
+            file.title = f"Euler's disk, {sound.name}: {path.stem.replace('_', ' ')}"
+            file.comment = comment + unfinished
             file.software = f"eulers-disk-sonify {__version__}"
             for block in source.blocks():
                 file.write(block)
@@ -49,7 +78,10 @@ def _wav(path, rate, channels, subtype, form):
         try:
             with soundfile.SoundFile(temporary, "w", rate, channels, subtype, format=form) as file:
                 yield file
-        except (AssertionError, soundfile.LibsndfileError) as error:  # a short write is all that libsndfile says
+        except (
+            AssertionError,
+            soundfile.LibsndfileError,
+        ) as error:  # a short write is all that libsndfile says
             raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
         _forget_time(temporary)
 

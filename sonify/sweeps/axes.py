@@ -1,4 +1,5 @@
-"""AXES -> POINTS: the values that the keys of a scene take in each run, by its number; nothing is listed beforehand."""
+"""AXES -> POINTS: the values that the keys of a scene take in each run, by its number; nothing is
+listed beforehand."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -30,7 +31,10 @@ class Samples:
     def __post_init__(self):
         if self.method == "sobol" and not log2(self.n).is_integer():
             below = 2 ** int(log2(self.n))
-            raise ValueError(f"n = {self.n}: Sobol's points are even for powers of two, as {below} or {2 * below}")
+            raise ValueError(
+                f"n = {self.n}: Sobol's points are even for powers of two, as {below} or "
+                f"{2 * below}"
+            )
 
     def shares(self, dimensions: int) -> np.ndarray:
         """Return the points (n, dimensions), each coordinate in [0, 1)."""
@@ -42,8 +46,8 @@ class Samples:
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
-    """Keys that move together, either through `values` (n of them) or from `ends[0]` to `ends[1]` in `n` steps; every
-    value and end is a tuple with one for each key."""
+    """Keys that move together, either through `values` (n of them) or from `ends[0]` to `ends[1]`
+    in `n` steps; every value and end is a tuple with one for each key."""
 
     keys: tuple[str, ...]
     n: int
@@ -57,20 +61,29 @@ class Axis:
             return self.values[min(int(share * self.n), self.n - 1)]
         if share in (0.0, 1.0):
             return self.ends[int(share)]
-        return tuple(a * (b / a) ** share if self.log else a + (b - a) * share for a, b in zip(*self.ends, strict=True))
+        return tuple(
+            a * (b / a) ** share if self.log else a + (b - a) * share
+            for a, b in zip(*self.ends, strict=True)
+        )
 
     def step(self, k: int) -> tuple:
-        """Return the values of the keys at step k < n; between whole ends, those that are whole stay so."""
+        """Return the values of the keys at step k < n; between whole ends, those that are whole
+        stay so."""
         if self.values:
             return self.values[k]
         inside = self.at(k / max(self.n - 1, 1))
         whole = all(isinstance(end, int) for ends in self.ends for end in ends)
-        return tuple(map(int, inside)) if whole and all(float(v).is_integer() for v in inside) else inside
+        return (
+            tuple(map(int, inside))
+            if whole and all(float(v).is_integer() for v in inside)
+            else inside
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
 class Points:
-    """The point of every run, a value for each key: a grid, the last axis fastest, or `samples` of it."""
+    """The point of every run, a value for each key: a grid, the last axis fastest, or `samples` of
+    it."""
 
     axes: tuple[Axis, ...]
     samples: Samples | None = None
@@ -86,7 +99,9 @@ class Points:
 
     def __getitem__(self, run: int) -> dict[str, Any]:
         if self.samples:
-            found = [axis.at(share) for axis, share in zip(self.axes, self._shares[run], strict=True)]
+            found = [
+                axis.at(share) for axis, share in zip(self.axes, self._shares[run], strict=True)
+            ]
         else:
             steps = np.unravel_index(run, [axis.n for axis in self.axes])
             found = [axis.step(int(k)) for axis, k in zip(self.axes, steps, strict=True)]
@@ -95,11 +110,18 @@ class Points:
 
 
 def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
-    """Return the points of a sweep file. Raises InputError for an axis that is empty, reversed or named twice."""
+    """Return the points of a sweep file. Raises InputError for an axis that is empty, reversed or
+    named twice."""
     if not axes:
-        raise InputError('axes: none is given; name what differs between runs, as "friction.mu_static" = [0.3, 0.4]')
+        raise InputError(
+            'axes: none is given; name what differs between runs, as "friction.mu_static" = [0.3, '
+            "0.4]"
+        )
     least = {"n": 2} if samples else {}
-    found = [axis_of(name, least | given if isinstance(given, dict) else given) for name, given in axes.items()]
+    found = [
+        axis_of(name, least | given if isinstance(given, dict) else given)
+        for name, given in axes.items()
+    ]
     found.sort(key=lambda axis: not _shapes(axis))
     keys = [key for axis in found for key in axis.keys]
     if twice := [key for key in keys if keys.count(key) > 1]:
@@ -108,14 +130,19 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
 
 
 def axis_of(name: str, given: Any) -> Axis:
-    """Return the axis of a line `"key" = [...]` or `"key, key" = {from, to, n, scale}` of a sweep file."""
+    """Return the axis of a line `"key" = [...]` or `"key, key" = {from, to, n, scale}` of a sweep
+    file."""
     keys = tuple(key.strip() for key in name.split(","))
     if isinstance(given, list):
         if not given:
             raise InputError(f"axes.{name} = []: must have at least one value")
-        return Axis(keys=keys, n=len(given), values=tuple(_each(name, keys, value) for value in given))
+        return Axis(
+            keys=keys, n=len(given), values=tuple(_each(name, keys, value) for value in given)
+        )
     if not isinstance(given, dict):
-        raise InputError(f"axes.{name} = {given!r}: must be a list of values, or {{ from, to, n, scale }}")
+        raise InputError(
+            f"axes.{name} = {given!r}: must be a list of values, or {{ from, to, n, scale }}"
+        )
     return _range(name, keys, given)
 
 
@@ -124,7 +151,8 @@ def _range(name, keys, given):
         raise InputError(f"axes.{name}.{min(unknown)}: unknown key; known: from, to, n, scale")
     if missing := [key for key in ("from", "to", "n") if key not in given]:
         raise InputError(f"axes.{name}.{missing[0]}: missing")
-    n, scale = given["n"], given.get("scale", "linear")
+    n = given["n"]
+    scale = given.get("scale", "linear")
     if not _number(n) or n != int(n) or n < 1:
         raise InputError(f"axes.{name}.n = {n!r}: must be a whole number of at least 1")
     if scale not in ("linear", "log"):
@@ -132,11 +160,16 @@ def _range(name, keys, given):
     ends = tuple(_each(name, keys, given[end]) for end in ("from", "to"))
     for low, high in zip(*ends, strict=True):
         if not (_number(low) and _number(high)):
-            raise InputError(f"axes.{name}: from = {low!r}, to = {high!r}: must be finite numbers; list other values")
+            raise InputError(
+                f"axes.{name}: from = {low!r}, to = {high!r}: must be finite numbers; list other "
+                f"values"
+            )
         if not (low < high or (n == 1 and low == high)):
             raise InputError(f"axes.{name}: from = {low:g} must be less than to = {high:g}")
         if scale == "log" and low <= 0:
-            raise InputError(f"axes.{name}: from = {low:g} must be greater than 0 on a logarithmic scale")
+            raise InputError(
+                f"axes.{name}: from = {low:g} must be greater than 0 on a logarithmic scale"
+            )
     return Axis(keys=keys, n=int(n), ends=ends, log=scale == "log")
 
 

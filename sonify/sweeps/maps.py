@@ -2,38 +2,58 @@
 
 from pathlib import Path
 
-from sonify.files import whole
 from sonify.report.maps import Map, draw_map
+from sonify.runtime.files import whole
 from sonify.scene_errors import InputError
 from sonify.scene_keys import keys as scene_keys
+from sonify.suggestions import did_you_mean
 from sonify.sweeps.axes import Samples, points_of
-from sonify.sweeps.table import NAME, read_table
+from sonify.sweeps.store import NAME, read_table
 
+RESULT_UNITS = {"t_end": "s", "sound_seconds": "s", "peak_pascal": "Pa"}
+"""Units of the columns that a run adds to the keys of its scene."""
 USUAL = ("outcome", "t_end")
 """What is drawn where nothing else is asked for."""
 
 
 def make_map(
-    path: str | Path, of: str, x: str | None = None, y: str | None = None, out: str | Path | None = None
+    path: str | Path,
+    of: str,
+    x: str | None = None,
+    y: str | None = None,
+    out: str | Path | None = None,
 ) -> Path:
-    """Draw the column `of` of a table over its columns `x` and `y`, unless given its first two axes, into `out`, unless
-    given <of>.png beside the table; return the path. Raises InputError where a column is missing or holds nothing."""
+    """Draw the column `of` of a table over its columns `x` and `y`, unless given its first two
+    axes, into `out`, unless given <of>.png beside the table; return the path. Raises InputError
+    where a column is missing or holds nothing."""
     table, about = read_table(path)
     axes = points_of(about["axes"], about["samples"] and Samples(**about["samples"])).axes
     keys = [axis.keys[0] for axis in axes]
     x, y = (x, y) if x else (keys[0], y or (keys[1] if len(keys) > 1 else None))
     for name in (x, y, of):
         if name is not None and name not in table.column_names:
-            raise InputError(f"{path}: no column {name!r}; known: {', '.join(table.column_names)}")
+            known = ", ".join(table.column_names)
+            hint = did_you_mean(name, table.column_names)
+            raise InputError(f"{path}: no column {name!r}; known: {known}{hint}")
     if table[of].null_count == len(table):
         raise InputError(f"{path}: column {of!r} holds nothing")
     logs = {key for axis in axes if axis.log for key in axis.keys}
     out = Path(out or Path(path).with_name(f"{of}.png"))
     columns = {name: table[name].to_pylist() for name in (x, y, of) if name}
-    units = {key.name: key.unit for key in scene_keys() if key.unit != "-"}
+    if of.endswith("_holds"):
+        values = table[of.removesuffix("_holds")].to_pylist()
+        columns[of] = [_verdict(*row) for row in zip(columns[of], values, strict=True)]
+    units = RESULT_UNITS | {key.name: key.unit for key in scene_keys() if key.unit != "-"}
     with whole(out) as temporary:
         draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs, units=units), temporary)
     return out
+
+
+def _verdict(holds: bool | None, value: float | None) -> str | None:
+    """Return the verdict of a finding as text; None where the run has no such finding."""
+    if value is None:
+        return None
+    return "undecided" if holds is None else "yes" if holds else "no"
 
 
 def draw_maps(folder: Path, find=()):

@@ -10,11 +10,11 @@ from typing import Annotated, Any, Literal
 from annotated_types import Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from sonify.documents import named, read, shipped
+from sonify.runtime.toml_files import named, read, shipped
 from sonify.scene import from_document, load_scene
-from sonify.scene_errors import InputError, SceneError, explain
+from sonify.scene_errors import ContradictionError, InputError, SceneError, explain
 from sonify.sweeps.axes import Points, Samples, points_of
-from sonify.sweeps.needs import needed
+from sonify.sweeps.required_stages import needed
 
 SWEEPS = Path(__file__).parent / "shipped"
 MOST = 1_000_000_000
@@ -30,17 +30,20 @@ class Sweep:
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
     """Name of the sweep, and of the folder that it is written into."""
     scene: str = "published"
-    """The scene that all runs share but for the axes: a shipped name, or a path, from the folder of the sweep file."""
+    """The scene that all runs share but for the axes: a shipped name, or a path, from the folder of
+    the sweep file."""
     accuracy: Literal["draft", "standard", "reference"] | None = None
     """Instead of the scene's."""
     set: tuple[str, ...] = ()
     """Values of the scene to replace, as `--set` of `run` does."""
     axes: dict[str, Any]
-    """What differs between the runs: keys of the scene, each with a list of values or {from, to, n, scale}."""
+    """What differs between the runs: keys of the scene, each with a list of values or {from, to, n,
+    scale}."""
     samples: Samples | None = None
     """Points drawn from the box of the axes instead of a grid."""
     find: tuple[str, ...] = ()
-    """What is asked for: names of stages, scalars, findings, checks; everything if nothing is named."""
+    """What is asked for: names of stages, scalars, findings, checks; everything if nothing is
+    named."""
     keep: tuple[Literal["arrays", "wav", "page"], ...] = ()
     """Files of each run to keep."""
     limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
@@ -52,7 +55,9 @@ class Sweep:
         """The document of the scene that all runs share."""
         near = self.folder / self.scene
         scene = load_scene(near if near.is_file() else self.scene).replace(*self.set)
-        return (scene.replace(f"numerics.accuracy={self.accuracy}") if self.accuracy else scene).document
+        return (
+            scene.replace(f"numerics.accuracy={self.accuracy}") if self.accuracy else scene
+        ).document
 
     @cached_property
     def points(self) -> Points:
@@ -69,15 +74,17 @@ class Sweep:
         """What makes two sweeps the same: plain values."""
         drawn = asdict(self.samples) if self.samples else None
         same = {"scene": self.document, "axes": self.axes, "samples": drawn}
-        return json.loads(json.dumps(same | {"stages": self.stages, "keep": sorted(self.keep)}, default=str))
+        return json.loads(
+            json.dumps(same | {"stages": self.stages, "keep": sorted(self.keep)}, default=str)
+        )
 
     def scene_of(self, run: int) -> dict:
         """Return the document of the scene of a run."""
         return placed(self.document, self.points[run])
 
     def columns(self, run: int) -> dict[str, Any]:
-        """Return the values of the axes in a run as columns hold them, which are of one type: JSON where they differ,
-        or are neither numbers nor text."""
+        """Return the values of the axes in a run as columns hold them, which are of one type: JSON
+        where they differ, or are neither numbers nor text."""
         return {k: json.dumps(v) if k in self._texts else v for k, v in self.points[run].items()}
 
     @cached_property
@@ -90,37 +97,60 @@ class Sweep:
         return {key for key, found in kinds.items() if {*found} not in ({float}, {bool}, {str})}
 
     def check(self):
-        """Prove that every value of a list and both ends of every range can be in a scene. Raises SceneError for one
-        that cannot, wherever the other axes stand, at their first values, at their last, or off their scene."""
+        """Prove that every value of a list and both ends of every range are allowed.
+
+        Raises SceneError for a value that no scene may have, and for an axis without any possible
+        value. A value that only contradicts other keys is an error of its own runs. The other axes
+        are at their first values, at their last, or absent.
+        """
         axes = self.points.axes
-        ends = [{key: v for a in axes for key, v in zip(a.keys, a.step(k % a.n), strict=True)} for k in (0, -1)]
+        ends = [
+            {key: v for a in axes for key, v in zip(a.keys, a.step(k % a.n), strict=True)}
+            for k in (0, -1)
+        ]
         for axis in axes:
+            faults = []
             for value in axis.values or axis.ends:
                 own = dict(zip(axis.keys, value, strict=True))
-                _prove([placed(self.document, others | own) for others in (*ends, {})])
+                documents = [placed(self.document, others | own) for others in (*ends, {})]
+                faults.append(_contradiction(documents))
+            if all(faults):
+                raise faults[0]
 
 
-def _prove(documents):
-    """Raise the SceneError of the first document if no one is a scene."""
+def _contradiction(documents):
+    """Return None if one of the documents is a scene, else why it is none.
+
+    Raises SceneError for a value that is forbidden in each of them.
+    """
     faults = []
     for document in documents:
         try:
             from_document(document)
-            return
         except SceneError as error:
             faults.append(error)
+        else:
+            return None
+    for fault in faults:
+        if isinstance(fault, ContradictionError):
+            return fault
     raise faults[0]
 
 
 def placed(document: dict, values: dict[str, Any]) -> dict:
-    """Return a copy of a document with values in the places of keys, as `friction.mu_static` or `release.omega.2`."""
+    """Return a copy of a document with values in the places of keys, as `friction.mu_static` or
+    `release.omega.2`."""
     document = deepcopy(document)
     for path, value in values.items():
         *sections, key = path.split(".")
         place = document
         try:
             for section in sections:
-                place = place[int(section)] if isinstance(place, list) else place.setdefault(section, {})
+                place = (
+                    place[int(section)]
+                    if isinstance(place, list)
+                    else place.setdefault(section, {})
+                )
             place[int(key) if isinstance(place, list) else key] = value
         except (AttributeError, IndexError, TypeError, ValueError):
             raise SceneError(f"{path}: the scene has no such place") from None
@@ -128,7 +158,8 @@ def placed(document: dict, values: dict[str, Any]) -> dict:
 
 
 def load_sweep(source: "str | Path | dict") -> Sweep:
-    """Return the sweep of a shipped name, a TOML file or a document, checked. Raises InputError where it is wrong."""
+    """Return the sweep of a shipped name, a TOML file or a document, checked. Raises InputError
+    where it is wrong."""
     path = Path() if isinstance(source, dict) else named(source, SWEEPS, "sweep", InputError)
     document = source if isinstance(source, dict) else read(path, InputError)
     try:
@@ -137,7 +168,10 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
         raise InputError(explain(error, Sweep)) from None
     object.__setattr__(sweep, "folder", path.parent)
     if sweep.points.count > MOST:
-        raise InputError(f"axes: {sweep.points.count:.3g} runs are more than {MOST:.0e}: cut the sweep into several")
+        raise InputError(
+            f"axes: {sweep.points.count:.3g} runs are more than {MOST:.0e}: cut the sweep into "
+            f"several"
+        )
     sweep.check()
     _ = sweep.stages
     return sweep

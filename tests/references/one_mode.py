@@ -1,10 +1,11 @@
-"""Writes one_mode.json: the halt of the published disk on one mode of a table, by another method than the program's.
+"""Writes one_mode.json: the halt of the published disk on one mode of a table, by another method
+than the program's.
 
-Free rotation of the symmetric top, mode and flight are exact in each step; the normal force is a kick, half before and
-half after; friction is rigid: an impulse that stops the slip, or the Coulomb one that opposes what slip it leaves
-(Moreau's method, of first order); so are the rolling moments. The contact is sought among 96 places of the rim, then by
-Newton's method. Of the program only the rigid motion up to tau = 250 is read. Run it as a script, for half an hour.
-"""
+Free rotation of the symmetric top, mode and flight are exact in each step; the normal force is a
+kick, half before and half after; friction is rigid: an impulse that stops the slip, or the Coulomb
+one that opposes what slip it leaves (Moreau's method, of first order); so are the rolling moments.
+The contact is sought among 96 places of the rim, then by Newton's method. Of the program only the
+rigid motion up to tau = 250 is read. Run it as a script, for half an hour."""
 
 import json
 from pathlib import Path
@@ -13,7 +14,7 @@ import numpy as np
 from numba import njit
 
 from dynamics import simulate
-from dynamics.rates import precession_rate
+from dynamics.observables import precession_rate
 from sonify import load_scene
 
 STIFFNESS, LOSS = 1.1e11, 10.0
@@ -24,7 +25,9 @@ FLAT = 1e-5
 
 @njit
 def cross(a, b):
-    return np.array([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
+    return np.array(
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    )
 
 
 @njit
@@ -46,7 +49,10 @@ def nearest(phi, scan, z, n, p, R, H, A):
         places = 2 * np.pi * np.arange(96) / 96
         phi = places[np.argmin(np.array([gap(place, z, n, p, R, H, A) for place in places]))]
     for _ in range(4):
-        c, s, C, S = np.cos(phi), np.sin(phi), np.cos(ORDER * phi), np.sin(ORDER * phi)
+        c = np.cos(phi)
+        s = np.sin(phi)
+        C = np.cos(ORDER * phi)
+        S = np.sin(ORDER * phi)
         slope = R * (n[0] * s - n[1] * c) + A * ORDER * (p[0] * S - p[1] * C)
         bend = R * (n[0] * c + n[1] * s) + A * ORDER**2 * (p[0] * C + p[1] * S)
         bend = bend if bend > 0 else R * np.sqrt(n[0] ** 2 + n[1] ** 2) + 1e-12
@@ -57,21 +63,31 @@ def nearest(phi, scan, z, n, p, R, H, A):
 @njit
 def moments(L, n, c, s, arms, impulse, J1, E):
     for k in range(3):
-        a = np.array([-s, c, 0.0]) if k == 0 else np.array([c, s, 0.0]) if k == 1 else np.array([0.0, 0.0, 1.0])
-        rate, yields = (L @ a) / J1 + E * (n @ a) * (n @ L), 1 / J1 + E * (n @ a) ** 2
+        a = (
+            np.array([-s, c, 0.0])
+            if k == 0
+            else np.array([c, s, 0.0])
+            if k == 1
+            else np.array([0.0, 0.0, 1.0])
+        )
+        rate = (L @ a) / J1 + E * (n @ a) * (n @ L)
+        yields = 1 / J1 + E * (n @ a) ** 2
         L -= np.sign(rate) * min(arms[k] * impulse, abs(rate) / yields) * a
 
 
 @njit
 def solved(W, y, b):
     """Return p of (W + y) p = b, W (2, 2) symmetric."""
-    a, c, d = W[0, 0] + y, W[0, 1], W[1, 1] + y
+    a = W[0, 0] + y
+    c = W[0, 1]
+    d = W[1, 1] + y
     return np.array([d * b[0] - c * b[1], a * b[1] - c * b[0]]) / (a * d - c * c)
 
 
 @njit
 def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
-    """Stop the slip, or oppose what is left of it with an impulse of size `slips`; return whether it slides."""
+    """Stop the slip, or oppose what is left of it with an impulse of size `slips`; return whether
+    it slides."""
     u = v + cross(L / J1 + E * (n @ L) * n, r)
     W = np.zeros((2, 2))
     for j in range(2):
@@ -79,7 +95,8 @@ def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
         unit[j] = 1.0
         turn = cross(r, unit)
         W[:, j] = (unit / m + cross(turn / J1 + E * (n @ turn) * n, r))[:2]
-    p, y = solved(W, 0.0, -u), 0.0
+    p = solved(W, 0.0, -u)
+    y = 0.0
     size = np.sqrt(p @ p)
     sliding = size > (slips if sliding else holds)
     if sliding:
@@ -101,15 +118,22 @@ def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
 def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
     """Fill rows (time, inclination, direction of the tilt); return when contact is first lost."""
     m, J1, J2, R, H, g = body
-    w, E, A = 2 * np.pi * FREQUENCY, 1 / J2 - 1 / J1, MASS**-0.5
-    wd, decay = w * np.sqrt(1 - DAMPING**2), np.exp(-DAMPING * w * h)
-    C, S = decay * np.cos(wd * h), decay * np.sin(wd * h)
+    w = 2 * np.pi * FREQUENCY
+    E = 1 / J2 - 1 / J1
+    A = MASS**-0.5
+    wd = w * np.sqrt(1 - DAMPING**2)
+    decay = np.exp(-DAMPING * w * h)
+    C = decay * np.cos(wd * h)
+    S = decay * np.sin(wd * h)
     phi = nearest(0.0, True, x[2], n, p, R, H, A)
     G = gap(phi, x[2], n, p, R, H, A)
-    N, lost, sliding = STIFFNESS * max(0.0, -G) ** 1.5, -1.0, False
+    N = STIFFNESS * max(0.0, -G) ** 1.5
+    lost = -1.0
+    sliding = False
     for i in range(steps):
         for half in range(2):
-            c, s = np.cos(phi), np.sin(phi)
+            c = np.cos(phi)
+            s = np.sin(phi)
             down = np.array([c, s, 0.0]) - (n[0] * c + n[1] * s) * n
             r = R * down / np.sqrt(down @ down) - H * n
             v[2] += h / 2 * (N / m - g)
@@ -123,7 +147,8 @@ def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
                     (C - DAMPING * w / wd * S) * pv - w * w / wd * S * p,
                 )
                 phi = nearest(phi, i % 8 == 0, x[2], n, p, R, H, A)
-                before, G = G, gap(phi, x[2], n, p, R, H, A)
+                before = G
+                G = gap(phi, x[2], n, p, R, H, A)
                 N = max(0.0, STIFFNESS * max(0.0, -G) ** 1.5 * (1 - LOSS * (G - before) / h))
         if N > 0:
             moments(L, n, np.cos(phi), np.sin(phi), arms, h * N, J1, E)
@@ -136,25 +161,42 @@ def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
 
 
 def halt(rate, phase, stop):
-    """Return when the precession first passes 300 Hz, contact is lost, the disk is flat: [s] after tau = 250."""
+    """Return when the precession first passes 300 Hz, contact is lost, the disk is flat: [s] after
+    tau = 250."""
     scene = load_scene("published")
-    disk, laws, motion = scene.disk, scene.friction, simulate(scene)
+    disk = scene.disk
+    laws = scene.friction
+    motion = simulate(scene)
     t = 250 * disk.time_unit
     theta, beta, _, _, _, w1, w2, w3 = motion.at([t])[0, :8]
-    N, turning = motion.force([t])[0, 2], precession_rate(motion.at([t]))[0]
-    R, H, m, K, a = disk.radius, disk.thickness / 2, disk.mass, disk.gyration, theta + phase
-    J1, J2 = m * R * R * (K / 4 + disk.aspect**2 / 3), m * R * R * K / 2
-    a1, a2 = np.array([np.cos(a), np.sin(a), 0.0]), np.array([-np.sin(a), np.cos(a), 0.0])
-    n, e3 = np.sin(beta) * a2 + [0, 0, np.cos(beta)], [0, 0, np.sin(beta)] - np.cos(beta) * a2
+    N = motion.force([t])[0, 2]
+    turning = precession_rate(motion.at([t]))[0]
+    R = disk.radius
+    H = disk.thickness / 2
+    m = disk.mass
+    K = disk.gyration
+    a = theta + phase
+    J1 = m * R * R * (K / 4 + disk.aspect**2 / 3)
+    J2 = m * R * R * K / 2
+    a1 = np.array([np.cos(a), np.sin(a), 0.0])
+    a2 = np.array([-np.sin(a), np.cos(a), 0.0])
+    n = np.sin(beta) * a2 + [0, 0, np.cos(beta)]
+    e3 = [0, 0, np.sin(beta)] - np.cos(beta) * a2
     v = np.cross(w1 * a1 + w2 * n + w3 * e3, H * n + R * e3) + motion.at([t])[0, 8:10] @ [a1, a2]
     w = 2 * np.pi * FREQUENCY
     along = ORDER * np.arctan2(n[1], n[0])
-    q = -N * MASS**-0.5 / (w**2 - (ORDER * turning) ** 2 + 2j * DAMPING * w * ORDER * turning) * np.exp(1j * along)
+    q = (
+        -N
+        * MASS**-0.5
+        / (w**2 - (ORDER * turning) ** 2 + 2j * DAMPING * w * ORDER * turning)
+        * np.exp(1j * along)
+    )
     p, pv = (np.array([c.real, c.imag]) for c in (q, 1j * ORDER * turning * q))
     rise = MASS**-0.5 * (np.exp(-1j * along) * q).real
     x = np.array([0, 0, R * np.sin(beta) + H * np.cos(beta) - (N / STIFFNESS) ** (2 / 3) + rise])
     every = round(rate / 1e5)
-    out, body = np.zeros((round(stop * rate) // every, 3)), (m, J1, J2, R, H, disk.weight / m)
+    out = np.zeros((round(stop * rate) // every, 3))
+    body = (m, J1, J2, R, H, disk.weight / m)
     arms = np.array([laws.arm_nutation, laws.arm_rolling, laws.arm_pivoting])
     mus = np.array([laws.mu_static, laws.mu_dynamic])
     L = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n

@@ -1,7 +1,7 @@
-"""What the normal force of a contact radiates of a steep disk over a rigid table, without film or losses, by NGSolve:
-curved tetrahedra of degree 3 within a hemisphere, finer in the wedge, joined to outgoing multipoles; it prints
-steep_air.json. Lengths are over the radius, pressures over density and radius; half of the air, its mirror is y = 0.
-"""
+"""What the normal force of a contact radiates of a steep disk over a rigid table, without film or
+losses, by NGSolve: curved tetrahedra of degree 3 within a hemisphere, finer in the wedge, joined to
+outgoing multipoles; it prints steep_air.json. Lengths are over the radius, pressures over density
+and radius; half of the air, its mirror is y = 0."""
 
 import json
 
@@ -17,7 +17,8 @@ TOY, COIN, STONE = (0.0128 / 0.03755, 1.6 / 37.55), (0.1, 0.03), (0.8, 1.6 / 37.
 """Height and fillet of disks: the toy, a thinner and a thicker one."""
 INCLINATIONS = {TOY: (0.1, 0.2, 0.35, 0.6), COIN: (0.2, 0.35, 0.6), STONE: (0.2, 0.35, 0.6)}
 CLEAR = {0.1: 0.001, 0.2: 0.003, 0.35: 0.003, 0.6: 0.003}
-"""Height of the lowest point over the table; a third of it changes 0.8 dB at 0.1 rad, half of it 0.12 dB at 0.35."""
+"""Height of the lowest point over the table; a third of it changes 0.8 dB at 0.1 rad, half of it
+0.12 dB at 0.35."""
 FAR, CELL, ORDER, DEGREES = 1.8, 0.55, 3, 9
 SHIFTS, LEVELS = (1.3, 3.3), 3
 """Numbers at which it is factored, and powers of the inverse that span what is between."""
@@ -26,7 +27,9 @@ SHIFTS, LEVELS = (1.3, 3.3), 3
 def disk(height, fillet, beta, clear):
     """The disk, lowest at x < 0, its centre above the origin; the height of that."""
     body = Cylinder(Pnt(0, 0, 0), Vec(0, 0, 1), 1.0, height)
-    body = body.MakeFillet(body.edges, fillet).Rotate(Axis(Pnt(0, 0, 0), Vec(0, -1, 0)), np.degrees(beta))
+    body = body.MakeFillet(body.edges, fillet).Rotate(
+        Axis(Pnt(0, 0, 0), Vec(0, -1, 0)), np.degrees(beta)
+    )
     low = fillet * np.cos(beta) - (1 - fillet) * np.sin(beta) - fillet
     centre = height / 2 * np.cos(beta) - low + clear
     return body.Move(Vec(height / 2 * np.sin(beta), 0, clear - low)), centre
@@ -34,7 +37,8 @@ def disk(height, fillet, beta, clear):
 
 def meshed(body, gaps=(), least=0.02):
     """The air round a body; a cell below it is twice the gap, at places and gaps (x, y, gap)."""
-    body.faces.name, ball = "body", Sphere(Pnt(0, 0, 0), FAR)
+    body.faces.name = "body"
+    ball = Sphere(Pnt(0, 0, 0), FAR)
     ball.faces.name = "far"
     how = MeshingParameters(maxh=CELL, grading=0.4, segmentsperedge=1, curvaturesafety=1.0)
     for px, py, gap in gaps:
@@ -47,14 +51,21 @@ def meshed(body, gaps=(), least=0.02):
 
 def wedge(height, beta, centre):
     """Places and gaps (x, y, gap) below the disk."""
-    s, c = np.sin(beta), np.cos(beta)
-    places = [(u, v) for u in np.linspace(-1, 1, 161) for v in np.linspace(0, 1, 81) if u * u + v * v <= 1]
+    s = np.sin(beta)
+    c = np.cos(beta)
+    places = [
+        (u, v) for u in np.linspace(-1, 1, 161) for v in np.linspace(0, 1, 81) if u * u + v * v <= 1
+    ]
     return [(u * c + height / 2 * s, v, u * s - height / 2 * c + centre) for u, v in places]
 
 
 def size(degree, n):
     """What gives a harmonic the mean square 1."""
-    return np.sqrt((2 * degree + 1) * (2 - (n == 0)) * np.exp(gammaln(degree - n + 1) - gammaln(degree + n + 1)))
+    return np.sqrt(
+        (2 * degree + 1)
+        * (2 - (n == 0))
+        * np.exp(gammaln(degree - n + 1) - gammaln(degree + n + 1))
+    )
 
 
 WAVES = [(degree, n) for degree in range(DEGREES + 1) for n in range(degree % 2, degree + 1, 2)]
@@ -63,7 +74,8 @@ WAVES = [(degree, n) for degree in range(DEGREES + 1) for n in range(degree % 2,
 def harmonic(degree, n):
     """A harmonic on the hemisphere that is even in z and y, as a polynomial."""
     legendre = np.polynomial.legendre.leg2poly([0] * degree + [1])
-    value, wave = ng.CF(0), (ng.CF(1), ng.CF(0))
+    value = ng.CF(0)
+    wave = (ng.CF(1), ng.CF(0))
     for a in (np.polynomial.polynomial.polyder(legendre, n) if n else legendre)[::-1]:
         value = value * z / FAR + float(a)
     for _ in range(n):
@@ -78,19 +90,24 @@ def hankel(degree, k, slope=False):
 
 def multipoles(mesh, accelerations, numbers):
     """Their amplitudes (k, waves, a) on the hemisphere, of accelerations of the body."""
-    space, normal = ng.H1(mesh, order=ORDER), ng.specialcf.normal(3)
+    space = ng.H1(mesh, order=ORDER)
+    normal = ng.specialcf.normal(3)
     p, q = space.TnT()
 
     def load(form):
         return ng.LinearForm(form).Assemble().vec.FV().NumPy().copy()
 
     loads = [load(-(ng.CF(a) * normal) * q * ds("body")) for a in accelerations]
-    loads += [load(harmonic(*wave) * q * ds("far", bonus_intorder=DEGREES + 4)) / FAR**2 for wave in WAVES]
-    loads, forms = np.array(loads), [grad(p) * grad(q) * dx, p * q * dx]
+    loads += [
+        load(harmonic(*wave) * q * ds("far", bonus_intorder=DEGREES + 4)) / FAR**2 for wave in WAVES
+    ]
+    loads = np.array(loads)
+    forms = [grad(p) * grad(q) * dx, p * q * dx]
     stiff, mass = (ng.BilinearForm(form, symmetric=True).Assemble().mat for form in forms)
 
     def times(matrix, rows):
-        given, out = matrix.CreateRowVector(), []
+        given = matrix.CreateRowVector()
+        out = []
         for row in rows:
             given.FV().NumPy()[:] = row
             out.append((matrix * given).Evaluate().FV().NumPy().copy())
@@ -99,16 +116,22 @@ def multipoles(mesh, accelerations, numbers):
     basis = np.zeros((0, space.ndof))
     for shift in SHIFTS:
         matrix = ng.BilinearForm(forms[0] - shift**2 * forms[1], symmetric=True).Assemble().mat
-        inverse, rows = matrix.Inverse(inverse="sparsecholesky"), loads
+        inverse = matrix.Inverse(inverse="sparsecholesky")
+        rows = loads
         for _ in range(LEVELS):
             new = times(inverse, rows)
             for _ in range(2):
                 new = new - (new @ basis.T) @ basis
             _, singular, new = np.linalg.svd(new, full_matrices=False)
             new = new[singular > 1e-9 * singular[0]]
-            basis, rows = np.vstack([basis, new]), times(mass, new)
-    K, M, B = basis @ times(stiff, basis).T, basis @ times(mass, basis).T, loads @ basis.T
-    degree, found, of = np.array(WAVES)[:, 0], [], len(accelerations)
+            basis = np.vstack([basis, new])
+            rows = times(mass, new)
+    K = basis @ times(stiff, basis).T
+    M = basis @ times(mass, basis).T
+    B = loads @ basis.T
+    degree = np.array(WAVES)[:, 0]
+    found = []
+    of = len(accelerations)
     for k in numbers:
         G = B[of:] @ np.linalg.solve(K - k * k * M, B.T)
         outwards = FAR**2 / np.pi * k * hankel(degree, k * FAR, True) / hankel(degree, k * FAR)
@@ -120,7 +143,9 @@ def heard(amplitudes, k, distance, elevation, azimuth):
     """The pressures (azimuths, a) at a distance."""
     degree = np.array(WAVES)[:, 0]
     waves = [size(*w) * lpmv(w[1], w[0], np.sin(elevation)) * np.cos(w[1] * azimuth) for w in WAVES]
-    return (np.array(waves).T * (hankel(degree, k * distance) / hankel(degree, k * FAR))) @ amplitudes
+    return (
+        np.array(waves).T * (hankel(degree, k * distance) / hankel(degree, k * FAR))
+    ) @ amplitudes
 
 
 def sphere(k=1.7, radius=0.8):
@@ -131,14 +156,20 @@ def sphere(k=1.7, radius=0.8):
 
 
 def levels(height, fillet, beta):
-    """The mean square [dB] round the disk at 0.5 m and 45 degrees of the pressure of a force 1 over the mass."""
+    """The mean square [dB] round the disk at 0.5 m and 45 degrees of the pressure of a force 1 over
+    the mass."""
     body, centre = disk(height, fillet, beta, CLEAR[beta])
-    s, c = np.sin(beta), np.cos(beta)
-    u, w = x * c + (z - centre) * s, -x * s + (z - centre) * c
-    arm = np.cos(beta) - height / 2 * np.sin(beta)  # of the force; about a diameter the mass times 1/4 + height^2/12
+    s = np.sin(beta)
+    c = np.cos(beta)
+    u = x * c + (z - centre) * s
+    w = -x * s + (z - centre) * c
+    arm = np.cos(beta) - height / 2 * np.sin(
+        beta
+    )  # of the force; about a diameter the mass times 1/4 + height^2/12
     tilt = -arm / (1 / 4 + height**2 / 12)
     moved = [(0, 0, 1), (-u * s - w * c, 0, u * c - w * s)]
-    azimuth, found = np.pi * (np.arange(72) + 0.5) / 72, []
+    azimuth = np.pi * (np.arange(72) + 0.5) / 72
+    found = []
     for k, amplitudes in zip(
         NUMBERS, multipoles(meshed(body, wedge(height, beta, centre)), moved, NUMBERS), strict=True
     ):
@@ -150,7 +181,12 @@ def levels(height, fillet, beta):
 if __name__ == "__main__":
     off = abs(20 * np.log10(abs(sphere())))
     disks = [
-        {"height": shape[0], "fillet": shape[1], "inclination": some, "level_db": [levels(*shape, b) for b in some]}
+        {
+            "height": shape[0],
+            "fillet": shape[1],
+            "inclination": some,
+            "level_db": [levels(*shape, b) for b in some],
+        }
         for shape, some in INCLINATIONS.items()
     ]
     print(json.dumps({"number": NUMBERS, "disks": disks, "sphere_off_db": round(off, 4)}))

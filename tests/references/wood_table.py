@@ -1,6 +1,6 @@
-"""Frequencies of the table of the scene wood-table by NGSolve: hexahedra of degree 3 on a quarter of it, flat towards
-the edges of the feet, in the four classes of its two mirrors; it prints wood_table.json.
-"""
+"""Frequencies of the table of the scene wood-table by NGSolve: hexahedra of degree 3 on a quarter
+of it, flat towards the edges of the feet, in the four classes of its two mirrors; it prints
+wood_table.json."""
 
 import json
 from itertools import pairwise, product
@@ -51,15 +51,21 @@ def quarter(levels, split):
         for i, j, k in product(*(range(len(m)) for m in middle))
         if middle[2][k] > -0.02 or (foot[0][i] and foot[1][j])
     }
-    mesh, number = Mesh(dim=3), {}
+    mesh = Mesh(dim=3)
+    number = {}
     mesh.SetMaterial(1, "wood")
-    faces = {name: mesh.Add(FaceDescriptor(bc=i + 1, domin=1, surfnr=i + 1)) for i, name in enumerate(NAMES)}
+    faces = {
+        name: mesh.Add(FaceDescriptor(bc=i + 1, domin=1, surfnr=i + 1))
+        for i, name in enumerate(NAMES)
+    }
     for i, name in enumerate(NAMES):
         mesh.SetBCName(i, name)
 
     def corner(*at):
         if at not in number:
-            number[at] = mesh.Add(MeshPoint(Pnt(*(v[i] for v, i in zip((x, y, z), at, strict=True)))))
+            number[at] = mesh.Add(
+                MeshPoint(Pnt(*(v[i] for v, i in zip((x, y, z), at, strict=True))))
+            )
         return number[at]
 
     for cell in cells:
@@ -73,20 +79,29 @@ def quarter(levels, split):
 
 
 def frequencies(mesh, order, even, count):
-    """`count` frequencies [Hz] of the class that is even (True) or odd in x, in y, and the number of unknowns."""
+    """`count` frequencies [Hz] of the class that is even (True) or odd in x, in y, and the number
+    of unknowns."""
     held = {c: ["feet"] for c in "xyz"}
     for plane, same in zip("xy", even, strict=True):
         for c in "xyz":
             held[c] += [plane] * ((c == plane) == same)
-    space = ng.VectorH1(mesh, order=order, **{f"dirichlet{c}": "|".join(names) for c, names in held.items()})
+    space = ng.VectorH1(
+        mesh, order=order, **{f"dirichlet{c}": "|".join(names) for c, names in held.items()}
+    )
     u, v = space.TnT()
-    lam, mu = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON)), YOUNG / 2 / (1 + POISSON)
+    lam = YOUNG * POISSON / ((1 + POISSON) * (1 - 2 * POISSON))
+    mu = YOUNG / 2 / (1 + POISSON)
     a, b = (ng.Sym(ng.Grad(w)) for w in (u, v))
-    stiffness = ng.BilinearForm((2 * mu * ng.InnerProduct(a, b) + lam * ng.div(u) * ng.div(v)) * ng.dx).Assemble().mat
+    stiffness = (
+        ng.BilinearForm((2 * mu * ng.InnerProduct(a, b) + lam * ng.div(u) * ng.div(v)) * ng.dx)
+        .Assemble()
+        .mat
+    )
     mass = ng.BilinearForm(DENSITY * u * v * ng.dx).Assemble().mat
     inverse = stiffness.Inverse(space.FreeDofs(), inverse="sparsecholesky")
     free = np.flatnonzero(list(space.FreeDofs()))
-    right, left = stiffness.CreateColVector(), stiffness.CreateColVector()
+    right = stiffness.CreateColVector()
+    left = stiffness.CreateColVector()
 
     def solve(load):
         right[:] = 0
@@ -99,7 +114,13 @@ def frequencies(mesh, order, even, count):
     none = LinearOperator(size, matvec=lambda x: x, dtype=float)
     first = np.random.default_rng(0).standard_normal(len(free))
     values = eigsh(
-        none, k=count, M=m, sigma=0.0, OPinv=LinearOperator(size, matvec=solve, dtype=float), v0=first, tol=1e-10
+        none,
+        k=count,
+        M=m,
+        sigma=0.0,
+        OPinv=LinearOperator(size, matvec=solve, dtype=float),
+        v0=first,
+        tol=1e-10,
     )[0]
     return np.sqrt(np.sort(values)) / (2 * np.pi), len(free)
 
@@ -113,7 +134,8 @@ def table(levels, split, order, count):
 
 
 def limit(coarse, fine):
-    """What frequencies at one level less and at `fine` tend to, as edges of 270 degrees err, and the relative rest."""
+    """What frequencies at one level less and at `fine` tend to, as edges of 270 degrees err, and
+    the relative rest."""
     share = TOWARDS ** (2 * 0.5445)
     rest = (coarse - fine) * share / (1 - share)
     return fine - rest, np.maximum(rest / fine, 2e-4)

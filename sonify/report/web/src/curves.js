@@ -27,7 +27,7 @@ export class Curves {
         ],
         series: [{}, ...curves.map(({ colour, dash }) => ({ stroke: colour, width: 1.5, dash, points: { show: false } }))],
       },
-      [t, ...curves.map(({ values }) => values)],
+      [t, ...curves.map(({ values }) => Array.from(values, (v) => (Number.isNaN(v) ? null : v)))], // null is a gap
       parent,
     )
     this.element = this.plot.over

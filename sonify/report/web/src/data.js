@@ -43,9 +43,9 @@ export function at(t, column, time) {
   return column[i] + share * (column[i + 1] - column[i])
 }
 
-/** A number in three digits, as people write it. */
+/** A number in three digits, as people write it; 'none' for what is not a number. */
 export function digits(value, unit) {
-  return `${Number(value.toPrecision(3))} ${unit}`
+  return Number.isNaN(value) ? 'none' : `${Number(value.toPrecision(3))} ${unit}`
 }
 
 /** A time as it can be read at the zoom that shows `span` seconds. */

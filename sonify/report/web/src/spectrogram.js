@@ -112,9 +112,13 @@ export class Spectrogram {
         context.beginPath()
         Object.assign(context, { strokeStyle: style, lineWidth: thick })
         context.setLineDash(dash)
+        let joined = false // the line has a gap where it is not a number
         for (let i = 0; i < t.length; i++) {
           const x = ((t[i] + this.delay - from) / (to - from)) * width
-          context.lineTo(x, height * (1 - this.height(f[i])))
+          const y = height * (1 - this.height(f[i]))
+          if (joined) context.lineTo(x, y)
+          else context.moveTo(x, y)
+          joined = Number.isFinite(f[i])
         }
         context.stroke()
       }

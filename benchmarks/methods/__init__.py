@@ -1,0 +1,1 @@
+"""Methods to compare with: textbook schemes and the event-driven model on other integrators."""

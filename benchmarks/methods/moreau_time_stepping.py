@@ -1,0 +1,119 @@
+"""Moreau's time-stepping: fixed steps without events; the set-valued laws hold for the velocities
+at the end of a step.
+
+The unknowns of a step are the friction, in units of mu_dynamic Phi, and the moments s_i, in units
+of k_i Phi. The friction is a vector in the unit disk and s_i is in [-1, 1]; each opposes its
+velocity at the end of the step unless that velocity is zero (Jean 1999). They are found by
+projected iteration, which is compiled."""
+
+import functools
+import math
+
+from numba import njit
+from numba.extending import register_jitable
+
+from benchmarks.cases.motion_case import Case, answer_of
+from benchmarks.timed_runs import Answer, Failure
+from dynamics.equations import balance
+from dynamics.kinematics import arms, centre_velocity, precession_rate
+
+MAX_PROJECTIONS = 300
+"""Largest number of projections in one step."""
+
+PROJECTION_TOLERANCE = 1e-10
+"""Change of friction and moments, in their units, at which the projections have converged."""
+
+
+def moreau(case: Case, step: float) -> Answer:
+    """Solve a case by dimensionless time steps of length `step`."""
+    count = max(1, round(case.span / step))
+    state, unconverged = stepper()(case.start, case.law, case.span / count, count)
+    if not 0 < state[0] < math.pi / 2:
+        raise Failure("left the table or the model")
+    if unconverged > count // 100:
+        raise Failure(f"the projections did not converge in {unconverged} of {count} steps")
+    return answer_of(state, case.law, count)
+
+
+@functools.cache
+def stepper():
+    """Return the compiled time-stepping; it is compiled once per process."""
+    for function in (arms, centre_velocity, precession_rate):  # `solve` calls them
+        register_jitable(function)
+    solve = njit(balance(math.sin, math.cos))
+
+    @njit
+    def clip(x):
+        return min(1.0, max(-1.0, x))
+
+    @njit
+    def end(state, middle, h, c, s, s1, s2, s3, law):
+        """Return the velocities at the end of a step and the normal force, with the accelerations
+        at mid-step."""
+        beta, w1, w2, w3, u1, u2 = middle
+        a = solve(beta, w1, w2, w3, u1, u2, c, s, True, False, False, False, s1, s2, s3, law)
+        return (
+            state[1] + h * a.domega1,
+            state[2] + h * a.domega2,
+            state[3] + h * a.domega3,
+            state[4] + h * a.du1,
+            state[5] + h * a.du2,
+            a.Phi,
+        )
+
+    @njit
+    def run(state, law, h, count):
+        c = 0.0
+        s = 0.0
+        s1 = 0.0
+        s2 = 0.0
+        s3 = 0.0
+        rolls = True
+        unconverged = 0
+        inertia = law.K / 4 + law.h**2 / 3
+        for _ in range(count):
+            new = state
+            for _projection in range(MAX_PROJECTIONS):
+                middle = (
+                    state[0] - h / 4 * (state[1] + new[1]),
+                    (state[1] + new[1]) / 2,
+                    (state[2] + new[2]) / 2,
+                    (state[3] + new[3]) / 2,
+                    (state[4] + new[4]) / 2,
+                    (state[5] + new[5]) / 2,
+                )
+                w1, w2, w3, u1, u2, Phi = end(state, middle, h, c, s, s1, s2, s3, law)
+                beta = state[0] - h / 2 * (state[1] + w1)
+                new = (beta, w1, w2, w3, u1, u2)
+                if law.mu_dynamic > 0:
+                    push = 0.25 / (law.mu_dynamic * Phi * h)
+                    C = c + push * u1
+                    S = s + push * u2
+                    size = math.hypot(C, S)
+                    limit = law.mu_static / law.mu_dynamic if rolls else 1.0
+                    if size > limit:
+                        C /= size
+                        S /= size
+                else:
+                    C = c
+                    S = s
+                turn2 = w2 * math.sin(beta) - w3 * math.cos(beta)
+                turn3 = w2 * math.cos(beta) + w3 * math.sin(beta)
+                S1 = clip(s1 + 0.25 * inertia / (law.k1 * Phi * h) * w1) if law.k1 else 0.0
+                S2 = clip(s2 + 0.25 * inertia / (law.k2 * Phi * h) * turn2) if law.k2 else 0.0
+                S3 = clip(s3 + 0.25 * inertia / (law.k3 * Phi * h) * turn3) if law.k3 else 0.0
+                change = max(abs(C - c), abs(S - s), abs(S1 - s1), abs(S2 - s2), abs(S3 - s3))
+                c = C
+                s = S
+                s1 = S1
+                s2 = S2
+                s3 = S3
+                if change < PROJECTION_TOLERANCE:
+                    break
+            else:
+                unconverged += 1
+            rolls = math.hypot(new[4], new[5]) < 1e-6 * h
+            state = new
+        return state, unconverged
+
+    return run

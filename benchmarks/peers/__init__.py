@@ -1,0 +1,2 @@
+"""Other programs on the benchmark problems: physics engines and finite-element programs, one module
+per engine."""

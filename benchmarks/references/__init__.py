@@ -1,0 +1,1 @@
+"""Reference data of the benchmarks, and the script that computes the motions."""

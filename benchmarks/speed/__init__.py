@@ -1,0 +1,1 @@
+"""Scripts that print timings: python -m benchmarks.speed.<name>."""

@@ -1,0 +1,1 @@
+"""Law of the elastic contact: stiffness, creep, roughness, and its linearised response."""

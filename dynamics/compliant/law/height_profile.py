@@ -1,0 +1,169 @@
+"""Height profiles along a path, averaged over the ellipse of the contact.
+
+The contact pressure weights the heights by 1 - x^2/a^2 along the path. Integration by parts turns
+this mean into differences of the second and third integrals of the heights. A periodic quintic
+spline of the third integral provides both for every half-length a. The profile is periodic, so it
+is defined at every path length.
+"""
+
+from math import pi
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from scipy.fft import irfft, rfft
+
+from dynamics.compliant.law.sections import MAX_PROFILE_CELLS
+from dynamics.numba_kernels import kernel, outermost
+
+
+class Profile(NamedTuple):
+    """Coefficients (n + 5,) of the quintic spline of the third integral of the heights, and cells
+    per metre.
+    """
+
+    coefficients: np.ndarray
+    cells_per_metre: float
+
+    @property
+    def period(self) -> float:
+        """Period of the profile [m]."""
+        return (len(self.coefficients) - 5) / self.cells_per_metre
+
+
+SMOOTH = Profile(np.zeros(6), 1.0)
+"""Profile of a smooth surface."""
+RELATIVE_SLOPE_STEP = 1 / 32
+"""Step of the height differences for slopes, over the half-length of the ellipse; accurate to 1
+%."""
+
+
+def spline_profile(waves, period, n=None):
+    """Return the zero-mean profile with the Fourier transform `waves` (n/2 + 1,) of its heights."""
+    n = n or 2 * (len(waves) - 1)
+    order = np.arange(len(waves))
+    angle = 2 * pi * order / n
+    k = 2 * pi * np.maximum(order, 1) / period
+    knot = (
+        66 + 52 * np.cos(angle) + 2 * np.cos(2 * angle)
+    ) / 120  # value at the knots of a unit coefficient
+    third = np.where(order == 0, 0.0, waves / (1j * k) ** 3) / knot
+    coefficients = irfft(third, n, workers=1)
+    return Profile(np.concatenate([coefficients[-2:], coefficients, coefficients[:3]]), n / period)
+
+
+@kernel
+def height_integrals(profile, s):
+    """Return the third and the second integral of the heights at path length s [m]."""
+    c = profile.coefficients
+    x = s * profile.cells_per_metre
+    whole = np.floor(x)
+    u = x - whole
+    i = int(whole) % (c.size - 5)
+    c0 = c[i]
+    c1 = c[i + 1]
+    c2 = c[i + 2]
+    c3 = c[i + 3]
+    c4 = c[i + 4]
+    c5 = c[i + 5]
+    p0 = c0 + 26 * c1 + 66 * c2 + 26 * c3 + c4
+    p1 = 5 * (-c0 - 10 * c1 + 10 * c3 + c4)
+    p2 = 10 * (c0 + 2 * c1 - 6 * c2 + 2 * c3 + c4)
+    p3 = 10 * (-c0 + 2 * c1 - 2 * c3 + c4)
+    p4 = 5 * (c0 - 4 * c1 + 6 * c2 - 4 * c3 + c4)
+    p5 = -c0 + 5 * c1 - 10 * c2 + 10 * c3 - 5 * c4 + c5
+    third = p0 + u * (p1 + u * (p2 + u * (p3 + u * (p4 + u * p5))))
+    second = p1 + u * (2 * p2 + u * (3 * p3 + u * (4 * p4 + u * 5 * p5)))
+    return third / 120, second * profile.cells_per_metre / 120
+
+
+@kernel
+def mean_height(profile, s, a):
+    """Return the height [m] at path length s [m] averaged over an ellipse of half-length a [m].
+
+    It is the mean of z with the weight 3 (1 - x^2/a^2)/4a over (s - a, s + a). The profile SMOOTH,
+    of one cell, gives 0.
+    """
+    if profile.coefficients.size == 6:
+        return 0.0
+    third1, second1 = height_integrals(profile, s + a)
+    third0, second0 = height_integrals(profile, s - a)
+    return 1.5 * (second1 + second0 - (third1 - third0) / a) / (a * a)
+
+
+@kernel
+def add_rim_heights(table, rim, path, edge, half, reach, radius, turn, out):
+    """Add the heights of table and edge and their first two derivatives by the angle to `out` (3,).
+
+    The contact has turned by `turn` [rad] from the path lengths `path` and `edge` [m].
+    """
+    if table.coefficients.size == 6 and rim.coefficients.size == 6:
+        return
+    fine = RELATIVE_SLOPE_STEP * half / radius
+    low = 0.0
+    here = 0.0
+    high = 0.0
+    for profile, place, arm in ((table, path, reach), (rim, edge, radius)):
+        start = place + arm * turn
+        low += mean_height(profile, start - arm * fine, half)
+        here += mean_height(profile, start, half)
+        high += mean_height(profile, start + arm * fine, half)
+    out[0] += here
+    out[1] += (high - low) / (2 * fine)
+    out[2] += (high - 2 * here + low) / fine**2
+
+
+@outermost
+def mean_heights(profile, s, a):
+    """Return `mean_height` (k,) [m] at path lengths s (k,) with half-lengths a (k,) [m]."""
+    out = np.empty(s.size)
+    for i in range(s.size):
+        out[i] = mean_height(profile, s[i], a[i])
+    return out
+
+
+def profile_from_csv(file, period: float | None = None) -> Profile:
+    """Read a profile from a CSV file: length [m] in the first column, height [m] in the second; a
+    header is skipped.
+
+    The best straight line is subtracted. The mirror image continues the profile and makes it
+    periodic. For an edge pass its circumference as `period` [m]: the length is stretched to a whole
+    number of periods. Raises ValueError if the file is not a valid profile.
+    """
+    length, height = _columns(Path(file))
+    height = height - np.polynomial.Polynomial.fit(length, height, 1)(length)
+    span = length[-1] - length[0]
+    n = max(8, int(np.ceil(span / np.diff(length).min() * (1 - 1e-9))))
+    if n > MAX_PROFILE_CELLS // 2:
+        raise ValueError(
+            f"{file}: lengths differ by as little as {np.diff(length).min():.3g} m; "
+            f"at most {MAX_PROFILE_CELLS // 2} steps"
+        )
+    even = np.interp(np.linspace(length[0], length[-1], n + 1), length, height)
+    double = 2 * span if period is None else period / max(1, round(period / (2 * span)))
+    return spline_profile(rfft(np.append(even, even[-2:0:-1])), double)
+
+
+def _columns(file):
+    """Return lengths and heights of a CSV file. Raises ValueError if they are not valid."""
+    rows = file.read_text("utf-8-sig").replace(";", ",").splitlines()
+    first = next((i for i, row in enumerate(rows) if _is_number(row.split(",")[0])), len(rows))
+    try:
+        if first == len(rows):
+            raise ValueError("no numbers")
+        length, height = np.loadtxt(rows[first:], delimiter=",", ndmin=2, usecols=(0, 1)).T
+    except ValueError as error:
+        raise ValueError(f"{file}: must have rows of length, height in metres ({error})") from None
+    if len(length) < 8 or not np.isfinite(height).all() or not (np.diff(length) > 0).all():
+        raise ValueError(
+            f"{file}: must have at least 8 rows of increasing length and finite height"
+        )
+    return length, height
+
+
+def _is_number(text):
+    """Return True if the text is a finite number."""
+    try:
+        return np.isfinite(float(text))
+    except ValueError:
+        return False

@@ -1,0 +1,80 @@
+"""Linear creep coefficients of rolling contact, for an ellipse elongated along the rolling
+direction.
+"""
+
+import numpy as np
+
+AXIS_RATIOS = np.arange(1, 11) / 10
+"""Ratios b/a of the semi-axes in the tables."""
+POISSON_RATIOS = np.array([0.0, 0.25, 0.5])
+"""Poisson's ratios in the tables."""
+KALKER_C11 = np.array(
+    [
+        [10.7, 6.96, 5.57, 4.84, 4.37, 4.06, 3.82, 3.65, 3.51, 3.40],
+        [11.7, 7.78, 6.34, 5.57, 5.10, 4.78, 4.54, 4.36, 4.22, 4.12],
+        [12.9, 8.82, 7.34, 6.57, 6.11, 5.80, 5.58, 5.42, 5.30, 5.20],
+    ]
+)
+"""Coefficients along the rolling direction: Kalker (1990), table E3; Kalker (1967).
+
+Rows are for POISSON_RATIOS, columns for AXIS_RATIOS.
+"""
+KALKER_C22 = np.array(
+    [
+        [10.7, 6.96, 5.57, 4.84, 4.37, 4.06, 3.82, 3.65, 3.51, 3.40],
+        [12.8, 8.14, 6.40, 5.48, 4.90, 4.50, 4.21, 3.99, 3.81, 3.67],
+        [16.0, 9.79, 7.51, 6.31, 5.56, 5.04, 4.67, 4.39, 4.16, 3.98],
+    ]
+)
+"""Coefficients across the rolling direction, in the same layout and from the same sources."""
+ASYMPTOTE_ERROR = 0.04
+"""Relative error of the asymptotes at b/a = 0.1; the table has three digits."""
+
+
+def creep_coefficients(ratio, poisson):
+    """Return Kalker's C11 and C22 at ratios b/a (k,) in (0, 1] and Poisson's ratio in [0, 1/2].
+
+    Steady creepages u/V cause the forces G a b C u/V. In the table b/a C is interpolated linearly
+    in b/a, and 1/C by a parabola in Poisson's ratio, as Kalker recommends. Below b/a = 0.1 the
+    asymptote is scaled to match the table.
+    """
+    ratio = np.asarray(ratio, dtype=float)
+    return tuple(
+        _interpolate(
+            table,
+            side,
+            ratio,
+            poisson,
+        )
+        for side, table in enumerate((KALKER_C11, KALKER_C22))
+    )
+
+
+def slender_creep(ratio, poisson):
+    """Return the asymptotes of C11 and C22 for b/a -> 0: Kalker (1967), with L = ln(16 a^2/b^2)."""
+    log = np.log(16 / ratio**2)
+    more = 3 - np.log(4)
+    along = log - 2 * poisson
+    across = (1 - poisson) * log + 2 * poisson
+    return 2 * np.pi / ratio / along * (1 + more / along), (
+        2 * np.pi / ratio / across * (1 + (1 - poisson) * more / across)
+    )
+
+
+def _interpolate(table, side, ratio, poisson):
+    """Return one coefficient: the table for b/a >= 0.1, the scaled asymptote below."""
+    rows = [np.interp(ratio, AXIS_RATIOS, AXIS_RATIOS * row) / ratio for row in table]
+    inside = 1 / sum(_parabola(i, poisson) / row for i, row in enumerate(rows))
+    first = 1 / sum(_parabola(i, poisson) / row[0] for i, row in enumerate(table))
+    excess = first / slender_creep(AXIS_RATIOS[0], poisson)[side] - 1
+    outside = slender_creep(
+        np.minimum(ratio, AXIS_RATIOS[0]),
+        poisson,
+    )[side] * (1 + excess * ratio / AXIS_RATIOS[0])
+    return np.where(ratio < AXIS_RATIOS[0], outside, inside)
+
+
+def _parabola(i, x):
+    """Return at x the quadratic that is 1 at POISSON_RATIOS[i] and 0 at the others."""
+    p, q = np.delete(POISSON_RATIOS, i)
+    return (x - p) * (x - q) / ((POISSON_RATIOS[i] - p) * (POISSON_RATIOS[i] - q))

@@ -1,0 +1,332 @@
+"""Linear response of a rough contact without loss of contact, along a known rigid motion.
+
+Between knots the linearised contact is constant and advanced exactly for heights that are linear
+between samples. The heights do not excite the rolling direction, so the state has four numbers:
+velocities and deflections along a_2 and a_3.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.integrate import trapezoid
+
+from dynamics.compliant.law import height_profile
+from dynamics.compliant.law.height_profile import SMOOTH, mean_height
+from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.roughness import ellipse_window, spectral_density
+from dynamics.compliant.law.sections import Roughness
+from dynamics.compliant.law.tabulated import LawTable
+from dynamics.numba_kernels import fingerprint, kernel, outermost
+
+SAMPLES_PER_KNOT = 16
+"""Samples of the force between two knots."""
+KNOTS_PER_BLOCK = 2048
+"""Knots of one block of the motion."""
+FILTER_STATES = [1, 2, 4, 5]
+"""Indices in the state of `LinearContact`: velocities and deflections along a_2 and a_3."""
+TAYLOR_TERMS = 20
+"""Terms of the Taylor series of a propagator, exact to rounding up to MAX_STEP_TURN."""
+MAX_STEP_TURN = 2.0
+"""Largest phase of the fastest resonance in one step [rad]."""
+MIN_VIBRATION_FREQUENCY = 200.0
+"""Frequency above which the force belongs to the contact, and below to the motion [Hz]."""
+
+
+class MotionBlock(NamedTuple):
+    """A rigid motion at equidistant knots.
+
+    Attributes
+    ----------
+    t : (k,) array
+        Times [s].
+    inclination, load : (k,) arrays
+        Inclination [rad] and normal force [N].
+    rolls : (k,) array of bool
+        Whether the disk rolls.
+    path, edge : (k,) arrays
+        Path lengths of the contact on the table and on the edge [m].
+    jumps : (k, 2) array
+        Jumps of the force along a_2 and a_3 since the last knot [N].
+    """
+
+    t: np.ndarray
+    inclination: np.ndarray
+    load: np.ndarray
+    rolls: np.ndarray
+    path: np.ndarray
+    edge: np.ndarray
+    jumps: np.ndarray
+
+
+def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = None):
+    """Yield the motion as MotionBlocks; the last knot of a block is the first of the next.
+
+    `rate` [1/s] is that of the samples. The contact advances by R d(spin) of the edge and the slip.
+    The motion ends at LEAST_INCLINATION, where the contact is no longer an ellipse.
+    """
+    valid = motion.t[np.flatnonzero(motion.state[:, 1] >= LEAST_INCLINATION)[-1]]
+    knots = int(
+        np.floor(
+            (
+                min(
+                    valid,
+                    valid if stop is None else stop,
+                )
+                - start
+            )
+            * rate
+            / SAMPLES_PER_KNOT
+        )
+    )
+    path = 0.0
+    jumps = motion.jumps
+    for first in range(0, knots, KNOTS_PER_BLOCK):
+        t = start + np.arange(
+            first,
+            min(first + KNOTS_PER_BLOCK, knots) + 1,
+        ) * (SAMPLES_PER_KNOT / rate)
+        state, force = motion.at_and_force(t)
+        edge = -motion.disk.radius * state[:, 2]
+        slip = state[:, 8]
+        slid = np.append(0.0, np.cumsum((slip[1:] + slip[:-1]) / 2)) * (SAMPLES_PER_KNOT / rate)
+        rolls = np.char.startswith(motion.regime(t), "roll")
+        change = np.zeros((len(t), 2))
+        here = (jumps.t > t[0] - SAMPLES_PER_KNOT / rate) & (jumps.t <= t[-2])
+        np.add.at(change, np.searchsorted(t, jumps.t[here]), (jumps.after - jumps.before)[here, 1:])
+        yield MotionBlock(t, state[:, 1], force[:, 2], rolls, edge + path - slid, edge, change)
+        path -= slid[-1]
+
+
+def contact_response(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH)):
+    """Yield the force added by the elastic, rough contact, (n, 2) [N] along a_2 and a_3, block by
+    block.
+
+    Parameters
+    ----------
+    table : LawTable
+        Tabulated contact law.
+    blocks : iterable of MotionBlock
+        The rigid motion.
+    rate : float
+        Samples per second; sample i of a block is at t[0] + (i + 1)/rate.
+    profiles : (Profile, Profile)
+        Heights of table and edge.
+
+    Raises
+    ------
+    ValueError
+        If a resonance turns too far in a step; the message names the required rate.
+    """
+    x = np.zeros(4)
+    z = np.nan
+    for block in blocks:
+        knots, A, B, drive = _coefficients(table, block, rate)
+        if np.isnan(z):
+            z = sum(
+                mean_height(p, s, knots[0, 0])
+                for p, s in zip(
+                    profiles,
+                    (block.path[0], block.edge[0]),
+                    strict=True,
+                )
+            )
+        out, x, z = _march(x, z, knots, A, B, drive, 1 / rate, *profiles)
+        yield out
+
+
+def _coefficients(table, block, rate):
+    """Return the coefficients of `_march`.
+
+    Those at the knots (k, 13) are a, path, edge, and C and D of the force along a_2 and a_3. Those
+    between knots are A (k - 1, 4, 4), B and the deflections by jumps of the force.
+    """
+    rolls = block.rolls[1:] & block.rolls[:-1]
+    speed = np.diff(block.path) / np.diff(block.t)
+    inclination, load = ((at[1:] + at[:-1]) / 2 for at in (block.inclination, block.load))
+    system = table.system(inclination, load, speed, rolls)
+    A = system.A[:, FILTER_STATES][:, :, FILTER_STATES]
+    B = system.B[:, FILTER_STATES]
+    fastest = np.sqrt(np.abs(A[:, 0, 2]) + np.abs(A[:, 1, 3])).max() / MAX_STEP_TURN
+    if fastest > rate:
+        raise ValueError(
+            f"rate = {rate:g}: too low for the stiffness of the contact, at least {fastest:.4g} "
+            f"1/s is needed"
+        )
+    springs, a, _ = table.springs(block.inclination, block.load)
+    there = table.system(block.inclination, block.load, np.append(speed, speed[-1]), block.rolls)
+    forces = np.concatenate([there.C[:, 1:, FILTER_STATES], there.D[:, 1:, None]], axis=2)
+    knots = np.column_stack([a, block.path, block.edge, forces.reshape(len(a), -1)])
+    drive = np.column_stack(
+        [
+            np.where(rolls, block.jumps[:-1, 0] / springs.k2[:-1], np.nan),
+            block.jumps[:-1, 1] / springs.kn[:-1],
+        ]
+    )
+    return knots, np.ascontiguousarray(A), np.ascontiguousarray(B), drive
+
+
+def predicted_rms(
+    table: LawTable,
+    roughness: Roughness,
+    inclination,
+    load,
+    speed,
+    above=MIN_VIBRATION_FREQUENCY,
+):
+    """Return the rms (k,) [N] of the force above a frequency [Hz] in steady motion, from the
+    spectrum of the heights.
+
+    The contact runs along table and edge at `speed` (k,) [m/s].
+    """
+    k = spectral_density(roughness, table.law.disk.radius)[0]
+    mean_squares = []
+    for motion_point in np.broadcast(inclination, load, np.abs(speed)):
+        f = k * motion_point[2] / (2 * np.pi)
+        power = predicted_spectrum(table, roughness, *motion_point, f)
+        mean_squares.append(trapezoid(power * (f > above), f))
+    return np.sqrt(mean_squares)
+
+
+def predicted_power(table: LawTable, roughness: Roughness, inclination, load, speed) -> np.ndarray:
+    """Return the mean power (k,) [W] that roughness takes from a disk in steady motion.
+
+    It is the normal force N' times the rate of the heights z: the integral of their spectrum times
+    omega Im(N'/z).
+    """
+    (k, heights) = spectral_density(roughness, table.law.disk.radius)
+    powers = []
+    for steady in np.broadcast(inclination, load, np.abs(speed)):
+        motion_point = np.reshape(steady, (3, 1))
+        a = table.springs(*motion_point[:2])[1]
+        response = force_per_height(table.system(*motion_point), k * motion_point[2])
+        powers.append(
+            trapezoid(
+                heights * ellipse_window(k * a) ** 2 * k * motion_point[2] * response.imag,
+                k,
+            )
+        )
+    return np.array(powers)
+
+
+def predicted_spectrum(
+    table: LawTable,
+    roughness: Roughness,
+    inclination,
+    load,
+    speed,
+    frequency,
+    rolls=True,
+):
+    """Return the power spectral density [N^2/Hz] of the force at frequencies (f,) [Hz] in one
+    steady motion.
+    """
+    steady = np.array([[inclination], [load], [speed]])
+    a = table.springs(*steady[:2])[1]
+    system = table.system(*steady, rolls)
+    k = 2 * np.pi * frequency / abs(speed)
+    heights = (
+        np.interp(k, *spectral_density(roughness, table.law.disk.radius), left=0.0, right=0.0)
+        * ellipse_window(k * a) ** 2
+    )
+    return (
+        heights
+        * np.abs(
+            force_per_height(
+                system,
+                2 * np.pi * frequency,
+            )
+        )
+        ** 2
+        * 2
+        * np.pi
+        / abs(speed)
+    )
+
+
+def force_per_height(system, omega):
+    """Return N'/z (f,) [N/m] of a linearised contact at angular frequencies (f,) [rad/s]."""
+    roots, vectors = np.linalg.eig(system.A[0][np.ix_(FILTER_STATES, FILTER_STATES)])
+    weight = (system.C[0, 2, FILTER_STATES] @ vectors) * np.linalg.solve(
+        vectors, system.B[0, FILTER_STATES].astype(complex)
+    )
+    s = 1j * omega
+    return s * ((weight / (s[:, None] - roots)).sum(axis=1) + system.D[0, 2])
+
+
+@kernel
+def _propagator(A, B, h):
+    """Return [exp(A h), mean of exp(A s) B over a step] (4, 5): the Taylor series of the matrix [A
+    h, B; 0, 0].
+    """
+    total = np.empty((4, 5))
+    term = np.empty((4, 5))
+    next_term = np.empty((4, 5))
+    for i in range(4):
+        for j in range(5):
+            term[i, j] = A[i, j] * h if j < 4 else B[i]
+            total[i, j] = term[i, j] + (1.0 if i == j else 0.0)
+    for n in range(2, TAYLOR_TERMS):
+        for i in range(4):
+            for j in range(5):
+                value = 0.0
+                for m in range(4):
+                    value += A[i, m] * term[m, j]
+                next_term[i, j] = value * h / n
+                total[i, j] += next_term[i, j]
+        term, next_term = next_term, term
+    return total
+
+
+@kernel
+def _steps(x, z, knots, A, B, drive, h, table, rim):
+    """Step through a block; return the force (n, 2), the last state and the last height.
+
+    A NaN in `drive` along a_2 marks a sliding contact without a tangential spring.
+    """
+    out = np.empty((SAMPLES_PER_KNOT * len(A), 2))
+    next_x = np.empty(4)
+    coefficients = np.empty(13)
+    for j in range(len(A)):
+        E = _propagator(A[j], B[j], h)
+        slides = np.isnan(drive[j, 0])
+        x[2] = 0.0 if slides else x[2] + drive[j, 0]
+        x[3] += drive[j, 1]
+        for i in range(SAMPLES_PER_KNOT):
+            f = (i + 1) / SAMPLES_PER_KNOT
+            for m in range(13):
+                coefficients[m] = knots[j, m] + f * (knots[j + 1, m] - knots[j, m])
+            half_length = coefficients[0]
+            table_height = mean_height(table, coefficients[1], half_length)
+            rise = table_height + mean_height(rim, coefficients[2], half_length) - z
+            z += rise
+            for m in range(4):
+                next_x[m] = (
+                    E[m, 0] * x[0]
+                    + E[m, 1] * x[1]
+                    + E[m, 2] * x[2]
+                    + E[m, 3] * x[3]
+                    + E[m, 4] * rise
+                )
+            x, next_x = next_x, x
+            for m in range(2):
+                c = coefficients[3 + 5 * m : 8 + 5 * m]
+                out[SAMPLES_PER_KNOT * j + i, m] = (
+                    c[0] * x[0] + c[1] * x[1] + c[2] * x[2] + c[3] * x[3] + c[4] * rise / h
+                )
+            if slides:
+                out[SAMPLES_PER_KNOT * j + i, 0] = 0.0
+    return out, x, z
+
+
+def _compiled(version):
+    """Compile `march` with the fingerprint of its sources as a part of the cache key."""
+
+    @outermost
+    def march(x, z, knots, A, B, drive, h, table, rim):
+        version  # noqa: B018 -- a part of the key under which the machine code is kept
+        return _steps(x, z, knots, A, B, drive, h, table, rim)
+
+    return march
+
+
+_march = _compiled(fingerprint(height_profile))

@@ -1,0 +1,191 @@
+"""Roughness of table and edge: spectra, and random height profiles.
+
+A profile is periodic: the table over at least 2^20 cells, the edge over its circumference.
+"""
+
+from dataclasses import replace
+from math import pi
+
+import numpy as np
+from scipy.fft import next_fast_len
+from scipy.integrate import trapezoid
+
+from dynamics.compliant.law.height_profile import (
+    SMOOTH,
+    Profile,
+    mean_heights,
+    profile_from_csv,
+    spline_profile,
+)
+from dynamics.compliant.law.sections import CELLS_PER_WAVE, MIN_WAVES_PER_PERIOD, Roughness
+
+TABLE_CELLS = 2**20
+"""Smallest number of cells in the profile of a table."""
+WAVE_NUMBER_COUNT = 8192
+"""Wave numbers of a spectrum, equidistant in their logarithm."""
+
+
+def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profile]:
+    """Return the height profiles of table and edge for a disk of this radius [m], random or from
+    files.
+
+    Raises ValueError if a file is not a valid profile, or if no wave fits the edge.
+    """
+    if roughness is None:
+        return SMOOTH, SMOOTH
+    table = (
+        table_profile(roughness)
+        if roughness.profile is None
+        else profile_from_csv(roughness.profile)
+    )
+    if roughness.profile_edge is not None:
+        return table, profile_from_csv(roughness.profile_edge, 2 * pi * radius)
+    return table, edge_profile(roughness, radius) if roughness.edge_rms > 0 else SMOOTH
+
+
+def check_roughness(roughness: Roughness, radius: float) -> None:
+    """Raise ValueError with one line if a profile cannot be read, or if no wave fits the edge."""
+    for key, file in (("profile", roughness.profile), ("profile_edge", roughness.profile_edge)):
+        try:
+            if file is not None:
+                profile_from_csv(file)
+        except OSError as error:
+            raise ValueError(
+                f"roughness.{key} = {file!r}: cannot be read: {error.strerror}"
+            ) from None
+    if roughness.edge_rms:
+        wave_spectrum(roughness, 2 * pi * radius)
+
+
+def table_profile(roughness: Roughness) -> Profile:
+    """Return a random height profile of the table along the path of the contact."""
+    cell = roughness.shortest / CELLS_PER_WAVE
+    n = max(
+        TABLE_CELLS,
+        2 ** int(np.ceil(np.log2(MIN_WAVES_PER_PERIOD * roughness.longest / cell))),
+    )
+    return _gaussian(roughness, n * cell, n, 0)
+
+
+def edge_profile(roughness: Roughness, radius: float) -> Profile:
+    """Return a random height profile of the edge of a disk of this radius [m] along its
+    circumference.
+
+    Raises ValueError if no wave of the spectrum fits.
+    """
+    period = 2 * pi * radius
+    n = next_fast_len(int(np.ceil(CELLS_PER_WAVE * period / roughness.shortest)), real=True)
+    edge = replace(
+        roughness,
+        rms=roughness.edge_rms,
+        rms_edge=None,
+        profile=None,
+        profile_edge=None,
+    )
+    return _gaussian(edge, period, n, 1)
+
+
+def wave_spectrum(roughness: Roughness, period: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return the wave numbers (w,) [rad/m] that fit a period [m] and the mean square (w,) [m^2] of
+    each wave.
+
+    Raises ValueError if none fits.
+    """
+    first = np.ceil(period / roughness.longest * (1 - 1e-12))
+    last = np.floor(period / roughness.shortest * (1 + 1e-12))
+    if last < max(first, 1):
+        raise ValueError(
+            f"roughness.shortest = {roughness.shortest:g}: no wave between it and longest fits "
+            f"{period:g} m"
+        )
+    order = np.arange(max(first, 1), last + 1)
+    power = (order / order[0]) ** -roughness.exponent
+    return 2 * pi * order / period, (roughness.rms or 0.0) ** 2 * power / power.sum()
+
+
+def ellipse_window(ka):
+    """Return the transfer function of the average over the ellipse: 3 (sin ka - ka cos
+    ka)/(ka)^3."""
+    ka = np.asarray(ka, dtype=float)
+    small = ka < 1e-2
+    x = np.where(small, 1.0, ka)
+    return np.where(small, 1 - ka * ka / 10, 3 * (np.sin(x) - x * np.cos(x)) / x**3)
+
+
+def spectral_density(roughness: Roughness, radius: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return wave numbers (w,) [rad/m] and the mean square height per wave number (w,) [m^3] of
+    table and edge.
+
+    The wave numbers are equidistant in their logarithm. Table and edge are independent. The edge of
+    a disk of this radius [m] has its rms in the waves that fit its circumference. Raises ValueError
+    if a file is not a valid profile.
+    """
+    files = [
+        profile_from_csv(file)
+        for file in (roughness.profile, roughness.profile_edge)
+        if file is not None
+    ]
+    drawn = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2 * circumference_gain(
+        roughness,
+        2 * pi * radius,
+    )
+    longest = max([p.period for p in files] + [roughness.longest] * (drawn > 0))
+    shortest = min([2 / p.cells_per_metre for p in files] + [roughness.shortest] * (drawn > 0))
+    k = np.geomspace(2 * pi / longest, 2 * pi / shortest, WAVE_NUMBER_COUNT)
+    power = k**-roughness.exponent * (2 * pi <= k * roughness.longest * (1 + 1e-9))
+    power *= k * roughness.shortest <= 2 * pi * (1 + 1e-9)
+    power *= drawn / trapezoid(power, k) if drawn else 0.0
+    return k, power + sum(_measured(profile, k) for profile in files)
+
+
+def circumference_gain(roughness: Roughness, period: float) -> float:
+    """Return the gain of each wave that fits a period [m] over an infinite profile of the same rms;
+    1 if none fits.
+    """
+    low = period / roughness.longest
+    high = period / roughness.shortest
+    p = roughness.exponent
+    order = np.arange(max(np.ceil(low * (1 - 1e-12)), 1), high * (1 + 1e-12))
+    n = np.geomspace(low, high, WAVE_NUMBER_COUNT)
+    return float(trapezoid((n / low) ** -p, n) / np.sum((order / low) ** -p)) if len(order) else 1.0
+
+
+def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
+    """Return rms(z'') R/beta (n,), the shift of the true contact along the edge in radians per
+    radian.
+
+    Table and edge are averaged over ellipses of half-length a (n,) [m] at inclinations (n,) [rad].
+    Above 1 the disk touches at several points, and one ellipse is an approximation only.
+    """
+    k, power = spectral_density(roughness, radius)
+    curvature = [
+        trapezoid(
+            power * k**4 * ellipse_window(k * a) ** 2,
+            k,
+        )
+        for a in np.atleast_1d(half_length)
+    ]
+    return np.sqrt(curvature) * radius / np.sin(inclination)
+
+
+def _measured(profile, k):
+    """Return the mean square per wave number (w,) [m^3] of a measured profile, averaged over each
+    bin of k (w,).
+    """
+    n = len(profile.coefficients) - 5
+    cell = 1 / profile.cells_per_metre
+    waves = np.fft.rfft(mean_heights(profile, cell * np.arange(n), np.full(n, cell)))[1:] / n
+    own = 2 * pi / profile.period * np.arange(1, len(waves) + 1)
+    below = np.append(0.0, np.cumsum(2 * np.abs(waves / ellipse_window(own * cell)) ** 2))
+    edges = np.concatenate([[0.0], np.sqrt(k[1:] * k[:-1]), [own[-1]]])
+    return np.diff(np.interp(edges, np.append(0.0, own), below)) / np.diff(edges)
+
+
+def _gaussian(roughness, period, n, which):
+    """Return a random Gaussian profile with the spectrum of the roughness."""
+    k, power = wave_spectrum(roughness, period)
+    order = np.rint(k * period / (2 * pi)).astype(int)
+    waves = np.zeros(n // 2 + 1, complex)
+    draw = np.random.default_rng([roughness.seed, which]).normal(size=(len(k), 2))
+    waves[order] = n / 2 * np.sqrt(power) * (draw[:, 0] - 1j * draw[:, 1])
+    return spline_profile(waves, period, n)

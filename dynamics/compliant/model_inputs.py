@@ -1,0 +1,97 @@
+"""Contact law, table coupling and step rate of a scene, and the validation of its contact.
+
+The scene has the sections `material`, `contact` and `roughness` in addition to those of
+`MotionScene`.
+"""
+
+from functools import lru_cache
+from math import radians
+
+import numpy as np
+
+from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION, ContactLaw
+from dynamics.compliant.law.linearised import required_step_rate
+from dynamics.compliant.law.sections import require_resolved_waves
+from dynamics.compliant.law.tabulated import LawTable
+from dynamics.film.activation import final_inclination
+from dynamics.surface import table_action
+
+
+def contact_law(scene) -> ContactLaw:
+    """Return the elastic contact law of a scene. Raises ValueError if its fillet does not fit the
+    disk.
+    """
+    return scene.contact.law_of(scene.disk, scene.material)
+
+
+def law_table(scene, kind: type[LawTable] = LawTable, moves: float = 0.0) -> LawTable:
+    """Return the tabulated contact law of a scene, with the flexibility of the edge if the disk is
+    elastic.
+
+    The modes below `moves` [Hz] are not part of this flexibility. The tables are cached and shared
+    by threads.
+    """
+    return _tabulated(kind, contact_law(scene), edge_of(scene), moves)
+
+
+def edge_of(scene):
+    """Return the `Edge` of the disk of a scene if the disk is elastic, else None."""
+    return getattr(scene, "edge", None) if scene.contact.body == "elastic" else None
+
+
+@lru_cache(maxsize=16)
+def _tabulated(kind, law, edge, moves):
+    return kind(law=law, edge=edge, moves=moves)
+
+
+def last_inclination(scene) -> float:
+    """Return the final inclination [rad] of a disk on its elastic contact."""
+    return max(final_inclination(scene), LEAST_INCLINATION)
+
+
+def is_two_way(scene) -> bool:
+    """Return True if the scene asks for a table that moves with the disk (default: False)."""
+    return table_action(scene) == "motion"
+
+
+def step_rate(scene) -> float:
+    """Return the steps per second of the full model: that of the accuracy, or more for a stiff
+    contact.
+    """
+    return scene.numerics.contact_rate or max(
+        scene.numerics.level.contact_rate,
+        min_step_rate(scene),
+    )
+
+
+def min_step_rate(scene) -> float:
+    """Return the smallest step rate [1/s] of the full model down to its last inclination.
+
+    On a table that moves or is wavy the disk passes through all inclinations before it rests.
+    """
+    moves = is_two_way(scene) or getattr(scene, "imperfection", None)
+    least = LEAST_INCLINATION if moves else last_inclination(scene)
+    return float(required_step_rate(contact_law(scene), np.array([least]))[0])
+
+
+def check_contact(scene) -> None:
+    """Raise ValueError with one line if the elastic contact of a scene cannot be solved."""
+    law = contact_law(scene)
+    beta = radians(scene.release.inclination_deg)
+    if scene.roughness is not None:
+        from dynamics.compliant.law.roughness import (
+            check_roughness,  # Numba, which a smooth contact does not need
+        )
+
+        require_resolved_waves(scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0]))
+        check_roughness(scene.roughness, scene.disk.radius)
+    if beta <= last_inclination(scene):
+        raise ValueError(
+            f"release.inclination_deg = {scene.release.inclination_deg:g}: ends before it begins"
+        )
+    rate = scene.numerics.contact_rate
+    if rate is not None and rate < (least := min_step_rate(scene)):
+        raise ValueError(
+            f"numerics.contact_rate = {rate:g}: too low for so stiff a contact, must be at least "
+            f"{least:.4g} 1/s"
+        )

@@ -1,0 +1,100 @@
+"""Modes of a table that the scene gives as numbers, for the motion."""
+
+from dataclasses import dataclass
+from math import ceil, pi
+
+import numpy as np
+from scipy.interpolate import NdBSpline, make_interp_spline
+
+from dynamics.surface import ModesSurface
+
+HIGHEST_TABLE_MODE = 24e3  # Hz; `modal.surface_modes` has the same limit
+SPLINE_DEGREE = 3
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class TableModes:
+    """Modes of a table with unit modal mass, as the motion reads them from `modal.SurfaceModes`.
+
+    Attributes
+    ----------
+    frequency, decay_rate : (m,) arrays
+        Frequency [Hz] and decay rate [1/s] of each mode.
+    order : (m,) array of int
+        Waves around the contact circle.
+    knots : two arrays
+        Knots [m] of the cubic splines along x and y.
+    coefficients : (a, b, m) array
+        Spline coefficients of the upward mode shapes [kg^-1/2].
+    place : (2,) array
+        Position [m] of the disk in the frame of the splines.
+    mass : float
+        Mass of the table [kg]; 0, since the numbers do not include it.
+    """
+
+    frequency: np.ndarray
+    decay_rate: np.ndarray
+    order: np.ndarray
+    knots: tuple[np.ndarray, np.ndarray]
+    coefficients: np.ndarray
+    place: np.ndarray
+    mass: float = 0.0
+
+    def at(self, x: np.ndarray, y: np.ndarray) -> np.ndarray:
+        """Return the mode shapes (k, m) at the points x, y (k,) [m]; outside the rectangle, at its
+        nearest point.
+        """
+        inside = [
+            np.clip(at, knots[0], knots[-1])
+            for at, knots in zip(
+                (x, y),
+                self.knots,
+                strict=True,
+            )
+        ]
+        return NdBSpline(self.knots, self.coefficients, SPLINE_DEGREE)(np.column_stack(inside))
+
+    def compliance(self, radius: float = 0.0) -> float:
+        """Return the largest static deflection [m] under 1 N at 16 points of the circle of `radius`
+        [m].
+        """
+        angle = np.arange(16) * pi / 8
+        x, y = self.place[:, None] + radius * np.array([np.cos(angle), np.sin(angle)])
+        deflection = (self.at(x, y) ** 2 / (2 * pi * self.frequency) ** 2).sum(axis=1)
+        return float(deflection.max(initial=0.0))
+
+
+def modes_from_numbers(surface: ModesSurface, radius: float) -> TableModes:
+    """Return the modes below HIGHEST_TABLE_MODE of a table given by numbers, under a disk of
+    `radius` [m].
+
+    The shapes are (r/R)^n cos(n theta) and (r/R)^n sin(n theta) over sqrt(modal mass), with splines
+    of sixteen values to the shortest wave on the contact circle. `modal.surface_modes` computes the
+    same values.
+    """
+    below = [mode for mode in surface.modes if mode.frequency < HIGHEST_TABLE_MODE]
+    members = []
+    for mode in sorted(below, key=lambda mode: mode.frequency):
+        members.append((mode, 0))
+        if mode.order:
+            members.append((mode, 1))
+    order = np.array([mode.order for mode, _ in members], dtype=int)
+    quarter_turn = pi / 2 * np.array([sine for _, sine in members])
+    amplitude = np.array([mode.modal_mass for mode, _ in members]) ** -0.5
+    shortest_wave = 2 * pi * radius / max(order.max(initial=1), 1)
+    side = np.linspace(-radius, radius, 4 + ceil(2 * radius * 16 / shortest_wave))
+    x, y = (part.ravel() for part in np.meshgrid(side, side, indexing="ij"))
+    distance = np.hypot(x, y)
+    around = np.multiply.outer(order, np.arctan2(y, x)) - quarter_turn[:, None]
+    shapes = amplitude[:, None] * (distance / radius) ** order[:, None] * np.cos(around)
+    values = np.moveaxis(shapes.reshape(len(members), len(side), len(side)), 0, 2)
+    along_x = make_interp_spline(side, values, SPLINE_DEGREE, axis=0)
+    along_y = make_interp_spline(side, along_x.c, SPLINE_DEGREE, axis=1)
+    return TableModes(
+        frequency=np.array([mode.frequency for mode, _ in members]),
+        decay_rate=np.array([2 * pi * mode.frequency * mode.damping_ratio for mode, _ in members]),
+        order=order,
+        knots=(along_x.t, along_y.t),
+        coefficients=np.ascontiguousarray(np.moveaxis(along_y.c, 0, 1)),
+        place=np.zeros(2),
+    )

@@ -1,0 +1,1 @@
+"""Time stepping of the full compliant motion, compiled by numba."""

@@ -1,0 +1,333 @@
+"""Normal part of a time step: gravity, contact energy, contact loss and the yielding table.
+
+The scheme conserves or dissipates energy for every step length. Let v and L be the velocity and the
+angular momentum, n the axis, J1 and J2 the moments of inertia, e = 1/J2 - 1/J1, and let ~ denote
+the mean of both ends of a step h:
+
+    dz = h v~,  dn = (h/J1) L~ x n~,  m dv = h (F - m g),  dL = h T.
+
+Then |n| is constant. With w~ = L~/J1 + e (L.n)~ n~ the kinetic energy changes by exactly
+h (F.v~ + T.w~), since d(L.n) = h T.n~.
+
+The gap is G = z - R s + H (1 - c) - w - z_t(path) - z_r(edge) with s = |n_xy| = sin(beta). Its
+energy is U = 2/5 K(s) (-G)^2.5. The difference quotients N = -dU/dG, g = dU/ds, m_t = dz_t/dpath
+and m_r = dz_r/dedge, with f = R - H (s0 + s1)/(c0 + c1), satisfy without a remainder
+
+    dU = -N dG + g ds,    dG = dz - f ds - dw - m_t dpath - m_r dedge.
+
+The path lengths advance by dpath = h (t.v~ + a.w~) and dedge = h b.w~. The force N (e3 - m_t t) and
+the torque (N f + g)/s~ n~_xy x n~ - N (m_t a + m_r b) therefore do the work -dU - N dw, and kinetic
+energy + m g z + U is conserved.
+
+The contact loss adds c N of the approach to N, and N is never negative. Both dissipate energy: c N
+(dG)^2/h, or the remaining U where the contact separates. The table yields by dw = -h (N - m g)/Z
+and carries the weight, so that the potential energy is m g (z - w) and h (N - m g)^2/Z is radiated.
+The balance holds once the scalar equation for N is solved.
+"""
+
+import numpy as np
+
+from dynamics.compliant.law.height_profile import mean_height
+from dynamics.compliant.law.tabulated import HALF_LENGTH, HERTZ_STIFFNESS, LOSS_COEFFICIENT
+from dynamics.compliant.stepping import state_layout as at
+from dynamics.compliant.stepping.contact_energy import (
+    approach_root,
+    law_column,
+    law_interval,
+    law_slope,
+    mean_force,
+)
+from dynamics.numba_kernels import kernel
+
+FORCE_TOLERANCE = 1e-12
+"""Tolerance of the normal force, relative to the sum of force and weight."""
+MAX_ITERATIONS = 40
+"""Iterations for the normal force in one step."""
+LAST_STEP_TOLERANCE = 3e-6
+"""Relative error below which the last Newton step is linear.
+
+An impact then keeps its energy to 1e-12. The estimate must include the contact energy as well as
+the force.
+"""
+STANDING_DISTANCE = 1e-10
+"""A contact that moves by less in a step stands still [m]."""
+REREAD_DISTANCE = 1e-9
+"""Heights are evaluated again if the path length of the estimate changes by more [m].
+
+The energy balance does not depend on this number, because the slopes are difference quotients.
+"""
+MAX_HEIGHT_READS = 3
+"""Evaluations of the heights in one step."""
+MIN_RELATIVE_SINE_CHANGE = 1e-4
+"""Below this relative change of sin(beta) the mean of dK/ds replaces the difference quotient."""
+
+
+@kernel
+def rotation_step(n0, n1, n2, b0, b1, b2):
+    """Return m - n, where m - n = b x (m + n)."""
+    k0 = b1 * n2 - b2 * n1
+    k1 = b2 * n0 - b0 * n2
+    k2 = b0 * n1 - b1 * n0
+    q = 2 / (1 + b0 * b0 + b1 * b1 + b2 * b2)
+    return q * (k0 + b1 * k2 - b2 * k1), q * (k1 + b2 * k0 - b0 * k2), q * (k2 + b0 * k1 - b1 * k0)
+
+
+@kernel
+def height_after(profile, path, moved, half, before):
+    """Return the height at the end of a step along a path; the height before if the contact stands
+    still.
+    """
+    return mean_height(profile, path + moved, half) if abs(moved) > STANDING_DISTANCE else before
+
+
+@kernel
+def mean_slope(y0, y1, dx):
+    """Return the mean slope of heights along a path; 0 if the contact stands still."""
+    return (y1 - y0) / dx if abs(dx) > STANDING_DISTANCE else 0.0
+
+
+@kernel
+def midpoint_velocities(
+    N,
+    turn,
+    roll,
+    height_slope,
+    A0,
+    A1,
+    reach,
+    d0,
+    d1,
+    y,
+    step_over_2m,
+    h,
+    weight,
+):
+    """Return velocity (3) and angular momentum (3) half a step later, under the force N and its
+    torques.
+
+    A0 and A1 are the sums of the horizontal axis components at both ends of the step.
+    """
+    V0 = y[3] + step_over_2m * N * height_slope * d1
+    V1 = y[4] - step_over_2m * N * height_slope * d0
+    V2 = y[5] + step_over_2m * (N - weight)
+    M0 = y[9] + h / 2 * (turn * A1 + roll * d0)
+    M1 = y[10] + h / 2 * (roll * d1 - turn * A0)
+    return V0, V1, V2, M0, M1, y[11] - h / 2 * N * height_slope * reach
+
+
+@kernel
+def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
+    """Advance the state y by the normal part of a step h; return False if the normal force has no
+    solution.
+    """
+    m = law[at.MASS]
+    J = law[at.J1]
+    R = law[at.RADIUS]
+    H = law[at.HALF_THICKNESS]
+    weight = law[at.WEIGHT]
+    step_over_2m = h / (2 * m)
+    step_over_2J = h / (2 * J)
+    table_yield = h / law[at.TABLE_IMPEDANCE]
+    inverse_inertia = 1 / J
+    e = 1 / law[at.J2] - 1 / J
+    interval_count = len(cubics)
+    n0 = y[6]
+    n1 = y[7]
+    n2 = y[8]
+    L0 = y[9]
+    L1 = y[10]
+    L2 = y[11]
+    # begin of the step: contact energy, stiffness K and its loss
+    s0 = y[at.SIN_INCLINATION]
+    c0 = n2
+    axial_momentum = L0 * n0 + L1 * n1 + L2 * n2
+    i = int(y[at.LAW_INTERVAL])
+    u = y[at.LAW_FRACTION]
+    K0 = law_column(cubics, i, u, HERTZ_STIFFNESS)
+    loss = law_column(cubics, i, u, LOSS_COEFFICIENT)
+    dK = law_slope(cubics, i, u, HERTZ_STIFFNESS) * intervals_per_unit / s0
+    loss = loss / h
+    half_length = law_column(cubics, i, u, HALF_LENGTH)
+    zt0 = y[at.ROUGHNESS_HEIGHTS]
+    zr0 = y[at.ROUGHNESS_HEIGHTS + 1]
+    gap0 = y[at.GAP]
+    r0 = approach_root(y[at.GAP])
+    U0 = 0.4 * r0**5
+    # directions d (to the contact) and t (path) at mid-step; a = reach e3 - lever d, b = -(R/s) d
+    p0, p1, p2 = rotation_step(
+        n0,
+        n1,
+        n2,
+        step_over_2J / 2 * L0,
+        step_over_2J / 2 * L1,
+        step_over_2J / 2 * L2,
+    )
+    p0 = n0 + p0
+    p1 = n1 + p1
+    p2 = n2 + p2
+    sp = np.sqrt(p0 * p0 + p1 * p1)
+    d0 = p0 / sp
+    d1 = p1 / sp
+    reach = R * p2 - H * sp
+    rim_lever = R / sp
+    lever = reach * p2 / sp
+    # first estimate: the gap without the heights is far smoother than the force
+    N = 0.0
+    g = 0.0
+    predicted_gap_change = 3 * (y[at.GAP_CHANGES] - y[at.GAP_CHANGES + 1]) + y[at.GAP_CHANGES + 2]
+    A0 = 2 * p0
+    A1 = 2 * p1
+    A2 = 2 * p2
+    inverse_sine_sum = 0.5 / sp
+    arm = R - H * sp / p2
+    wd = (L0 * d0 + L1 * d1) * inverse_inertia + e * axial_momentum * sp
+    dpath = h * (
+        d0 * y[4]
+        - d1 * y[3]
+        + reach * (L2 * inverse_inertia + e * axial_momentum * p2)
+        - lever * wd
+    )
+    dedge = -h * rim_lever * wd
+    zt1 = zt0
+    zr1 = zr0
+    mt = 0.0
+    mr = 0.0
+    read_path = np.inf
+    read_edge = np.inf
+    iterations_left = MAX_ITERATIONS
+    converged = False
+    while not converged:
+        if iterations_left == 0:
+            return False
+        iterations_left -= 1
+        if (
+            iterations_left >= MAX_ITERATIONS - MAX_HEIGHT_READS
+            and max(abs(dpath - read_path), abs(dedge - read_edge)) > REREAD_DISTANCE
+        ):
+            read_path = dpath
+            read_edge = dedge
+            zt1 = height_after(table, y[at.TABLE_PATH], dpath, half_length, zt0)
+            zr1 = height_after(rim, y[at.EDGE_PATH], dedge, half_length, zr0)
+            mt = mean_slope(zt0, zt1, dpath)
+            mr = mean_slope(zr0, zr1, dedge)
+            if iterations_left == MAX_ITERATIONS - 1:
+                dgap = predicted_gap_change - (zt1 - zt0) - (zr1 - zr0)
+                r1 = approach_root(gap0 + dgap)
+                N = max(0.0, K0 * mean_force(r0, r1, gap0, gap0 + dgap) * (1 - loss * dgap))
+                g = (U0 + 0.4 * r1**5) / 2 * dK
+        turn = (N * arm + g) * A2 * inverse_sine_sum / 2
+        roll = N * (mt * lever + mr * rim_lever)
+        V0, V1, V2, M0, M1, M2 = midpoint_velocities(
+            N, turn, roll, mt, A0, A1, reach, d0, d1, y, step_over_2m, h, weight
+        )
+        q0, q1, q2 = rotation_step(
+            n0,
+            n1,
+            n2,
+            step_over_2J * M0,
+            step_over_2J * M1,
+            step_over_2J * M2,
+        )
+        a0 = n0 + q0
+        a1 = n1 + q1
+        a2 = n2 + q2
+        A0 = n0 + a0
+        A1 = n1 + a1
+        A2 = n2 + a2
+        s1 = np.sqrt(a0 * a0 + a1 * a1)
+        inverse_sine_sum = 1 / (s0 + s1)
+        arm = R - H * (s0 + s1) / (c0 + a2)
+        ds = (A0 * q0 + A1 * q1) * inverse_sine_sum
+        mean = (
+            e / 4 * (axial_momentum + (2 * M0 - L0) * a0 + (2 * M1 - L1) * a1 + (2 * M2 - L2) * a2)
+        )
+        wd = (M0 * d0 + M1 * d1) * inverse_inertia + mean * (A0 * d0 + A1 * d1)
+        dedge = -h * rim_lever * wd
+        dpath = h * (d0 * V1 - d1 * V0 + reach * (M2 * inverse_inertia + mean * A2) - lever * wd)
+        i, u = law_interval(s1, grid_start, intervals_per_unit, interval_count)
+        K1 = law_column(cubics, i, u, HERTZ_STIFFNESS)
+        dK1 = law_slope(cubics, i, u, HERTZ_STIFFNESS) * intervals_per_unit / s1
+        dgap = h * V2 + table_yield * (N - weight) - arm * ds - (zt1 - zt0) - (zr1 - zr0)
+        r1 = approach_root(gap0 + dgap)
+        elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap0 + dgap)
+        error = max(0.0, elastic_force * (1 - loss * dgap)) - N
+        stiffness_slope = (
+            (K1 - K0) / ds if abs(ds) > MIN_RELATIVE_SINE_CHANGE * s0 else (dK + dK1) / 2
+        )
+        previous_g = g
+        g = (U0 + 0.4 * r1**5) / 2 * stiffness_slope
+        W = 1 / m + (arm * A2) ** 2 / (4 * J)
+        stiffness = K1 * (r0 / 2 + r1)
+        correction = error / (
+            1 + stiffness * (h * h / 4 * W + table_yield / 2) + h * h / 2 * loss * elastic_force * W
+        )
+        correction = max(correction, -N)
+        mt = mean_slope(zt0, zt1, dpath)
+        mr = mean_slope(zr0, zr1, dedge)
+        torque_error = abs(g - previous_g) + abs(N * (mt * lever + mr * rim_lever) - roll)
+        converged = max(abs(correction), torque_error / R) <= LAST_STEP_TOLERANCE * (N + weight)
+        N += correction
+    turn = (N * arm + g) * A2 * inverse_sine_sum / 2
+    roll = N * (mt * lever + mr * rim_lever)
+    previous_V2 = V2
+    b0 = M0
+    b1 = M1
+    b2 = M2
+    V0, V1, V2, M0, M1, M2 = midpoint_velocities(
+        N,
+        turn,
+        roll,
+        mt,
+        A0,
+        A1,
+        reach,
+        d0,
+        d1,
+        y,
+        step_over_2m,
+        h,
+        weight,
+    )
+    b0 = step_over_2J * (M0 - b0)
+    b1 = step_over_2J * (M1 - b1)
+    b2 = step_over_2J * (M2 - b2)
+    q0 = b1 * A2 - b2 * A1
+    q1 = b2 * A0 - b0 * A2
+    q2 = b0 * A1 - b1 * A0
+    ds = (A0 * q0 + A1 * q1) * inverse_sine_sum
+    dgap += h * (V2 - previous_V2) + table_yield * correction - arm * ds
+    u += intervals_per_unit * ds / s1
+    elastic_force = (
+        (K0 + law_column(cubics, i, u, HERTZ_STIFFNESS))
+        / 2
+        * mean_force(r0, approach_root(gap0 + dgap), gap0, gap0 + dgap)
+    )
+    y[at.ENERGY_LOSSES] += (elastic_force - N) * dgap
+    y[at.ENERGY_LOSSES + 4] += table_yield * (N - weight) ** 2
+    y[0] = y[0] + h * V0
+    y[1] = y[1] + h * V1
+    y[2] = y[2] + h * V2
+    y[3] = 2 * V0 - y[3]
+    y[4] = 2 * V1 - y[4]
+    y[5] = 2 * V2 - y[5]
+    y[6] = a0 + q0
+    y[7] = a1 + q1
+    y[8] = a2 + q2
+    y[9] = 2 * M0 - L0
+    y[10] = 2 * M1 - L1
+    y[11] = 2 * M2 - L2
+    y[at.TABLE_PATH] = y[at.TABLE_PATH] + dpath
+    y[at.EDGE_PATH] = y[at.EDGE_PATH] + dedge
+    y[at.TABLE_RISE] = y[at.TABLE_RISE] - table_yield * (N - weight)
+    y[at.GAP_CHANGES + 2] = y[at.GAP_CHANGES + 1]
+    y[at.GAP_CHANGES + 1] = y[at.GAP_CHANGES]
+    y[at.GAP_CHANGES] = dgap + (zt1 - zt0) + (zr1 - zr0)
+    y[at.NORMAL_FORCE] = N
+    y[at.PATH_SPEED] = abs(dpath) / h
+    y[at.GAP] = gap0 + dgap
+    y[at.ROUGHNESS_HEIGHTS] = zt1
+    y[at.ROUGHNESS_HEIGHTS + 1] = zr1
+    y[at.SIN_INCLINATION] = s1 + ds
+    y[at.LAW_INTERVAL] = i
+    y[at.LAW_FRACTION] = u
+    return True

@@ -1,0 +1,305 @@
+"""Both parts of a time step on a table with modes; regular where the disk lies flat.
+
+The scheme conserves or dissipates energy. The rim touches the table in the horizontal direction e
+of least gap G = z - R n.e + H (1 - c) - sum q_m w_m - r. Here n is the axis, c = n_z, and r the sum
+of the heights of table and edge. With e and the mode shapes w_m at both ends of a step h, and ~ for
+the mean of both ends,
+
+    dG = dz - u.dn - sum w~ dq + T,    u = (R e~, H),    T = -R n~.de - sum q~ dw - dr,
+
+without a remainder. T is of third order, because G is a minimum. With U = 2/5 K (-G)^2.5 and the
+difference quotient N = -dU/dG, the force N on the centre, the torque N u x n~ and the forces -N w~
+on the modes do the work N (dG - T). Kinetic energy + m g z + U + the energy of the modes thus
+changes by -N T only. This work is returned to the velocities of the disk in proportion, or taken
+from U.
+
+K is the stiffness at the present inclination. Where K grows the force is kept, where it falls the
+approach is kept; both dissipate energy. The model neglects the horizontal force of the inclined
+table, which would do a little work on the centre.
+"""
+
+import numpy as np
+
+from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.tabulated import HALF_LENGTH, HERTZ_STIFFNESS, LOSS_COEFFICIENT
+from dynamics.compliant.stepping import state_layout as at
+from dynamics.compliant.stepping.contact_energy import (
+    approach_root,
+    law_column,
+    law_interval,
+    mean_force,
+)
+from dynamics.compliant.stepping.normal import FORCE_TOLERANCE, MAX_ITERATIONS, rotation_step
+from dynamics.compliant.stepping.rim_modes import twist_rate
+from dynamics.compliant.stepping.table_modes import (
+    CONTACT_ANGLE,
+    GAP_STIFFNESS,
+    TWIST_ANGLE,
+    advance_modes,
+    angle_between,
+    predict_free_motion,
+    track_contact,
+    work_sums,
+)
+from dynamics.compliant.stepping.tangential import step_tangential_at
+from dynamics.numba_kernels import kernel
+
+MAX_ROLLING_TURN = 0.3
+"""A contact that turns by more in one step has jumped to another place and did not roll there
+[rad].
+"""
+
+
+@kernel
+def update_gap_stiffness(y, modes, cubics):
+    """Update the contact stiffness to the present inclination, and keep either the force or the
+    approach.
+    """
+    K0 = modes.contact[GAP_STIFFNESS]
+    K1 = law_column(cubics, int(y[at.LAW_INTERVAL]), y[at.LAW_FRACTION], HERTZ_STIFFNESS)
+    r0 = approach_root(y[at.GAP])
+    if r0 > 0 and K0 > 0:
+        r1 = r0 * min(1.0, (K0 / K1) ** (1 / 3))
+        y[at.ENERGY_LOSSES] += 0.4 * (K0 * r0**5 - K1 * r1**5)
+        y[at.GAP] = -r1 * r1
+    modes.contact[GAP_STIFFNESS] = K1
+
+
+@kernel
+def step_normal_with_modes(
+    y,
+    law,
+    grid_start,
+    intervals_per_unit,
+    cubics,
+    table,
+    rim,
+    modes,
+    scratch,
+    h,
+):
+    """Advance the state y and the modes by the normal part of a step h.
+
+    Returns False if the normal force has no solution.
+    """
+    m = law[at.MASS]
+    J = law[at.J1]
+    R = law[at.RADIUS]
+    H = law[at.HALF_THICKNESS]
+    weight = law[at.WEIGHT]
+    step_over_2J = h / (2 * J)
+    i = int(y[at.LAW_INTERVAL])
+    u = y[at.LAW_FRACTION]
+    update_gap_stiffness(y, modes, cubics)
+    stiff = modes.contact[GAP_STIFFNESS]
+    loss = law_column(cubics, i, u, LOSS_COEFFICIENT) / h
+    v0 = y[3]
+    v1 = y[4]
+    v2 = y[5]
+    n0 = y[6]
+    n1 = y[7]
+    n2 = y[8]
+    L0 = y[9]
+    L1 = y[10]
+    L2 = y[11]
+    p0, p1, p2 = rotation_step(n0, n1, n2, step_over_2J * L0, step_over_2J * L1, step_over_2J * L2)
+    a0 = n0 + p0
+    a1 = n1 + p1
+    a2 = n2 + p2
+    predict_free_motion(modes, h)
+    previous_angle = modes.contact[CONTACT_ANGLE]
+    twist_change = h * twist_rate(law, n0, n1, n2, L0, L1, L2)
+    modes.contact[TWIST_ANGLE] += twist_change
+    table_path = y[at.TABLE_PATH] + h * (v1 * np.cos(previous_angle) - v0 * np.sin(previous_angle))
+    edge_path = y[at.EDGE_PATH] + R * (
+        angle_between(
+            np.arctan2(n1, n0),
+            previous_angle,
+        )
+        - twist_change
+    )
+    rough = table, rim, table_path, edge_path, law_column(cubics, i, u, HALF_LENGTH)
+    angle, height, path_change = track_contact(
+        modes,
+        law,
+        y[0] + h * v0,
+        y[1] + h * v1,
+        a0,
+        a1,
+        a2,
+        rough,
+        scratch,
+    )
+    rise = height - y[at.ROUGHNESS_HEIGHTS] - y[at.ROUGHNESS_HEIGHTS + 1]
+    D, E, P, S = work_sums(modes, h)
+    e0 = (np.cos(previous_angle) + np.cos(angle)) / 2
+    e1 = (np.sin(previous_angle) + np.sin(angle)) / 2
+    c0 = np.cos(angle) - np.cos(previous_angle)
+    c1 = np.sin(angle) - np.sin(previous_angle)
+    W = 1 / m + R * R / J
+    gap0 = y[at.GAP]
+    r0 = approach_root(y[at.GAP])
+    N = max(0.0, 3 * (y[at.NORMAL_FORCE] - y[at.PREVIOUS_FORCES]) + y[at.PREVIOUS_FORCES + 1])
+    gap = gap0
+    M0 = L0
+    M1 = L1
+    M2 = L2
+    V2 = v2
+    elastic_force = 0.0
+    T = 0.0
+    iterations_left = MAX_ITERATIONS
+    while iterations_left > 0:
+        iterations_left -= 1
+        V2 = v2 + h / (2 * m) * (N - weight)
+        t0 = (n0 + a0) / 2
+        t1 = (n1 + a1) / 2
+        t2 = (n2 + a2) / 2
+        M0 = L0 + h / 2 * N * (R * e1 * t2 - H * t1)
+        M1 = L1 + h / 2 * N * (H * t0 - R * e0 * t2)
+        M2 = L2 + h / 2 * N * R * (e0 * t1 - e1 * t0)
+        q0, q1, q2 = rotation_step(
+            n0,
+            n1,
+            n2,
+            step_over_2J * M0,
+            step_over_2J * M1,
+            step_over_2J * M2,
+        )
+        axis_error = abs(n0 + q0 - a0) + abs(n1 + q1 - a1) + abs(n2 + q2 - a2)
+        a0 = n0 + q0
+        a1 = n1 + q1
+        a2 = n2 + q2
+        T = -R * ((n0 + a0) * c0 + (n1 + a1) * c1) / 2 - (P - S * N) - rise
+        dgap = h * V2 - R * (e0 * q0 + e1 * q1) - H * q2 - (D - E * N) + T
+        gap = gap0 + dgap
+        r1 = approach_root(gap)
+        elastic_force = stiff * mean_force(r0, r1, gap0, gap)
+        error = max(0.0, elastic_force * (1 - loss * dgap)) - N
+        if (
+            iterations_left < MAX_ITERATIONS - 1
+            and abs(error) <= FORCE_TOLERANCE * (N + weight)
+            and axis_error < FORCE_TOLERANCE
+        ):
+            break
+        stiffness_slope = stiff * (r0 / 2 + r1)
+        N = max(
+            0.0,
+            N
+            + error
+            / (
+                1
+                + stiffness_slope * (h * h / 4 * W + E / 2)
+                + loss * elastic_force * (h * h / 2 * W + E)
+            ),
+        )
+    if iterations_left == 0:
+        return False
+    y[at.ENERGY_LOSSES] += (elastic_force - N) * (gap - gap0)
+    y[at.EDGE_PATH] += R * (np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1) - twist_change)
+    table, body = advance_modes(modes, N, h)
+    y[at.ENERGY_LOSSES + 4] = y[at.ENERGY_LOSSES + 4] + table
+    y[at.ENERGY_LOSSES + 6] = y[at.ENERGY_LOSSES + 6] + body
+    y[0] = y[0] + h * v0
+    y[1] = y[1] + h * v1
+    y[2] = y[2] + h * V2
+    y[5] = 2 * V2 - v2
+    y[6] = a0
+    y[7] = a1
+    y[8] = a2
+    y[9] = 2 * M0 - L0
+    y[10] = 2 * M1 - L1
+    y[11] = 2 * M2 - L2
+    turn = abs(angle_between(previous_angle, angle))
+    y[at.TABLE_PATH] = table_path + path_change
+    y[at.ROUGHNESS_HEIGHTS] = height
+    y[at.ROUGHNESS_HEIGHTS + 1] = 0.0
+    if turn < MAX_ROLLING_TURN:
+        y[at.PATH_SPEED] = R * turn / h
+    modes.contact[CONTACT_ANGLE] = angle
+    y[at.PREVIOUS_FORCES + 1] = y[at.PREVIOUS_FORCES]
+    y[at.PREVIOUS_FORCES] = y[at.NORMAL_FORCE]
+    y[at.NORMAL_FORCE] = N
+    y[at.GAP] = gap
+    add_kinetic_energy(y, law, modes, N * T)
+    y[at.SIN_INCLINATION] = np.sqrt(a0 * a0 + a1 * a1)
+    y[at.LAW_INTERVAL], y[at.LAW_FRACTION] = law_interval(
+        max(y[at.SIN_INCLINATION], LEAST_INCLINATION), grid_start, intervals_per_unit, len(cubics)
+    )
+    return True
+
+
+@kernel
+def step_tangential_with_modes(y, law, powers, cubics, modes, h):
+    """Advance the state y by the tangential part of a step h.
+
+    Away from the lowest point of the rim, t and d are not exactly the principal directions of the
+    mobility. The energy error of the midpoint rule is returned to the velocities.
+    """
+    energy_before = kinetic_energy(y, law) + stored_and_lost_energy(y)
+    angle = modes.contact[CONTACT_ANGLE]
+    step_tangential_at(y, law, powers, cubics, np.cos(angle), np.sin(angle), h)
+    add_kinetic_energy(
+        y,
+        law,
+        modes,
+        energy_before - kinetic_energy(y, law) - stored_and_lost_energy(y),
+    )
+
+
+@kernel
+def stored_and_lost_energy(y):
+    """Return the energy of springs and squeezed air plus the energy lost so far."""
+    springs = (
+        y[at.SPRING_STIFFNESS] * y[at.SPRING_STRETCH] ** 2
+        + y[at.SPRING_STIFFNESS + 1] * y[at.SPRING_STRETCH + 1] ** 2
+    )
+    return (
+        springs / 2
+        + y[at.SQUEEZED_AIR_ENERGY]
+        + y[at.ENERGY_LOSSES + 1]
+        + y[at.ENERGY_LOSSES + 2]
+        + y[at.ENERGY_LOSSES + 3]
+        + y[at.ENERGY_LOSSES + 5]
+    )
+
+
+@kernel
+def kinetic_energy(y, law):
+    """Return the kinetic energy of the disk."""
+    spin = y[6] * y[9] + y[7] * y[10] + y[8] * y[11]
+    e = 1 / law[at.J2] - 1 / law[at.J1]
+    turning = (y[9] * y[9] + y[10] * y[10] + y[11] * y[11]) / law[at.J1] + e * spin * spin
+    return (law[at.MASS] * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) + turning) / 2
+
+
+@kernel
+def add_kinetic_energy(y, law, modes, work):
+    """Add `work` to the kinetic energy of the disk by scaling all its velocities.
+
+    Where the disk has too little kinetic energy, the contact energy supplies the rest, then the
+    velocities of the modes. The remainder is recorded as ENERGY_DEFICIT, and the motion ends. This
+    happens only where an almost flat disk jumps to another wave of the table.
+    """
+    energy = kinetic_energy(y, law)
+    change = max(work, -energy)
+    scale = np.sqrt(1 + change / energy) if energy > 0 else 0.0
+    for i in range(3):
+        y[3 + i], y[9 + i] = scale * y[3 + i], scale * y[9 + i]
+    if energy > 0 and change == work:
+        return
+    missing = change - work
+    compression_root = approach_root(y[at.GAP])
+    contact_energy = 0.4 * modes.contact[GAP_STIFFNESS] * compression_root**5
+    if contact_energy > 0 and missing > 0:
+        y[at.GAP] *= max(0.0, 1 - missing / contact_energy) ** 0.4
+    missing -= min(missing, contact_energy)
+    mode_energy = 0.0
+    for m in range(len(modes.state)):
+        mode_energy += modes.state[m, at.MODE_VELOCITY] ** 2 / 2
+    if mode_energy > 0 and missing > 0:
+        scale = np.sqrt(max(0.0, 1 - missing / mode_energy))
+        for m in range(len(modes.state)):
+            modes.state[m, at.MODE_VELOCITY] *= scale
+        missing -= min(missing, mode_energy)
+    y[at.ENERGY_LOSSES] = y[at.ENERGY_LOSSES] - missing
+    y[at.ENERGY_DEFICIT] = y[at.ENERGY_DEFICIT] + missing

@@ -1,0 +1,529 @@
+"""Modes of the table (and of the disk) that deflect under the contact, and the search for the
+contact on the rim.
+
+The table rises by W = sum q_m w_m(x, y), with shapes w_m of unit modal mass. Each mode obeys q'' =
+-k q - c q' - N w~, where ~ denotes the mean of both ends of a step h. The midpoint rule advances it
+with k and c chosen such that frequency and decay are exact for every step. The energy (q'^2 + k
+q^2)/2 changes by the work -N w~ dq minus h c q'~^2. The modes of the disk, which lower the rim by q
+w, obey the same equation (see bending.py).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.interpolate import make_interp_spline
+
+from dynamics.compliant.law.height_profile import add_rim_heights
+from dynamics.compliant.stepping.rim_modes import (
+    NO_RIM_MODES,
+    RimModes,
+    evaluate_rim_ripple,
+    rim_shapes,
+    store_rim_shapes,
+)
+from dynamics.compliant.stepping.state_layout import (
+    ANGULAR_MOMENTUM,
+    AXIS,
+    DISK_MODE_ENERGY,
+    FREE_CHANGE,
+    HALF_THICKNESS,
+    J1,
+    MODE_AMPLITUDE,
+    MODE_VELOCITY,
+    NORMAL_FORCE,
+    RADIUS,
+    SHAPE_AFTER,
+    SHAPE_BEFORE,
+    SPRING_STRETCH,
+    TABLE_MODE_ENERGY,
+)
+from dynamics.numba_kernels import kernel
+
+RIM_SCAN_POINTS = 48
+"""Points of a scan of the whole rim for minima of the gap."""
+BENT_SCAN_INTERVAL = 16
+"""Steps between two scans of the rim on a bent table."""
+LEVEL_SCAN_INTERVAL = 256
+"""Steps between two scans of the rim on a nearly level table."""
+SAME_CONTACT_ANGLE = 3 * np.pi / RIM_SCAN_POINTS
+"""A minimum of the gap closer to the contact than this angle is the contact itself [rad]."""
+BENT_TABLE_RATIO = 1e-3
+"""A table is bent if its heights along the rim differ by more than this fraction of R sin(beta)."""
+MAX_GAP_MINIMA = 4
+"""Minima of the gap that are followed at the same time."""
+
+# Columns of the constants of a mode.
+MODE_STIFFNESS = 0
+"""k [1/s^2]"""
+MODE_DAMPING = 1
+"""c [1/s]"""
+MODE_COMPLIANCE = 2
+"""1/(1 + h c/2 + h^2 k/4)"""
+
+# Indices of the data of the contact, an array (MINIMUM_ANGLES + MAX_GAP_MINIMA,).
+CONTACT_ANGLE = 0
+"""Direction from the centre to the contact [rad]."""
+STEPS_TO_SCAN = 1
+"""Steps until the next scan of the rim."""
+GAP_STIFFNESS = 2
+"""Contact stiffness K [N/m^1.5]."""
+FLAT_STEPS = 3
+"""Steps since the disk has been flat."""
+MINIMUM_COUNT = 4
+"""Number of minima of the gap."""
+TWIST_ANGLE = 5
+"""Rotation of the disk about its axis [rad]."""
+MINIMUM_ANGLES = 6
+"""Directions of the minima of the gap [rad]."""
+
+
+class ContactModes(NamedTuple):
+    """Shapes, constants and state of m modes: those of the table first, then the d modes of the
+    disk.
+
+    Attributes
+    ----------
+    coefficients : (a, b, t) array
+        Spline coefficients of the shapes of the t table modes.
+    knots_x, knots_y : arrays
+        Knots of the splines [m].
+    constants : (m, 3) array
+        MODE_STIFFNESS, MODE_DAMPING and MODE_COMPLIANCE of each mode.
+    place : (2,) array
+        Origin [m] in the frame of the splines: of the table (`stays` = 1) or of the centre of the
+        disk (`stays` = 0).
+    stays : float
+        0 if the modes move with the disk, as modes given by numbers do; else 1.
+    state : (m, 5) array
+        Amplitude, velocity, shape before and after the step, free change.
+    contact : (MINIMUM_ANGLES + MAX_GAP_MINIMA,) array
+        Data of the contact.
+    rim : (d, 4) array
+        Shapes of `RimModes`.
+    """
+
+    coefficients: np.ndarray
+    knots_x: np.ndarray
+    knots_y: np.ndarray
+    constants: np.ndarray
+    place: np.ndarray
+    stays: float
+    state: np.ndarray
+    contact: np.ndarray
+    rim: np.ndarray
+
+
+def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> ContactModes:
+    """Return the modes of a table (`modal.SurfaceModes`) and of the disk on it at rest, for steps
+    of h [s].
+
+    Without a table there are no modes.
+    """
+    if modes is None or not len(modes.frequency):
+        return _with_zero_state(
+            np.zeros((0, 0, 0)),
+            np.zeros(0),
+            np.zeros(0),
+            np.zeros((0, 3)),
+            np.zeros(2),
+            1.0,
+            NO_RIM_MODES,
+        )
+    decay = np.append(modes.decay_rate, body.decay)
+    pole = -decay + 1j * np.sqrt(
+        np.append(
+            (2 * np.pi * modes.frequency) ** 2,
+            body.squared,
+        )
+        - decay**2
+        + 0j
+    )
+    midpoint = 2 / h * np.tanh(pole * h / 2)
+    k = np.abs(midpoint) ** 2
+    c = -2 * midpoint.real
+    constants = np.column_stack([k, c, 1 / (1 + h * c / 2 + h * h * k / 4)])
+    # copies, since read-only arrays have another Numba type
+    splines = [np.array(part, order="C") for part in (modes.coefficients, *modes.knots)]
+    stays = float(modes.mass > 0)  # modes given by numbers have no mass
+    return _with_zero_state(*splines, constants, np.array(modes.place, dtype=float), stays, body)
+
+
+def _with_zero_state(coefficients, knots_x, knots_y, constants, place, stays, rim_modes):
+    """Return the `ContactModes` with zero state."""
+    state = np.zeros((len(constants), 5))
+    contact = np.zeros(MINIMUM_ANGLES + MAX_GAP_MINIMA)
+    return ContactModes(
+        coefficients,
+        knots_x,
+        knots_y,
+        constants,
+        place,
+        stays,
+        state,
+        contact,
+        rim_modes.shapes,
+    )
+
+
+def wavy_table(imperfection, y, law) -> ContactModes:
+    """Return a rigid, wavy table as one mode with constant amplitude, and raise the disk of the
+    state y onto it.
+
+    The height is amplitude (r/R)^n cos(n theta) and moves with the disk, as modes given by numbers
+    do. The angle is measured from the crest under the initial contact.
+    """
+    n = imperfection.order
+    R = law[RADIUS]
+    a = y[AXIS : AXIS + 2] / np.hypot(*y[AXIS : AXIS + 2])
+    x = np.linspace(-R, R, 4 + 8 * n)
+    height = imperfection.amplitude * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real
+    spline = make_interp_spline(x, make_interp_spline(x, height).c, axis=1)
+    waves = modes_at_rest()._replace(
+        coefficients=np.ascontiguousarray(spline.c.T[:, :, None]),
+        knots_x=spline.t,
+        knots_y=spline.t,
+        constants=np.zeros((1, 3)),
+        stays=0.0,
+        state=np.array([[1.0, 0, 0, 0, 0]]),
+    )
+    waves.contact[CONTACT_ANGLE] = np.arctan2(a[1], a[0])
+    store_table_shapes(waves, *(R * a), np.zeros((3, 4)), np.zeros((3, 4)), SHAPE_BEFORE)
+    y[2] += waves.state[0, SHAPE_BEFORE]
+    return waves
+
+
+@kernel
+def cubic_basis(knots, x, out):
+    """Write the four cubic B-splines at x and their first two derivatives to `out` (3, 4); return
+    the first index.
+    """
+    n = knots.size - 4
+    x = min(max(x, knots[3]), knots[n])
+    i = min(max(int((x - knots[3]) / (knots[n] - knots[3]) * (n - 3)) + 3, 3), n - 1)
+    while x < knots[i]:
+        i -= 1
+    while i < n - 1 and x >= knots[i + 1]:
+        i += 1
+    a = 1 / (knots[i + 1] - knots[i])
+    b0 = 1 / (knots[i + 1] - knots[i - 1])
+    b1 = 1 / (knots[i + 2] - knots[i])
+    c0 = 1 / (knots[i + 1] - knots[i - 2])
+    c1 = 1 / (knots[i + 2] - knots[i - 1])
+    c2 = 1 / (knots[i + 3] - knots[i])
+    l0 = (knots[i + 1] - x) * a
+    l1 = (x - knots[i]) * a
+    q0 = (knots[i + 1] - x) * b0 * l0
+    q2 = (x - knots[i]) * b1 * l1
+    q1 = 1 - q0 - q2
+    out[0, 0] = (knots[i + 1] - x) * c0 * q0
+    out[0, 3] = (x - knots[i]) * c2 * q2
+    out[0, 1] = (x - knots[i - 2]) * c0 * q0 + (knots[i + 2] - x) * c1 * q1
+    out[0, 2] = 1 - out[0, 0] - out[0, 1] - out[0, 3]
+    out[1, 0] = -3 * c0 * q0
+    out[1, 3] = 3 * c2 * q2
+    out[1, 1] = 3 * (c0 * q0 - c1 * q1)
+    out[1, 2] = 3 * (c1 * q1 - c2 * q2)
+    d0 = -2 * b0 * l0
+    d1 = 2 * (b0 * l0 - b1 * l1)
+    d2 = 2 * b1 * l1
+    out[2, 0] = -3 * c0 * d0
+    out[2, 3] = 3 * c2 * d2
+    out[2, 1] = 3 * (c0 * d0 - c1 * d1)
+    out[2, 2] = 3 * (c1 * d1 - c2 * d2)
+    return i - 3
+
+
+@kernel
+def store_table_shapes(waves, x, y, bx, by, into):
+    """Store the shapes of the table modes at (x, y) [m] in the column `into` of the mode state."""
+    i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
+    j = cubic_basis(waves.knots_y, y + waves.place[1], by)
+    modes = waves.coefficients.shape[2]
+    state = waves.state
+    for m in range(modes):
+        state[m, into] = 0.0
+    for a in range(4):
+        for b in range(4):
+            share = bx[0, a] * by[0, b]
+            row = waves.coefficients[i + a, j + b]
+            for m in range(modes):
+                state[m, into] += share * row[m]
+
+
+@kernel
+def table_deflection(waves, x, y, bx, by, out):
+    """Write W at the end of the step, its gradient and its derivatives xx, xy, yy at (x, y) to
+    `out` (6,).
+    """
+    i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
+    j = cubic_basis(waves.knots_y, y + waves.place[1], by)
+    out[:] = 0.0
+    for a in range(4):
+        for b in range(4):
+            row = waves.coefficients[i + a, j + b]
+            value = 0.0
+            for m in range(row.size):
+                value += row[m] * (waves.state[m, MODE_AMPLITUDE] + waves.state[m, FREE_CHANGE])
+            out[0] += bx[0, a] * by[0, b] * value
+            out[1] += bx[1, a] * by[0, b] * value
+            out[2] += bx[0, a] * by[1, b] * value
+            out[3] += bx[2, a] * by[0, b] * value
+            out[4] += bx[1, a] * by[1, b] * value
+            out[5] += bx[0, a] * by[2, b] * value
+
+
+@kernel
+def angle_between(before, after):
+    """Return the signed angle between two directions, at most pi in size."""
+    return after - before - 2 * np.pi * np.rint((after - before) / (2 * np.pi))
+
+
+@kernel
+def evaluate_gap(waves, law, x, y, n0, n1, n2, angle, scratch):
+    """Evaluate table and rim at an angle of the rim of a disk with the axis (n0, n1, n2) and its
+    centre at (x, y).
+
+    Deflection and slopes of the table go to scratch[6], those of the rim to scratch[7]. Returns
+    cosine and sine of the angle, the reach from the centre [m], and n.e.
+    """
+    c = np.cos(angle)
+    s = np.sin(angle)
+    down = n0 * c + n1 * s
+    reach = law[RADIUS] * n2 - down * law[HALF_THICKNESS]
+    table_deflection(
+        waves,
+        x + reach * c,
+        y + reach * s,
+        scratch[0:3, 0:4],
+        scratch[3:6, 0:4],
+        scratch[6],
+    )
+    evaluate_rim_ripple(
+        waves.rim,
+        waves.state,
+        angle - waves.contact[TWIST_ANGLE],
+        down,
+        n2,
+        scratch[7],
+    )
+    return c, s, reach, down
+
+
+@kernel
+def scan_rim(waves, law, x, y, n0, n1, n2, scratch):
+    """Scan the whole rim for minima of the gap and store the directions of at most MAX_GAP_MINIMA.
+
+    A minimum near the contact keeps the direction of the contact.
+    """
+    R = law[RADIUS]
+    highest = -np.inf
+    lowest = np.inf
+    count = 0
+    previous = current = 0.0
+    for n in range(RIM_SCAN_POINTS + 2):
+        _, _, _, down = evaluate_gap(
+            waves,
+            law,
+            x,
+            y,
+            n0,
+            n1,
+            n2,
+            2 * np.pi * n / RIM_SCAN_POINTS,
+            scratch,
+        )
+        risen = scratch[6, 0] + scratch[7, 0]
+        highest = max(highest, risen)
+        lowest = min(lowest, risen)
+        value = risen + R * down
+        if n > 1 and current >= previous and current > value and count < MAX_GAP_MINIMA:
+            turn = angle_between(
+                waves.contact[CONTACT_ANGLE],
+                2 * np.pi * (n - 1) / RIM_SCAN_POINTS,
+            )
+            waves.contact[MINIMUM_ANGLES + count] = waves.contact[CONTACT_ANGLE] + (
+                turn if abs(turn) > SAME_CONTACT_ANGLE else 0.0
+            )
+            count += 1
+        previous = current
+        current = value
+    waves.contact[MINIMUM_COUNT] = count
+    bends = highest - lowest > BENT_TABLE_RATIO * R * np.sqrt(n0 * n0 + n1 * n1)
+    waves.contact[STEPS_TO_SCAN] = BENT_SCAN_INTERVAL if bends else LEVEL_SCAN_INTERVAL
+
+
+@kernel
+def track_contact(waves, law, x, y, n0, n1, n2, rough, scratch):
+    """Find the direction in which a disk with the axis (n0, n1, n2) and its centre at (x, y)
+    touches the table.
+
+    One Newton step updates each minimum of the gap; the lowest one is the contact. `rough` holds
+    the height profiles of table and edge, the path lengths [m] on them at the previous contact, and
+    the half-length of the ellipse. The function stores the mode shapes at the contact as
+    SHAPE_AFTER. Returns the direction, the heights of table and edge [m], and the path length from
+    the previous contact [m].
+    """
+    field = scratch[6]
+    rim_field = scratch[7]
+    R = law[RADIUS]
+    x = waves.stays * x
+    y = waves.stays * y
+    waves.contact[STEPS_TO_SCAN] -= 1
+    if waves.contact[STEPS_TO_SCAN] < 0:
+        scan_rim(waves, law, x, y, n0, n1, n2, scratch)
+    last = waves.contact[CONTACT_ANGLE]
+    lowest_gap = -np.inf
+    contact_angle = last
+    for n in range(int(waves.contact[MINIMUM_COUNT])):
+        angle = waves.contact[MINIMUM_ANGLES + n]
+        c, s, reach, down = evaluate_gap(waves, law, x, y, n0, n1, n2, angle, scratch)
+        down = R * down  # height and slope of the rim
+        side = R * (n1 * c - n0 * s)
+        add_rim_heights(*rough, reach, R, angle_between(last, angle), rim_field)
+        slope = side + reach * (field[2] * c - field[1] * s) + rim_field[1]
+        bend = reach**2 * (field[3] * s * s - 2 * field[4] * s * c + field[5] * c * c)
+        bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
+        step = slope / max(down - bend, 0.1 * R * np.sqrt(n0 * n0 + n1 * n1) + 1e-300)
+        step = min(max(step, -0.1), 0.1)
+        waves.contact[MINIMUM_ANGLES + n] = angle + step
+        value = field[0] + rim_field[0] + down + step * slope / 2
+        if value > lowest_gap:
+            lowest_gap = value
+            contact_angle = angle + step
+    c = np.cos(contact_angle)
+    s = np.sin(contact_angle)
+    reach = R * n2 - (n0 * c + n1 * s) * law[HALF_THICKNESS]
+    store_table_shapes(
+        waves,
+        x + reach * c,
+        y + reach * s,
+        scratch[0:3, 0:4],
+        scratch[3:6, 0:4],
+        SHAPE_AFTER,
+    )
+    store_rim_shapes(
+        waves.rim,
+        waves.state,
+        contact_angle - waves.contact[TWIST_ANGLE],
+        n0 * c + n1 * s,
+        n2,
+        SHAPE_AFTER,
+    )
+    rim_field[:] = 0.0
+    add_rim_heights(*rough, reach, R, angle_between(last, contact_angle), rim_field)
+    return contact_angle, rim_field[0], reach * angle_between(last, contact_angle)
+
+
+@kernel
+def predict_free_motion(waves, h):
+    """Store the change of each amplitude in a step without a contact force."""
+    for m in range(waves.state.shape[0]):
+        q = waves.state[m, MODE_AMPLITUDE]
+        v = waves.state[m, MODE_VELOCITY]
+        waves.state[m, FREE_CHANGE] = (
+            h
+            * waves.constants[m, MODE_COMPLIANCE]
+            * (v - h / 2 * waves.constants[m, MODE_STIFFNESS] * q)
+        )
+
+
+@kernel
+def work_sums(waves, h):
+    """Return D, E, P, S of the sums over the modes sum w~ dq = D - E N and sum q~ dw = P - S N."""
+    D = E = P = S = 0.0
+    for m in range(waves.state.shape[0]):
+        mean = (waves.state[m, SHAPE_BEFORE] + waves.state[m, SHAPE_AFTER]) / 2
+        change = waves.state[m, SHAPE_AFTER] - waves.state[m, SHAPE_BEFORE]
+        compliance = h * h / 2 * waves.constants[m, MODE_COMPLIANCE] * mean
+        D = D + mean * waves.state[m, FREE_CHANGE]
+        E = E + compliance * mean
+        P = P + change * (waves.state[m, MODE_AMPLITUDE] + waves.state[m, FREE_CHANGE] / 2)
+        S = S + change * compliance / 2
+    return D, E, P, S
+
+
+@kernel
+def advance_modes(waves, N, h):
+    """Advance the modes by a step h under the contact force N; return the energies lost by table
+    and disk modes.
+    """
+    lost = total = 0.0
+    first = len(waves.state) - len(waves.rim)
+    for m in range(waves.state.shape[0]):
+        mean = (waves.state[m, SHAPE_BEFORE] + waves.state[m, SHAPE_AFTER]) / 2
+        change = (
+            waves.state[m, FREE_CHANGE] - h * h / 2 * waves.constants[m, MODE_COMPLIANCE] * mean * N
+        )
+        waves.state[m, MODE_AMPLITUDE] += change
+        waves.state[m, MODE_VELOCITY] = 2 * change / h - waves.state[m, MODE_VELOCITY]
+        waves.state[m, SHAPE_BEFORE] = waves.state[m, SHAPE_AFTER]
+        total += waves.constants[m, MODE_DAMPING] * change * change / h
+        if m < first:
+            lost = total
+    return lost, total - lost
+
+
+@kernel
+def mode_energies(waves):
+    """Return the energies of the table modes and of the disk modes [J]."""
+    energy = total = 0.0
+    first = len(waves.state) - len(waves.rim)
+    for m in range(waves.state.shape[0]):
+        q = waves.state[m, MODE_AMPLITUDE]
+        v = waves.state[m, MODE_VELOCITY]
+        total += (v * v + waves.constants[m, MODE_STIFFNESS] * q * q) / 2
+        if m < first:
+            energy = total
+    return energy, total - energy
+
+
+def settle_modes(waves: ContactModes, modes, model, y) -> None:
+    """Set the modes to their steady response to the force of a contact that precesses steadily.
+
+    The Fourier series of each mode shape round the rim drives that mode, so no free vibration is
+    excited.
+    """
+    if modes is None or not len(waves.state):
+        return
+    law = model.constants
+    n = y[AXIS:ANGULAR_MOMENTUM]
+    s = np.hypot(n[0], n[1])
+    start = np.arctan2(n[1], n[0])
+    reach = law[RADIUS] * n[2] - law[HALF_THICKNESS] * s
+    turning = (
+        (
+            np.cross(
+                y[ANGULAR_MOMENTUM:SPRING_STRETCH],
+                n,
+            )[:2]
+            / law[J1]
+        )
+        @ np.array([-n[1], n[0]])
+        / s**2
+    )
+    angle = start + 2 * np.pi * np.arange(RIM_SCAN_POINTS) / RIM_SCAN_POINTS
+    east, north = (waves.stays * y[:2] + modes.place)[:, None] + reach * np.array(
+        [np.cos(angle), np.sin(angle)]
+    )
+    shapes = np.hstack(
+        [
+            modes.at(east, north),
+            rim_shapes(
+                model.bending,
+                angle,
+                np.arctan2(s, n[2]),
+            ),
+        ]
+    )
+    rate = 1j * turning * np.fft.fftfreq(RIM_SCAN_POINTS, 1 / RIM_SCAN_POINTS)[:, None]
+    k = waves.constants[:, MODE_STIFFNESS]
+    c = waves.constants[:, MODE_DAMPING]
+    responses = (
+        -y[NORMAL_FORCE] * np.fft.fft(shapes, axis=0) / RIM_SCAN_POINTS / (k + c * rate + rate**2)
+    )
+    waves.contact[CONTACT_ANGLE] = start
+    waves.state[:, MODE_AMPLITUDE] = responses.sum(axis=0).real
+    waves.state[:, MODE_VELOCITY] = (rate * responses).sum(axis=0).real
+    waves.state[:, SHAPE_BEFORE] = shapes[0]
+    y[TABLE_MODE_ENERGY], y[DISK_MODE_ENERGY] = mode_energies(waves)
+    y[2] += waves.state[:, MODE_AMPLITUDE] @ shapes[0]

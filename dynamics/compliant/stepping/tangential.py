@@ -1,0 +1,325 @@
+"""Tangential part of a time step: creeping springs, slip, resisting moments and the air film.
+
+The scheme conserves or dissipates energy. The midpoint rule for u' = -W p, q' = u - q V/l, p = k q
+conserves kinetic energy + k q^2/2 except for creep, which takes k q~^2 V h/l >= 0.
+
+Where p exceeds the friction limit, it is replaced by p on the friction circle with C p + y p = C
+p0. Here p0 is the force without slip, C is positive and y >= 0. The slip 2 y p is parallel to p and
+takes 2 y p^2. At incipient slip the spring relaxes to the force of dynamic friction. It sticks as
+soon as its stretch no longer grows. A spring keeps its force while k grows and its stretch while k
+falls; both reduce its energy.
+
+The resisting moments are impulses against omega.a_i, clipped where they stop the rotation, so they
+only take kinetic energy. Friction fitted to a rough disk includes the losses in contact and creep:
+the moments of rolling are reduced by this energy.
+
+The air film (film/law.py) acts against omega_3, and its pressure acts on the face at the centre of
+pressure, against the velocity there, as its law requires for a stationary contact. The compressed
+air stores energy up to the energy of the film in this state and loses the rest. It exerts no
+pressure once its energy is used up, whatever the contact does.
+"""
+
+import numpy as np
+
+from dynamics.compliant.law.tabulated import (
+    RELAXATION_LENGTH_1,
+    RELAXATION_LENGTH_2,
+    STIFFNESS_1,
+    STIFFNESS_2,
+)
+from dynamics.compliant.stepping import state_layout as at
+from dynamics.compliant.stepping.contact_energy import law_column
+from dynamics.film.forces import film_parts, squeezed_air_energy
+from dynamics.numba_kernels import kernel
+
+film_parts_kernel = kernel(film_parts)
+squeezed_air_kernel = kernel(squeezed_air_energy)
+MIN_PRECESSION_RATE = 1e-30
+"""Added to the precession rate, because the drag is divided by it [rad/s]."""
+
+
+@kernel
+def step_tangential(y, law, powers, cubics, h):
+    """Advance the state y by the tangential part of a step h, with the contact at the lowest point
+    of the rim.
+    """
+    step_tangential_at(
+        y,
+        law,
+        powers,
+        cubics,
+        y[6] / y[at.SIN_INCLINATION],
+        y[7] / y[at.SIN_INCLINATION],
+        h,
+    )
+
+
+@kernel
+def step_tangential_at(y, law, powers, cubics, d0, d1, h):
+    """Advance the state y by the tangential part of a step h, with the contact in the horizontal
+    direction d.
+    """
+    m = law[at.MASS]
+    J = law[at.J1]
+    R = law[at.RADIUS]
+    H = law[at.HALF_THICKNESS]
+    down = y[6] * d0 + y[7] * d1
+    c = y[8]
+    i = int(y[at.LAW_INTERVAL])
+    u = y[at.LAW_FRACTION]
+    s = max(y[at.SIN_INCLINATION], 1e-9)
+    reach = R - down * (R * down / (1 + c) + H)
+    rise = R * down + H * c
+    for side in range(2):
+        k = law_column(cubics, i, u, STIFFNESS_1 if side == 0 else STIFFNESS_2)
+        q = y[at.SPRING_STRETCH + side]
+        before = y[at.SPRING_STIFFNESS + side]
+        y[at.SPRING_STRETCH + side] = q * min(1.0, before / k)
+        y[at.SPRING_STIFFNESS + side] = k
+        y[at.ENERGY_LOSSES + 1] += (before * q * q - k * y[at.SPRING_STRETCH + side] ** 2) / 2
+    apply_resisting_moments(y, law, powers, s, c, d0, d1, h)
+    if law[at.FILM_TURNING] > 0:
+        apply_film(y, law, s, c, d0, d1, reach, h)
+    e = 1 / law[at.J2] - 1 / J
+    spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
+    wd = (y[9] * d0 + y[10] * d1) / J + spin * down
+    wt = (y[10] * d0 - y[9] * d1) / J
+    ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * c) + rise * wd
+    ud = y[3] * d0 + y[4] * d1 - rise * wt
+    Wt = 1 / m + R * R / law[at.J2] + H * H / J
+    Wd = 1 / m + rise * rise / J
+    pt, pd = advance_springs(
+        y,
+        law,
+        ut,
+        ud,
+        Wt,
+        Wd,
+        law_column(cubics, i, u, RELAXATION_LENGTH_1),
+        law_column(cubics, i, u, RELAXATION_LENGTH_2),
+        h,
+    )
+    # the force -p acts at reach d - rise e3
+    y[3] = y[3] - h / m * (pd * d0 - pt * d1)
+    y[4] = y[4] - h / m * (pd * d1 + pt * d0)
+    y[9] = y[9] - h * rise * (pt * d0 + pd * d1)
+    y[10] = y[10] - h * rise * (pt * d1 - pd * d0)
+    y[11] -= h * reach * pt
+    y[at.TANGENTIAL_FORCE] = -pt
+    y[at.TANGENTIAL_FORCE + 1] = -pd
+
+
+@kernel
+def advance_springs(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
+    """Advance the springs; return their mean force on the contact point along t and d."""
+    kt = y[at.SPRING_STIFFNESS]
+    kd = y[at.SPRING_STIFFNESS + 1]
+    N = y[at.NORMAL_FORCE]
+    creep_t = h * y[at.PATH_SPEED] / length_t
+    creep_d = h * y[at.PATH_SPEED] / length_d
+    Ct = (1 + creep_t / 2) / kt + h * h / 4 * Wt
+    Cd = (1 + creep_d / 2) / kd + h * h / 4 * Wd
+    qt = y[at.SPRING_STRETCH]
+    qd = y[at.SPRING_STRETCH + 1]
+    limit = law[at.MU_D] * N
+    spring_energy_before = kt * qt * qt + kd * qd * qd
+    pt = (qt + h / 2 * ut) / Ct
+    pd = (qd + h / 2 * ud) / Cd
+    trial_force = np.sqrt(pt * pt + pd * pd)
+    slides = y[at.IS_SLIDING] > 0
+    if trial_force > (limit if slides else law[at.MU_S] * N):
+        if not slides:
+            qt, qd = limit_stretch(qt, qd, kt, kd, limit)
+            pt = (qt + h / 2 * ut) / Ct
+            pd = (qd + h / 2 * ud) / Cd
+            trial_force = np.sqrt(pt * pt + pd * pd)
+        if trial_force > limit:
+            pt, pd = project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force)
+        qt, qd = limit_stretch(2 * pt / kt - qt, 2 * pd / kd - qd, kt, kd, limit)
+        slides = True
+    else:
+        slides = slides and pt * (pt / kt - qt) + pd * (pd / kd - qd) > 0
+        qt = 2 * pt / kt - qt
+        qd = 2 * pd / kd - qd
+    if N > 0:
+        y[at.IS_SLIDING] = 1.0 if slides else 0.0
+    y[at.SPRING_STRETCH] = qt
+    y[at.SPRING_STRETCH + 1] = qd
+    y[at.FRICTION_EXCESS] = max(
+        y[at.FRICTION_EXCESS], np.sqrt(pt * pt + pd * pd) - (limit if slides else law[at.MU_S] * N)
+    )
+    creep = creep_t * pt * pt / kt + creep_d * pd * pd / kd
+    work = h * (pt * (ut - h / 2 * Wt * pt) + pd * (ud - h / 2 * Wd * pd))
+    y[at.ENERGY_LOSSES + 1] += creep
+    y[at.ENERGY_LOSSES + 2] += (
+        work - (kt * qt * qt + kd * qd * qd - spring_energy_before) / 2 - creep
+    )
+    return pt, pd
+
+
+@kernel
+def limit_stretch(qt, qd, kt, kd, limit):
+    """Return the stretch of the springs, reduced to the force `limit` where it exceeds that."""
+    keep = min(1.0, limit / max(np.sqrt((kt * qt) ** 2 + (kd * qd) ** 2), 1e-300))
+    return keep * qt, keep * qd
+
+
+@kernel
+def project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force):
+    """Return the force with |p| = limit and C p + y p = C p0."""
+    if limit == 0:
+        return 0.0, 0.0
+    y = (Ct + Cd) / 2 * (trial_force / limit - 1)
+    for n in range(
+        40
+    ):  # Newton's method for 1/|p|, almost linear in y unless Ct and Cd differ by decades
+        qt = Ct * pt / (Ct + y)
+        qd = Cd * pd / (Cd + y)
+        size = np.sqrt(qt * qt + qd * qd)
+        if n >= 4 and abs(size - limit) <= 1e-9 * limit:
+            break
+        slope = (qt * qt / (Ct + y) + qd * qd / (Cd + y)) / size
+        y = max(0.0, y + (size / limit - 1) * size / slope)
+    return Ct * pt / (Ct + y), Cd * pd / (Cd + y)
+
+
+@kernel
+def apply_resisting_moments(y, law, powers, s, c, d0, d1, h):
+    """Apply the moments of k1, k2, k3, the power laws (n, 2) of the precession rate, and the
+    viscous loads as impulses.
+    """
+    J = law[at.J1]
+    e = 1 / law[at.J2] - 1 / law[at.J1]
+    for i in range(3):
+        a0, a1, a2 = (-d1, d0, 0.0) if i == 0 else (d0, d1, 0.0) if i == 1 else (0.0, 0.0, 1.0)
+        size = h * law[at.RESISTING_ARMS + i] * y[at.NORMAL_FORCE]
+        held = 0.0 if i != 1 else law[at.FRICTION_IS_FITTED]
+        apply_angular_impulse(
+            y,
+            a0,
+            a1,
+            a2,
+            size,
+            h * law[at.VISCOUS_MOMENT],
+            J,
+            e,
+            at.ENERGY_LOSSES + 3,
+            held,
+        )
+    if law[at.VISCOUS_FORCE] > 0:
+        left = max(0.0, 1 - h * law[at.VISCOUS_FORCE] / law[at.MASS])
+        y[at.ENERGY_LOSSES + 3] += (
+            law[at.MASS] / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
+        )
+        y[3] = left * y[3]
+        y[4] = left * y[4]
+    for i in range(len(powers)):
+        a0 = -c * d0  # e_3, upwards along the diameter through the contact
+        a1 = -c * d1
+        a2 = s
+        rate = abs(y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s)
+        growth = 1.0 if powers[i, 1] == 1 else rate ** (powers[i, 1] - 1)
+        apply_angular_impulse(
+            y,
+            a0,
+            a1,
+            a2,
+            h * powers[i, 0] * growth / s,
+            0.0,
+            J,
+            e,
+            at.ENERGY_LOSSES + 3,
+            law[at.FRICTION_IS_FITTED],
+        )
+
+
+@kernel
+def apply_film(y, law, s, c, d0, d1, reach, h):
+    """Apply the air film as impulses: drag about e_3, pressure of the falling disk, pressure of the
+    compressed air.
+    """
+    a0 = -c * d0
+    a1 = -c * d1
+    a2 = s
+    J = law[at.J1]
+    m = law[at.MASS]
+    rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + MIN_PRECESSION_RATE
+    drag, fall, lever, tip, lift = film_parts_kernel(
+        s,
+        rate,
+        law[at.FILM_TURNING],
+        law[at.FILM_FALLING],
+        law[at.FILM_INERTIA],
+        law[at.FILM_NUMBER],
+        law[at.FILM_AMBIENT],
+        law[at.FILM_SLIP],
+    )
+    apply_angular_impulse(
+        y,
+        a0,
+        a1,
+        a2,
+        0.0,
+        h * drag / (rate * s),
+        J,
+        0.0,
+        at.ENERGY_LOSSES + 5,
+        0.0,
+    )
+    lever /= law[at.RADIUS]
+    arm = reach - 1 / lever
+    v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
+    mobility = 1 / m + arm * arm / J
+    fall_impulse = v / mobility * np.expm1(-h * lever * lever * fall * mobility)
+    y[at.ENERGY_LOSSES + 5] -= fall_impulse * (v + fall_impulse * mobility / 2)
+    y[5] = y[5] + fall_impulse / m
+    y[9] = y[9] + arm * fall_impulse * d1
+    y[10] = y[10] - arm * fall_impulse * d0
+    lift_impulse = h * lift / law[at.RADIUS]
+    if lift_impulse > 0:
+        arm = reach - law[at.RADIUS] * tip / lift
+        v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
+        mobility = 1 / m + arm * arm / J
+        speed = np.sqrt(v * v + 2 * mobility * y[at.SQUEEZED_AIR_ENERGY])
+        lift_impulse = min(lift_impulse, (speed - v) / mobility)  # at most the stored energy
+        work = lift_impulse * (v + lift_impulse * mobility / 2)
+        y[at.SQUEEZED_AIR_ENERGY] = max(0.0, y[at.SQUEEZED_AIR_ENERGY] - work)
+        y[5] = y[5] + lift_impulse / m
+        y[9] = y[9] + arm * lift_impulse * d1
+        y[10] = y[10] - arm * lift_impulse * d0
+    stored_energy = min(
+        y[at.SQUEEZED_AIR_ENERGY],
+        squeezed_air_kernel(s, rate, law[at.FILM_NUMBER], law[at.FILM_AMBIENT], law[at.FILM_SLIP]),
+    )
+    y[at.ENERGY_LOSSES + 5] = y[at.ENERGY_LOSSES + 5] + y[at.SQUEEZED_AIR_ENERGY] - stored_energy
+    y[at.SQUEEZED_AIR_ENERGY] = stored_energy
+    y[at.FILM_LIFT] = (fall_impulse + lift_impulse) / h
+
+
+@kernel
+def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
+    """Apply an impulse against omega along the unit vector a, at most the one that stops the
+    rotation.
+
+    The impulse is `size` + `per_rate` times the rate. With `fitted` = 1 it is reduced by the energy
+    that contact and creep have already taken. `cause` is the index of the loss in the state.
+    """
+    if size == 0 and per_rate == 0:
+        return
+    n = a0 * y[6] + a1 * y[7] + a2 * y[8]
+    rate = (a0 * y[9] + a1 * y[10] + a2 * y[11]) / J + e * n * (
+        y[6] * y[9] + y[7] * y[10] + y[8] * y[11]
+    )
+    mobility = 1 / J + e * n * n
+    available_relief = (
+        fitted * (y[at.ENERGY_LOSSES] + y[at.ENERGY_LOSSES + 1]) - y[at.RELIEVED_FRICTION_ENERGY]
+    )
+    if fitted > 0 and available_relief > 0 and rate != 0:
+        relief = min(size, available_relief / abs(rate))
+        y[at.RELIEVED_FRICTION_ENERGY] = y[at.RELIEVED_FRICTION_ENERGY] + relief * abs(rate)
+        size = size - relief
+    turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / mobility)
+    y[9] = y[9] + turn * a0
+    y[10] = y[10] + turn * a1
+    y[11] = y[11] + turn * a2
+    y[cause] -= turn * (rate + turn * mobility / 2)

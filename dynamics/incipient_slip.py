@@ -1,0 +1,129 @@
+"""The direction in which a contact begins or ends to slide, solved in closed form.
+
+By (4.6) and (5.3) the normal force under friction along (c, s) is P/(a + b s), and the slip
+acceleration is linear in it and in the friction: du = (k + p z + q/z)/(a + b s) with z = c + i s,
+for vectors written as complex numbers."""
+
+import cmath
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from dynamics.equations import UNLOADED
+from dynamics.kinematics import arms
+from dynamics.regime import FLOAT, V1, V2, W1, W2, W3, R
+
+
+class SlipPush(NamedTuple):
+    """The slip acceleration at a state for every slip direction, the constants of the formula
+    above."""
+
+    a: float
+    b: float
+    k: complex
+    p: complex
+    q: complex
+
+    def with_added_rate(self, rate: complex) -> "SlipPush":
+        """Return the slip acceleration plus a constant `rate`."""
+        turn = 0.5j * self.b * rate
+        return SlipPush(self.a, self.b, self.k + self.a * rate, self.p - turn, self.q + turn)
+
+    @property
+    def is_solvable(self) -> bool:
+        """True if the balance laws have a normal force for every slip direction."""
+        return self.a > abs(self.b)
+
+    def acceleration_along(self, angle: float, axis: float) -> float:
+        """Return the acceleration component along `axis` [rad] for slip direction `angle` [rad]."""
+        z = cmath.rect(1.0, angle)
+        return ((self.k + self.p * z + self.q / z) * cmath.rect(1.0, -axis)).real / (
+            self.a + self.b * z.imag
+        )
+
+    def aligned_direction_near(self, angle: float) -> float | None:
+        """Return the direction within 1 rad of `angle` parallel to its own acceleration, or
+        None."""
+        found = self._newton(angle)
+        if found is None or abs(found - angle) > 1:
+            found = min(
+                self.aligned_directions(),
+                key=lambda other: abs(_turned(other - angle)),
+                default=None,
+            )
+            return None if found is None or abs(_turned(found - angle)) > 1 else found
+        return found
+
+    def aligned_directions(self) -> list[float]:
+        """Return the slip directions [rad] that are parallel to their own acceleration."""
+        k = self.k
+        p = self.p
+        q = self.q
+        circle_tolerance = 1e-6  # exceeds the rounding error of a double root
+        powers = np.array([-q.conjugate(), -k.conjugate(), p - p.conjugate(), k, q])
+        roots = np.roots(powers)
+        angles = map(
+            self._newton, np.angle(roots[np.abs(np.abs(roots) - 1) < circle_tolerance]).tolist()
+        )
+        return [nu for nu in angles if nu is not None and self.a + self.b * math.sin(nu) > 0]
+
+    def _newton(self, angle, max_iterations=12, tolerance=4e-15):
+        """Return the root of Im(k/z + p + q/z^2) to which Newton's method converges from `angle`,
+        or None."""
+        for _ in range(max_iterations):
+            back = cmath.rect(1.0, -angle)
+            once = self.k * back
+            twice = self.q * back * back
+            slope = (once + 2 * twice).real
+            if slope == 0:
+                return None
+            move = (once + self.p + twice).imag / slope
+            angle += move
+            if abs(move) < tolerance:
+                return angle
+        return None
+
+    def directions_parallel_to(self, axis: float) -> list[float]:
+        """Return the slip directions [rad] whose acceleration is parallel to `axis` [rad]."""
+        back = cmath.rect(1.0, -axis)
+        turning = self.p * back - (self.q * back).conjugate()
+        size, phase = cmath.polar(turning)
+        share = (self.k * back).imag
+        if not abs(share) <= size or size == 0:
+            return []
+        turn = math.asin(share / size)
+        angles = (
+            _turned(-phase - turn - axis) + axis,
+            _turned(-phase + turn + math.pi - axis) + axis,
+        )
+        return [nu for nu in angles if self.a + self.b * math.sin(nu) > 0]
+
+
+def _turned(angle):
+    """Return an angle reduced to [-pi, pi]."""
+    return math.remainder(angle, 2 * math.pi)
+
+
+def slip_push(y, branch, senses, law) -> SlipPush:
+    """Return the slip acceleration at state y of a sliding branch for all slip directions."""
+    r = y[R]
+    omega = (r * y[W1], r * y[W2], r * y[W3])
+    slip = (r * y[V1], r * y[V2])
+    loads = branch.loads(r * r, omega, slip, law, FLOAT) if branch.loads else UNLOADED
+    side = math.copysign(
+        1.0, arms(math.cos(r * r), math.sin(r * r), law.h)[1]
+    )  # where the inertia is not zero
+
+    def pushed(c, s):
+        contact = FLOAT.solve(r * r, *omega, *slip, c, s, True, *branch.stuck, *senses, law, loads)
+        return contact.inertia, contact.inertia * complex(contact.du1, contact.du2)
+
+    (a, k) = pushed(0.0, 0.0)
+    (_, across) = pushed(1.0, 0.0)
+    (inertia, along) = pushed(0.0, side)
+    across = across - k
+    along = side * (along - k)
+    return SlipPush(
+        a, side * (inertia - a), k, (across - 1j * along) / 2, (across + 1j * along) / 2
+    )

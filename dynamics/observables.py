@@ -1,0 +1,204 @@
+"""Nutation and precession frequencies of a motion, and the times of slip."""
+
+from functools import lru_cache
+
+import numpy as np
+from scipy.ndimage import median_filter
+from scipy.signal import find_peaks
+
+from dynamics import kinematics
+from dynamics.disk import Disk
+from dynamics.motion import Motion, piece_ends_and_middles
+
+
+def free_rolling_load(disk: Disk, state) -> np.ndarray:
+    """Return the normal force over the weight (k,) of free rolling at states (k, 11).
+
+    It follows from the inclination and from omega_2, omega_3 by the second of (5.3) without
+    moments. It excludes the vibration of contact and table, has no jumps, and has one peak for each
+    nutation.
+    """
+    h = disk.aspect
+    K = disk.gyration
+    sin_a = np.cos(state[:, 1])
+    cos_a = np.sin(state[:, 1])
+    e, f = kinematics.arms(sin_a, cos_a, h)
+    w2 = state[:, 6] * disk.time_unit
+    w3 = state[:, 7] * disk.time_unit
+    gyroscopic = w3 * (2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * sin_a / cos_a)
+    gyroscopic += 4 * e / K * w3 / cos_a * (w2 - h * w3)
+    acceleration = (gyroscopic - f * (1 + 4 / K)) / (1 + 4 / K + 16 * h * h / (3 * K))
+    return 1 + 4 / (K + 4) * f * acceleration
+
+
+@lru_cache(maxsize=1)
+def nutation_peaks(
+    motion: Motion,
+    prominence: float = 0.005,
+    relative_prominence: float = 0.5,
+    neighbours: int = 11,
+) -> np.ndarray:
+    """Return the times (p,) [s] of the peaks of `free_rolling_load`.
+
+    A peak has at least this prominence, and at least this share of the median prominence of its
+    neighbours: slips and a hopping contact make small peaks of their own. A parabola through three
+    points refines the time.
+    """
+    flat = np.flatnonzero(motion.at(piece_ends_and_middles(motion))[:, 1] <= 0)
+    t = piece_ends_and_middles(motion)[: flat[0] if len(flat) else None]
+    load = free_rolling_load(motion.disk, motion.at(t))
+    peaks, found = find_peaks(load[:-1], prominence=prominence)
+    prominences = found["prominences"]
+    peaks = t[peaks[prominences >= relative_prominence * median_filter(prominences, neighbours)]]
+    if len(peaks) < 2:
+        return peaks
+    gaps = np.diff(peaks)
+    reach = np.minimum(np.append(gaps[0], gaps), np.append(gaps, gaps[-1])) / 8
+    reach = np.minimum(reach, np.minimum(peaks - t[0], t[-1] - peaks))
+    before = free_rolling_load(motion.disk, motion.at(peaks - reach))
+    there = free_rolling_load(motion.disk, motion.at(peaks))
+    after = free_rolling_load(motion.disk, motion.at(peaks + reach))
+    bend = before - 2 * there + after
+    round_ = bend < 0
+    shift = np.zeros(len(peaks))
+    shift[round_] = np.clip((before - after)[round_] / (2 * bend[round_]), -1, 1)
+    return peaks + reach * shift
+
+
+@lru_cache(maxsize=1)
+def _nutations(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return times (q,) [s], nutation frequencies (q,) [Hz] and nutations per turn (q,).
+
+    The frequency is 2/T of footnote 3, with T the time between three successive peaks. Frequency
+    and ratio are NaN where the peaks are not due to nutation.
+    """
+    peaks = nutation_peaks(motion)
+    if len(peaks) < 3:
+        return np.zeros(0), np.zeros(0), np.zeros(0)
+    turned = np.abs(motion.at(peaks[2:])[:, 0] - motion.at(peaks[:-2])[:, 0]) / (2 * np.pi)
+    ratio = 2 / np.maximum(turned, np.finfo(float).tiny)
+    frequency = 2 / (peaks[2:] - peaks[:-2])
+    kept = _varies_slowly(ratio)
+    kept[kept] = _lasting(peaks[1:-1][kept], frequency[kept])
+    return peaks[1:-1], np.where(kept, frequency, np.nan), np.where(kept, ratio, np.nan)
+
+
+def _varies_slowly(ratio, tolerance: float = 0.15, memory: int = 15) -> np.ndarray:
+    """Return which ratios (q,) are close to the median of the recent ones that were.
+
+    The number of nutations per turn varies slowly. If the table drives the disk, the peaks occur
+    once per turn instead; if roughness does, they occur at random.
+    """
+    is_close = np.zeros(len(ratio), bool)
+    recent = list(ratio[:memory])
+    for i, value in enumerate(ratio):
+        median = float(np.median(recent))
+        is_close[i] = abs(np.log(value / median)) < tolerance
+        if is_close[i]:
+            recent = [*recent[1:], value]
+    return is_close
+
+
+def _lasting(time, frequency, gap: float = 5.0, least: int = 15) -> np.ndarray:
+    """Return which samples of a frequency (q,) [Hz] at times (q,) [s] belong to a lasting
+    oscillation.
+
+    A distance of more than `gap` periods separates two intervals. The longest interval counts, and
+    any other with enough samples: on a rough contact a few peaks resemble a nutation by chance.
+    """
+    if not len(time):
+        return np.zeros(0, bool)
+    apart = np.diff(time) * frequency[:-1] > gap
+    stretch = np.append(0, np.cumsum(apart))
+    sizes = np.bincount(stretch)
+    counts = (sizes >= least) | (np.arange(len(sizes)) == sizes.argmax())
+    return counts[stretch]
+
+
+def nutation_frequency(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (q,) [s] and nutation frequencies (q,) [Hz] while the disk nutates.
+
+    The frequency is 2/T of footnote 3 of the paper, with T the time between three successive peaks
+    of `free_rolling_load`. On a rigid table these are the peaks of the normal force.
+    """
+    time, frequency, _ = _nutations(motion)
+    nutates = np.isfinite(frequency)
+    return time[nutates], frequency[nutates]
+
+
+def nutation_ends(motion: Motion, missing_periods: float = 10.0) -> float | None:
+    """Return the time [s] of the last nutation, or None if it lasts to the end of the motion.
+
+    The motion must continue for at least `missing_periods` without nutation.
+    """
+    time, frequency = nutation_frequency(motion)
+    if not len(time) or (motion.t[-1] - time[-1]) * frequency[-1] < missing_periods:
+        return None
+    return float(time[-1])
+
+
+def nutations_per_turn(motion: Motion) -> np.ndarray:
+    """Return the nutations per turn (q,) at the times of `nutation_frequency`."""
+    ratio = _nutations(motion)[2]
+    return ratio[np.isfinite(ratio)]
+
+
+def precession_frequency(
+    motion: Motion,
+    window: float = 1.25,
+    spacing: float = 0.25,
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return times (q,) [s] and precession frequencies (q,) [Hz], averaged over the nutation.
+
+    Mean frequencies over `window` turns, at intervals of `spacing` turns, are averaged over a
+    second window, which is shorter at both ends. The two windows reduce the effect of nutation to
+    less than 1 %. A motion that is shorter than a window has one mean.
+    """
+    t = motion.t
+    turned = np.maximum.accumulate(np.abs(motion.state[:, 0] - motion.state[0, 0])) / (2 * np.pi)
+    begin = np.arange(0, turned[-1] - window, spacing)
+    first = np.interp(begin, turned, t)
+    last = np.interp(begin + window, turned, t)
+    if not len(begin):
+        first = t[:1]
+        last = t[-1:]
+    turned = np.abs(motion.at(last)[:, 0] - motion.at(first)[:, 0]) / (2 * np.pi)
+    frequency = turned / (last - first)
+    k = np.arange(len(frequency))
+    half = np.minimum(np.minimum(k, k[::-1]), round(window / spacing) // 2)
+    summed = np.append(0.0, np.cumsum(frequency))
+    return (first + last) / 2, (summed[k + half + 1] - summed[k - half]) / (2 * half + 1)
+
+
+def drawn_rates(
+    motion: Motion,
+    median_length: int = 5,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return times (q,) [s], precession and nutation frequency (q,) [Hz] for a picture.
+
+    The nutation frequency is a running median, and NaN where the disk does not nutate.
+    """
+    time, precession = precession_frequency(motion)
+    at, nutation, _ = _nutations(motion)
+    if not len(at):
+        return time, precession, np.full(len(time), np.nan)
+    kept = np.isfinite(nutation)
+    smooth = np.full(len(at), np.nan)
+    smooth[kept] = median_filter(nutation[kept], median_length, mode="nearest")
+    both = np.unique(np.concatenate([time, at]))
+    nutation = np.interp(both, at, smooth, left=np.nan, right=np.nan)
+    return both, np.interp(both, time, precession), nutation
+
+
+def precession_rate(state) -> np.ndarray:
+    """Return the precession rate omega_3 sec(alpha) of (2.3), (k,) [rad/s], at states (k, 11)."""
+    return kinematics.precession_rate(state[:, 7], np.sin(state[:, 1]))
+
+
+def slips(motion: Motion) -> np.ndarray:
+    """Return the times (j,) [s] at which rolling changes to sliding."""
+    times = []
+    for event in motion.transitions:
+        if event.before.startswith("roll") and event.after.startswith("slide"):
+            times.append(event.t)
+    return np.array(times)

@@ -1,0 +1,40 @@
+"""How much of a motion is solved, from its time and the time that its energy will still last."""
+
+from math import inf
+
+from dynamics.equations import law_of
+from dynamics.film.activation import non_contact_loads
+from dynamics.motion import MotionScene
+from dynamics.quasi_steady import decline_time
+
+
+class MotionProgress:
+    """The share of the duration of a motion that is solved; it never falls and stays below 1.
+
+    The end is predicted anew from every inclination: a disk in steady motion there loses its energy
+    in `decline_time`. The true end differs by the transient after the release and by nutation, so
+    that early shares are rather too low. A time limit ends every motion.
+    """
+
+    def __init__(self, scene: MotionScene):
+        self._disk = scene.disk
+        self._law = law_of(scene.disk, scene.friction)
+        self._loads = non_contact_loads(scene)
+        self._time_limit = scene.numerics.time_limit
+        self._share = 0.0
+
+    def share(self, t: float, inclination: float) -> float:
+        """Return the share that is solved at time t [s] and an inclination [rad]."""
+        end = min(t + self._time_left(inclination), self._time_limit)
+        last_shown = 0.999
+        if end > 0:
+            self._share = max(self._share, min(t / end, last_shown))
+        return self._share
+
+    def _time_left(self, inclination):
+        if inclination <= 0:
+            return 0.0
+        try:
+            return decline_time(inclination, self._disk, self._law, self._loads)
+        except ValueError:  # so steep a disk has no steady motion, and no predicted end
+            return inf

@@ -1,0 +1,1 @@
+"""Reference solutions in closed form, which judge the simulator."""

@@ -1,0 +1,277 @@
+"""Modes of a body on a user's volume mesh, held on a named surface or by angle, or free.
+
+The axis of the disk is z; the mesh is moved so that its centre of mass is the origin. Every cell is
+divided into eight, and the errors are estimated from the difference to the mesh as given.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from math import inf, pi
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from skfem import (
+    ElementHex1,
+    ElementHex2,
+    ElementTetP1,
+    ElementTetP2,
+    MeshHex1,
+    MeshHex2,
+    MeshTet1,
+    MeshTet2,
+)
+
+from modal.elements.elastic import Solid, assemble, lowest_eigenpairs
+from modal.elements.mirrors import mirrors, symmetry_bases
+from modal.elements.patch import rigid_body_shift
+from modal.elements.user_mesh_error import FLAT_FACE_REMAINDER, relative_errors
+from modal.elements.user_mesh_modes import mesh_modes_record
+from modal.mesh.read import patch_facets, read_mesh
+from modal.mesh.sector import hexahedra
+from modal.mesh.symmetry import check_held, free_unknowns
+from modal.modes import Material, Modes, Support
+
+TETRAHEDRON_PARTS = [
+    (0, 4, 6, 7),
+    (4, 1, 5, 8),
+    (6, 5, 2, 9),
+    (7, 8, 9, 3),
+    (4, 5, 6, 8),
+    (4, 6, 7, 8),
+    (5, 6, 8, 9),
+    (6, 7, 8, 9),
+]
+"""Corners of the eight parts of a tetrahedron among its corners (0 to 3) and edge middles (4 to
+9)."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DiscreteBody:
+    """A body discretised on a mesh of quadratic geometry."""
+
+    solid: Solid
+    """Nodes, cells and matrices."""
+    element: Any
+    """scikit-fem element of the displacement."""
+    held: np.ndarray
+    """Mask (p,) of the nodes on held facets."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class SolvedBody:
+    """The elastic eigenpairs of a body on a user's mesh."""
+
+    body: DiscreteBody
+    """The discretisation that was solved."""
+    values: np.ndarray
+    """Eigenvalues (k,) [1/s^2], ascending."""
+    shapes: np.ndarray
+    """Shapes (k, p, 3) of modal mass 1."""
+    residual: np.ndarray
+    """Residuals (k,) of the pairs."""
+    error: np.ndarray
+    """Estimated relative errors (k,) of the frequencies."""
+    divided: bool
+    """Whether every cell was divided into eight."""
+
+
+def lagrange_elements(mesh):
+    """Return the linear and the quadratic Lagrange element of the mesh's cells."""
+    if mesh.t.shape[0] == 4:
+        return ElementTetP1(), ElementTetP2()
+    return ElementHex1(), ElementHex2()
+
+
+def nodes_of_eighths(element):
+    """Return the nodes (8, 3, n) of the eight parts of the reference cell of an element, in its
+    coordinates."""
+    nodes = element.doflocs
+    if len(nodes) == 27:
+        offsets = np.array(list(np.ndindex(2, 2, 2)))[:, None]
+        return (nodes + offsets).transpose(0, 2, 1) / 2
+    corners = nodes[np.array(TETRAHEDRON_PARTS)]
+    barycentric = np.column_stack([1 - nodes.sum(axis=1), nodes])
+    return np.einsum("nk,tkx->txn", barycentric, corners)
+
+
+def discretise(mesh, facets, element, part_nodes, material, density) -> DiscreteBody:
+    """Return the `DiscreteBody` whose cells are parts of the mesh's cells.
+
+    part_nodes (q, 3, n) are the nodes of the q parts in reference coordinates. Linear elements get
+    straight sides: on curved ones they would resist rotations of the body.
+    """
+    nodes = np.concatenate([mesh.mapping().F(x).transpose(1, 2, 0) for x in part_nodes])
+    is_tetrahedral = mesh.t.shape[0] == 4
+    linear_type, quadratic_type = (MeshTet1, MeshTet2) if is_tetrahedral else (MeshHex1, MeshHex2)
+    parts_mesh = hexahedra(nodes, linear_type, quadratic_type)
+    if len(element.doflocs) == len(parts_mesh.t):
+        parts_mesh = linear_type(parts_mesh.doflocs[:, : parts_mesh.t.max() + 1], parts_mesh.t)
+    solid = assemble(parts_mesh, element, material, density, intorder=4)
+    count = solid.cells.shape[1]
+    on_facets = np.concatenate([nodes_on_facets(mesh, facets, x) for x in part_nodes])
+    held = np.zeros(len(solid.points), bool)
+    held[solid.cells[on_facets[:, :count]]] = True
+    return DiscreteBody(solid=solid, element=element, held=held)
+
+
+def nodes_on_facets(mesh, facets, nodes):
+    """Return the mask (c, n) of the nodes of every cell that lie on facets of the mesh.
+
+    nodes (3, n) are in reference coordinates.
+    """
+    cell = mesh.elem.refdom
+    planes = [cell.p[:, list(corners)[:3]] for corners in cell.facets]
+    normals = [np.cross(p[:, 1] - p[:, 0], p[:, 2] - p[:, 0]) for p in planes]
+    distances = [np.abs(n @ (nodes - p[:, :1])) for n, p in zip(normals, planes, strict=True)]
+    on_plane = np.array(distances) < 1e-9
+    return (np.isin(mesh.t2f, facets).T.astype(int) @ on_plane) > 0
+
+
+def elastic_eigenpairs(body, components, below, shift):
+    """Return eigenvalues (k,), shapes (k, p, 3) and residuals (k,) of the elastic modes below
+    `below` [Hz], ascending.
+
+    The symmetry classes of the mesh are solved separately, two at a time. ArithmeticError unless a
+    free body has exactly six rigid-body modes and a held one none.
+    """
+    solid = body.solid
+
+    def solve_class(basis):
+        k, m = (basis.T @ matrix @ basis for matrix in (solid.stiffness, solid.mass))
+        values, vectors, residual = lowest_eigenpairs(
+            k,
+            m,
+            (2 * pi * below) ** 2,
+            shift,
+            first_count=16,
+        )
+        return values, (basis @ vectors).T, residual
+
+    bases = symmetry_bases(body, free_unknowns(solid.points, body.held, components))
+    with ThreadPoolExecutor(2) as pool:
+        solved = list(pool.map(solve_class, bases))
+    values, shapes, residual = (np.concatenate(arrays) for arrays in zip(*solved, strict=True))
+    rigid = np.count_nonzero(values < 1e-6 * abs(shift))
+    expected = 6 if shift else 0
+    if rigid != expected:
+        raise ArithmeticError(f"{rigid} rigid-body modes were found, not {expected}")
+    elastic = np.argsort(values, kind="stable")[rigid:]
+    return values[elastic], shapes[elastic].reshape(-1, len(solid.points), 3), residual[elastic]
+
+
+def solve_body(
+    mesh,
+    facets,
+    components,
+    material,
+    density,
+    below,
+    max_unknowns,
+    end_remainder,
+) -> SolvedBody:
+    """Solve the modes of a body with quadratic elements and estimate their errors.
+
+    Every cell is divided into eight, unless a symmetry class would then have more than
+    `max_unknowns` unknowns. In that case the mesh is solved as given, and the errors are estimated
+    from linear elements. Facets hold components; a body without any is free. `end_remainder` as in
+    `relative_errors`. ValueError if the held components leave the body free to move.
+    """
+    linear, quadratic = lagrange_elements(mesh)
+    whole_cell = [quadratic.doflocs.T]
+    given = discretise(mesh, facets, quadratic, whole_cell, material, density)
+    if len(facets):
+        check_held(given.solid.points[given.held], components)
+    divided = 8 * 3 * len(given.solid.points) <= max_unknowns * 2 ** len(mirrors(given))
+    if divided:
+        part_nodes = nodes_of_eighths(quadratic)
+        fine = discretise(mesh, facets, quadratic, part_nodes, material, density)
+        coarse = given
+    else:
+        part_nodes = whole_cell
+        fine = given
+        coarse = discretise(mesh, facets, linear, whole_cell, material, density)
+    shift = 0.0
+    if not len(facets):
+        size = np.ptp(fine.solid.points, axis=0)
+        shift = rigid_body_shift(size.max() / 2, size[2], material, density)
+    values, shapes, residual = elastic_eigenpairs(fine, components, below, shift)
+    error = relative_errors(
+        mesh,
+        facets,
+        fine,
+        coarse,
+        part_nodes,
+        values,
+        shapes,
+        shift,
+        end_remainder,
+    )
+    return SolvedBody(
+        body=fine,
+        values=values,
+        shapes=shapes,
+        residual=residual,
+        error=error,
+        divided=divided,
+    )
+
+
+def mesh_modes(
+    path: str | Path,
+    material: Material,
+    density: float,
+    support: Support,
+    below: float = 24000.0,
+    patch: str | None = None,
+    refine: bool = True,
+) -> Modes:
+    """Compute the elastic modes of a disk on a volume mesh from a file.
+
+    Elements are quadratic. The frequencies are those of the body as meshed: what straight sides cut
+    off a round body is not part of `Modes.error`.
+
+    Parameters
+    ----------
+    path : str or Path
+        File in a format that meshio reads; lengths in metres, the axis of the disk along z.
+    material : Material
+    density : float
+        Density [kg/m^3].
+    support : Support
+    below : float, optional
+        Highest frequency [Hz], excluded.
+    patch : str, optional
+        Name of a surface of the mesh (a physical group, a set). By default the angle and height of
+        `support` find the patch.
+    refine : bool, optional
+        Divide every cell into eight. This takes about 20 to 50 times as long as the mesh as given,
+        for which `Modes.error` is estimated from linear elements, far too large where nothing is
+        singular.
+
+    Returns
+    -------
+    Modes
+        Empty if there is no mode below `below`.
+
+    Raises
+    ------
+    ValueError
+        If the mesh cannot be used, if the patch is empty, or if the held components leave the body
+        free to move.
+    """
+    mesh = read_mesh(path)
+    facets = np.zeros(0, int) if support.kind == "free" else patch_facets(mesh, support, patch)
+    max_unknowns = inf if refine else 0
+    held = support.held
+    solved = solve_body(
+        mesh,
+        facets,
+        held,
+        material,
+        density,
+        below,
+        max_unknowns,
+        FLAT_FACE_REMAINDER,
+    )
+    return mesh_modes_record(solved, material)

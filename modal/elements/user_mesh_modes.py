@@ -1,0 +1,102 @@
+"""The record of the modes of a user's mesh, sampled on the edge and the faces of the disk that it
+represents."""
+
+from math import pi
+
+import numpy as np
+from scipy.interpolate import CloughTocher2DInterpolator, NearestNDInterpolator
+
+from modal.elements import sample
+from modal.elements.unfold import axial_share, rigid_fields
+from modal.mesh.hexahedron import VTK_HEXAHEDRON27
+from modal.modes import Modes
+
+VTK_TETRAHEDRON = [(0, 0, 0), (2, 0, 0), (0, 2, 0), (0, 0, 2)]
+"""Twice the reference coordinates of the corners of a tetrahedron, in VTK's order."""
+VTK_NODES = {
+    "tetra": VTK_TETRAHEDRON,
+    "tetra10": [*VTK_TETRAHEDRON, (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (0, 1, 1)],
+    "hexahedron": VTK_HEXAHEDRON27[:8],
+    "hexahedron27": VTK_HEXAHEDRON27,
+}
+"""Twice the reference coordinates of the nodes of each meshio cell type, in VTK's order."""
+
+
+def cells_in_vtk_order(element, solid):
+    """Return the cells (c, nodes) of a `Solid` in VTK's order, and their meshio type."""
+    index = {tuple(row): i for i, row in enumerate(np.rint(2 * element.doflocs).astype(int))}
+    cell_type = next(name for name, nodes in VTK_NODES.items() if set(nodes) == set(index))
+    return solid.cells[:, [index[node] for node in VTK_NODES[cell_type]]], cell_type
+
+
+def interpolate_on_face(solid, shapes, height, points):
+    """Return shapes (m, p, c) of a `Solid` at points (n, 2) of its face at a height [m]: (m, n, c).
+
+    Interpolation is cubic between the nodes. A point beyond the straight sides of the face is moved
+    towards the axis by the smallest of a few shares of its radius that brings it inside; failing
+    that, it has the nearest node's value.
+    """
+    if not len(shapes):
+        return np.zeros((0, len(points), shapes.shape[2]))
+    nodes = np.flatnonzero(np.abs(solid.points[:, 2] - height) < 1e-3 * np.ptp(solid.points[:, 2]))
+    known = shapes[:, nodes].transpose(1, 0, 2).reshape(len(nodes), -1)
+    cubic = CloughTocher2DInterpolator(solid.points[nodes, :2], known)
+    values = NearestNDInterpolator(solid.points[nodes, :2], known)(points)
+    outside = np.ones(len(points), bool)
+    for share in (0.0, 1e-6, 1e-3, 3e-3, 0.01, 0.03):
+        found = cubic(points[outside] * (1 - share))
+        is_inside = ~np.isnan(found[:, 0])
+        inside = np.flatnonzero(outside)[is_inside]
+        values[inside] = found[is_inside]
+        outside[inside] = False
+    return values.reshape(len(points), len(shapes), -1).transpose(1, 0, 2)
+
+
+def mesh_modes_record(solved, material) -> Modes:
+    """Return the `Modes` of a `SolvedBody`, sampled on the bottom edge and the two faces of the
+    disk.
+
+    The faces are sampled from the axis to the rim, as if they were whole: across a hole
+    `face_shape` is interpolated from the nodes around it, and its area counts as part of the face.
+    """
+    solid = solved.body.solid
+    shapes = solved.shapes
+    radius = np.hypot(*solid.points[:, :2].T).max()
+    low = solid.points[:, 2].min()
+    high = solid.points[:, 2].max()
+    rim, grid = sample.sample_points(radius)
+    rim_shape = sample.polar_components(
+        interpolate_on_face(solid, shapes, low, rim),
+        sample.rim_angles(),
+    )
+    face = np.stack(
+        [interpolate_on_face(solid, shapes, z, grid)[..., 2] for z in (low, high)],
+        axis=1,
+    )
+    flat = shapes.reshape(len(shapes), 3 * len(solid.points))
+    mirrored = rim_shape[:, -np.arange(sample.RIM_ANGLE_COUNT)] * [1, -1, 1]
+    odd = (rim_shape * mirrored).sum(axis=(1, 2)) < 0
+    columns = {
+        "frequency": np.sqrt(solved.values) / (2 * pi),
+        "order": sample.strongest_order(rim_shape),
+        "family": np.where(axial_share(solid, shapes) > 0.5, "flexural", "extensional"),
+        "parity": np.where(odd, "odd", "even"),
+        "participation": flat @ (solid.mass @ rigid_fields(solid.points).reshape(6, -1).T),
+        "rim_shape": rim_shape,
+        "face_shape": face.reshape(-1, 2, sample.FACE_RADIUS_COUNT, sample.FACE_ANGLE_COUNT),
+        "residual": solved.residual,
+        "error": solved.error,
+        "displacement": shapes,
+    }
+    cells, cell_type = cells_in_vtk_order(solved.body.element, solid)
+    return sample.sorted_modes(
+        columns,
+        material,
+        radius,
+        solid.points,
+        cells,
+        cell_type=cell_type,
+        mass=solid.total_mass,
+        method="finite elements on the given mesh",
+        unknowns=3 * len(solid.points),
+    )

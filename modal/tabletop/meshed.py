@@ -1,0 +1,170 @@
+"""Modes of a table on a user's mesh: held on named surfaces or sets of nodes, its top face found
+and checked."""
+
+from math import ceil, pi
+
+import numpy as np
+from skfem.quadrature import get_quadrature
+from skfem.refdom import RefTri
+
+from modal.elements.elastic import bending_wave_number
+from modal.elements.user_mesh import solve_body
+from modal.elements.user_mesh_error import CORNER_REMAINDER
+from modal.elements.user_mesh_modes import interpolate_on_face
+from modal.mesh.read import read_checked
+from modal.mesh.symmetry import COMPONENTS
+from modal.radiation import SOUND_SPEED
+from modal.tabletop.record import SurfaceModes, fit_splines, spline_values
+
+
+def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
+    """Return the `SurfaceModes` below `below` [Hz] of the mesh in `surface.file`.
+
+    The contact circle has the radius `contact_radius` [m]. Every cell is divided into eight unless
+    a symmetry class would then have more than `max_unknowns` unknowns; `error` is far too large in
+    that case. ValueError for a mesh without a top face, for a place of the disk beyond it, and for
+    unknown sets or sets of single nodes.
+    """
+    mesh, sets = read_checked(surface.file)
+    top = top_face_triangles(mesh, surface.file)
+    check_place(top, np.array(surface.place), contact_radius, surface.file)
+    facets = held_facets(mesh, sets, surface.held, surface.file)
+    solved = solve_body(
+        mesh,
+        facets,
+        COMPONENTS,
+        surface,
+        surface.density,
+        below,
+        max_unknowns,
+        CORNER_REMAINDER,
+    )
+    solid = solved.body.solid
+    shapes = solved.shapes
+    frequency = np.sqrt(solved.values) / (2 * pi)
+    top_height = mesh.p[2].max()
+    wave_number = bending_wave_number(surface, np.ptp(mesh.p[2]), surface.density, below)
+
+    def shape(x, y):
+        points = np.column_stack([x, y])
+        return interpolate_on_face(solid, shapes[..., 2:], top_height, points)[..., 0]
+
+    return SurfaceModes(
+        frequency=frequency,
+        decay_rate=pi * frequency * surface.loss_factor,
+        order=np.full(len(frequency), -1),
+        **sample_top_face(shape, top, 2 * pi / wave_number, below),
+        radius=0.0,
+        place=np.array(surface.place),
+        residual=solved.residual,
+        error=solved.error,
+        mass=solid.total_mass,
+        method="finite elements on the given mesh" + ", each cell cut in eight" * solved.divided,
+        unknowns=3 * len(solid.points),
+    )
+
+
+def top_face_triangles(mesh, name, tolerance=1e-6):
+    """Return the top face as triangles (k, 3, 2) [m]; ValueError for a mesh without one.
+
+    Facets of the top face are within `tolerance` times the size of the mesh of its greatest height.
+    """
+    facets = mesh.facets[:, mesh.boundary_facets()]
+    height = mesh.p[2]
+    is_high = height[facets] > height.max() - tolerance * np.ptp(mesh.p, axis=1).max()
+    found = facets[:, is_high.all(axis=0)]
+    if not found.size:
+        raise ValueError(
+            f"surface.file = {name!r}: no level face at its greatest height, {height.max():g} m: "
+            f"z must point upwards",
+        )
+    corners = mesh.p[:2, found].T
+    return np.concatenate([corners[:, [0, i, i + 1]] for i in range(1, corners.shape[1] - 1)])
+
+
+def check_place(top, place, contact_radius, name):
+    """Raise ValueError unless the disk at its place (2,) [m] has its middle and contact circle on
+    the top face."""
+    angle = np.linspace(0, 2 * pi, 33)
+    unit_circle = np.column_stack([np.append(np.cos(angle), 0), np.append(np.sin(angle), 0)])
+    if not on_top_face(top, place + contact_radius * unit_circle).all():
+        low = top.min(axis=(0, 1))
+        high = top.max(axis=(0, 1))
+        raise ValueError(
+            f"surface.place = {place.tolist()}: a disk of radius {contact_radius:g} m there is "
+            f"not on "
+            f"the top face of {name!r}, which extends from {low[0]:g} to {high[0]:g} m in x, "
+            f"{low[1]:g} to {high[1]:g} m in y"
+        )
+
+
+def on_top_face(top, points):
+    """Return the mask (k,) of points (k, 2) [m] on the triangles of a top face (t, 3, 2)."""
+    sides = []
+    for i in range(3):
+        start = top[:, i - 1]
+        sides.append(cross_product(top[:, i] - start, points[:, None] - start))
+    orientation = np.sign(cross_product(top[:, 1] - top[:, 0], top[:, 2] - top[:, 0]))
+    return (np.array(sides) * orientation > -1e-12).all(axis=0).any(axis=1)
+
+
+def cross_product(a, b):
+    """Return the cross product (...,) of plane vectors (..., 2)."""
+    return a[..., 0] * b[..., 1] - a[..., 1] * b[..., 0]
+
+
+def held_facets(mesh, sets, names, file):
+    """Return the facets (k,) of the named surfaces or sets of nodes."""
+    between_nodes = {name: facets_between(mesh, points) for name, points in sets.items()}
+    known = (mesh.boundaries or {}) | between_nodes
+    for name in names:
+        if name not in known:
+            raise ValueError(
+                f"surface.held = {list(names)}: {file!r} has no {name!r}, only {sorted(known)}",
+            )
+        if not len(known[name]):
+            raise ValueError(
+                f"surface.held: {name!r} of {file!r} has no whole face: single nodes hold no solid",
+            )
+    return np.unique(np.concatenate([known[name] for name in names] or [np.zeros(0)])).astype(int)
+
+
+def facets_between(mesh, points):
+    """Return the boundary facets (k,) with all corners among the points (n, 3)."""
+    facets = mesh.boundary_facets()
+    tolerance = 1e-9 * np.ptp(mesh.p, axis=1).max()
+    corners = np.unique(mesh.facets[:, facets])
+    distance = np.abs(mesh.p[:, corners].T[:, None] - points).max(axis=2).min(axis=1)
+    return facets[np.isin(mesh.facets[:, facets], corners[distance < tolerance]).all(axis=0)]
+
+
+def sample_top_face(shape, top, shortest_wave, below, max_order=19, spare_orders=6):
+    """Return the fields points, weights, face, knots and coefficients of `SurfaceModes` for a
+    triangulated top face.
+
+    shape(x (k,), y (k,)) -> (m, k) are the mode shapes; `shortest_wave` [m] is the shortest
+    wavelength among them. The quadrature is exact for polynomials of an order `spare_orders` above
+    the phase [rad] of a sound wave across a triangle, at most `max_order`. The face is read from
+    the splines, which are as accurate between the nodes as an interpolation of the nodes.
+    """
+    longest_side = np.linalg.norm(top - np.roll(top, 1, axis=1), axis=2).max()
+    order = min(max_order, spare_orders + ceil(2 * pi * below / SOUND_SPEED * longest_side))
+    (u, v), share = get_quadrature(RefTri, order)
+    first = top[:, 1] - top[:, 0]
+    second = top[:, 2] - top[:, 0]
+    points = top[:, :1] + u[:, None] * first[:, None] + v[:, None] * second[:, None]
+    points = points.reshape(-1, 2)
+    weights = np.abs(cross_product(first, second))[:, None] * share
+    knots, coefficients = fit_splines(
+        shape,
+        top.min(axis=(0, 1)),
+        top.max(axis=(0, 1)),
+        shortest_wave,
+    )
+    return {
+        "points": points,
+        "weights": weights.ravel(),
+        "face": spline_values(knots, coefficients, *points.T).T,
+        "knots": knots,
+        "coefficients": coefficients,
+    }

@@ -1,0 +1,183 @@
+"""Elastic modes of a table: `surface_modes(scene)`, by the method that suits the kind of table."""
+
+from math import ceil, pi
+from typing import Any
+
+import numpy as np
+
+from modal.accuracy import ACCURACY_LEVELS
+from modal.blas_threads import one_blas_thread
+from modal.elements.elastic import bending_wave_number, mode_count
+from modal.modes import UnsolvableError
+from modal.radiation import SOUND_SPEED
+from modal.solve import DEFAULT_HIGHEST_FREQUENCY, MAX_MODE_COUNT
+from modal.spectral.axisymmetric import sine_partner_flags
+from modal.spectral.basis import Plate
+from modal.spectral.p_refinement import all_eigenpairs, displacement_amplitudes
+from modal.tabletop.record import SurfaceModes, fit_splines
+
+
+@one_blas_thread
+def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> SurfaceModes:
+    """Compute the elastic modes of the table of a scene.
+
+    Parameters
+    ----------
+    scene : Scene
+        Its sections surface and numerics are read, and disk.radius [m] unless the table is a plate.
+    below : float, optional
+        Highest frequency [Hz], excluded.
+
+    Returns
+    -------
+    SurfaceModes
+        Without any mode for a rigid or an infinite table.
+
+    Raises
+    ------
+    ValueError
+        If the mesh of the table cannot be used.
+    UnsolvableError
+        If there are more than about 600 modes.
+
+    Examples
+    --------
+    >>> from sonify import load_scene
+    >>> len(surface_modes(load_scene("published")))
+    0
+    """
+    surface = scene.surface
+    disk = scene.disk
+    level = ACCURACY_LEVELS[scene.numerics.accuracy]
+    if surface.kind == "mesh":
+        from modal.tabletop.meshed import table_on_mesh  # scikit-fem's input loads slowly
+
+        return table_on_mesh(surface, disk.radius, below, level.max_table_unknowns)
+    if surface.kind == "plate":
+        return round_plate_modes(surface, below, level)
+    return table_modes_from_numbers(surface, disk, below)
+
+
+def round_plate_modes(surface, below, level):
+    """Return the `SurfaceModes` of a round plate by Ritz's method: shapes w(r) cos n theta and w(r)
+    sin n theta."""
+    plate = Plate(
+        radius=surface.radius,
+        thickness=surface.thickness,
+        material=surface,
+        density=surface.density,
+        edge=surface.edge,
+        ring_radius=surface.ring_radius or 0.0,
+        ring_stiffness=surface.ring_stiffness or 0.0,
+    )
+    count = mode_count(plate, below)
+    if count > MAX_MODE_COUNT:
+        raise UnsolvableError(
+            f"surface: so soft or so large a table has some {count:.0f} modes or more "
+            f"below {below:g} Hz; no more than {MAX_MODE_COUNT} can be computed: "
+            "give it a loss factor and use kind = 'infinite'"
+        )
+    found = all_eigenpairs(plate, below, level.free_error)
+    members = [(pairs, odd) for pairs in found for odd in sine_partner_flags(pairs)]
+    frequency = np.concatenate([np.sqrt(p.values) / (2 * pi) for p, _ in members] or [np.zeros(0)])
+    ascending = np.argsort(frequency, kind="stable")
+
+    def shape(r, theta):
+        rho = np.minimum(r, plate.radius) / plate.radius
+        distinct, position = np.unique(rho.round(12), return_inverse=True)
+        parts = []
+        for pairs, odd in members:
+            amplitudes = displacement_amplitudes(plate, pairs, distinct, np.ones(1))
+            axial = amplitudes[2, ..., 0][:, position]
+            around = np.sin if odd else np.cos
+            parts.append(axial * around(pairs.problem.n * theta))
+        return np.concatenate(parts or [np.zeros((0, len(r)))])[ascending]
+
+    def sorted_values(values_of_pairs):
+        return np.concatenate([values_of_pairs(p) for p, _ in members] or [np.zeros(0)])[ascending]
+
+    shortest_wave = 2 * pi / bending_wave_number(surface, plate.thickness, plate.density, below)
+    return SurfaceModes(
+        frequency=frequency[ascending],
+        decay_rate=pi * frequency[ascending] * surface.loss_factor,
+        order=sorted_values(lambda p: np.full(len(p.values), p.problem.n)).astype(int),
+        **sample_round_table(shape, plate.radius, shortest_wave, below),
+        radius=plate.radius,
+        place=np.array(surface.place),
+        residual=sorted_values(lambda p: p.residual),
+        error=sorted_values(lambda p: p.error.sum(axis=0)),
+        mass=plate.mass,
+        method="Fourier and polynomials",
+        unknowns=sum(len(pairs.vectors) for pairs in found),
+    )
+
+
+def table_modes_from_numbers(surface, disk, below):
+    """Return the `SurfaceModes` of a table given by numbers; none for other kinds of table.
+
+    The shapes are r^n cos n theta and r^n sin n theta over sqrt(modal mass), with r = 1 on the
+    contact circle, which moves with the disk. Only the circle radiates, because nothing is known
+    outside it.
+    """
+    known = surface.modes if surface.kind == "modes" else ()
+    radius = disk.radius
+    kept = sorted(
+        (mode for mode in known if mode.frequency < below),
+        key=lambda mode: mode.frequency,
+    )
+    members = []
+    for mode in kept:
+        members.append((mode, False))
+        if mode.order:
+            members.append((mode, True))
+    order = np.array([mode.order for mode, _ in members], int)
+    odd = np.array([is_odd for _, is_odd in members], bool)
+    amplitude = np.array([mode.modal_mass for mode, _ in members]) ** -0.5
+
+    def shape(r, theta):
+        phase = np.multiply.outer(order, theta) - pi / 2 * odd[:, None]
+        return amplitude[:, None] * (r / radius) ** order[:, None] * np.cos(phase)
+
+    shortest_wave = 2 * pi * radius / max(order.max(initial=1), 1)
+    return SurfaceModes(
+        frequency=np.array([mode.frequency for mode, _ in members]),
+        decay_rate=np.array([2 * pi * mode.frequency * mode.damping_ratio for mode, _ in members]),
+        order=order,
+        **sample_round_table(shape, radius, shortest_wave, below),
+        radius=0.0,
+        place=np.zeros(2),
+        residual=np.zeros(len(members)),
+        error=np.zeros(len(members)),
+        mass=0.0,
+        method="given by numbers",
+        unknowns=0,
+    )
+
+
+def sample_round_table(shape, radius, shortest_wave, below, spare_points=16):
+    """Return the fields points, weights, face, knots and coefficients of `SurfaceModes` for a round
+    table.
+
+    shape(r (k,), theta (k,)) -> (m, k) are the mode shapes; `shortest_wave` [m] is the shortest
+    wavelength among them. The points are Gauss points in the radius and even angles, `spare_points`
+    more than shapes and sound paths need.
+    """
+    # shape and sound path together
+    waves_around_rim = radius * 2 * pi * (below / SOUND_SPEED + 1 / shortest_wave)
+    node, share = np.polynomial.legendre.leggauss(spare_points + ceil(waves_around_rim / 2))
+    angle_count = ceil(waves_around_rim) + spare_points
+    theta = np.arange(angle_count) * 2 * pi / angle_count
+    r, angle = (grid.ravel() for grid in np.meshgrid(radius * (1 + node) / 2, theta, indexing="ij"))
+    corner = np.array([radius, radius])
+
+    def shape_at(x, y):
+        return shape(np.hypot(x, y), np.arctan2(y, x))
+
+    knots, coefficients = fit_splines(shape_at, -corner, corner, shortest_wave)
+    return {
+        "points": np.column_stack([r * np.cos(angle), r * np.sin(angle)]),
+        "weights": r * np.repeat(radius / 2 * share, len(theta)) * theta[1],
+        "face": shape(r, angle),
+        "knots": knots,
+        "coefficients": coefficients,
+    }

@@ -1,0 +1,44 @@
+"""`sonify chart`: find the charts, which are in the folder `benchmarks/` of a source checkout and
+not in the wheel."""
+
+import sys
+from importlib import import_module
+from pathlib import Path
+from types import ModuleType
+
+from sonify.scene_errors import InputError
+
+CHART_NAMES = (
+    "motion",
+    "modes",
+    "sound",
+    "contact",
+    "table",
+    "campbell",
+    "end-to-end",
+    "film",
+    "stability",
+)
+"""Names on the command line, in the order of `chart all`."""
+
+INSTALLATION = Path(__file__).parents[1]
+"""Folder that holds the package: the root of the checkout after an editable installation."""
+
+
+def load_chart_files() -> ModuleType:
+    """Return `benchmarks.charts.chart_files` of the checkout that holds this package.
+
+    Raises InputError if the package is not part of a checkout, as in the site-packages of an
+    installed wheel."""
+    is_checkout = (INSTALLATION / "pyproject.toml").is_file() and (
+        INSTALLATION / "benchmarks" / "charts"
+    ).is_dir()
+    if not is_checkout:
+        raise InputError(
+            "chart: the charts are in the folder benchmarks/ of the source repository, not in the "
+            "installed package; "
+            "to run them, install a checkout with `python -m pip install -e .`"
+        )
+    if str(INSTALLATION) not in sys.path:
+        sys.path.insert(0, str(INSTALLATION))
+    return import_module("benchmarks.charts.chart_files")

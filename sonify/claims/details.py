@@ -1,0 +1,75 @@
+"""DETAILS OF A FINDING -> WORDS: one table for everything that is told beside a value."""
+
+from collections.abc import Callable, Mapping
+
+from sonify.claims.finding import Finding
+
+
+def changed(numbers: Mapping[str, float]) -> str:
+    """Return the values with half the time step and with twice the contact stiffness."""
+    if "half_step" not in numbers:
+        return ""
+    return (
+        f"{numbers['half_step']:.3g} with half the time step, "
+        f"{numbers['twice_stiff']:.3g} with twice the contact stiffness"
+    )
+
+
+def shares(numbers: Mapping[str, float]) -> str:
+    """Return each cause with its share."""
+    causes = {
+        name: share for name, share in numbers.items() if name not in ("half_step", "twice_stiff")
+    }
+    return ", ".join(f"{cause} {share:.3f}" for cause, share in causes.items())
+
+
+def nutation(numbers: Mapping[str, float]) -> str:
+    """Return until when the disk nutates."""
+    return "the disk nutates until {nutates_until:.4g} s of {motion_ends:.4g} s".format(**numbers)
+
+
+def contact(numbers: Mapping[str, float]) -> str:
+    """Return whether losses of contact were solved or predicted, and when the first one occurs."""
+    how = "solved" if numbers["solved"] else "predicted by the linear filter"
+    first = f"first {numbers['first']:.3g} s after the release" if "first" in numbers else "never"
+    return f"{how}; {first}"
+
+
+WORDS: dict[str, Callable[[Mapping[str, float]], str]] = {
+    "air_moves_carrier": "{force_as_radiated:.2f} of the force as film and air radiate it".format_map,
+    "carried_by_air": (
+        "lost at {time:.5g} s, {inclination:.3g} rad, {precession_frequency:.3g} turns per second".format_map
+    ),
+    "carrier_is_contact": "{force_alone:.2f} of the force alone".format_map,
+    "carrier_passes_recorded_peaks": "from {from:.3g} s to {to:.3g} s".format_map,
+    "carrier_rises": "from {from:.0f} Hz to {to:.0f} Hz".format_map,
+    "contact_is_lost": contact,
+    "load_frequency_reached": nutation,
+    "load_frequency_rises": nutation,
+    "loss_at_resonance": (
+        "{before_end:.2g} s before the end, at {precession_frequency:.3g} turns per second; "
+        "{number:.0f} losses in all".format_map
+    ),
+    "micro_flights": "the longest of {number:.0f}; the highest is {height:.2g} m".format_map,
+    "precession_grows": "{release:.3g}/χ at the release, {half_way:.3g}/χ half-way, {late:.3g}/χ "
+    "at 99 %".format_map,
+    "rates_are_alike": "{nutations_per_turn:.2f} nutations per turn".format_map,
+    "table_rings_at_the_halt": "{before_end:.3g} s before the end".format_map,
+    "waves_make_the_halt": shares,
+    "what_ends": shares,
+}
+"""Key of a finding -> what puts its details into words; those of other steps and stiffness follow
+in any case."""
+
+
+def in_words(finding: Finding) -> str:
+    """Return the details of a finding as a phrase, empty if it has none."""
+    if not finding.details:
+        return ""
+    own = WORDS[finding.key](finding.details) if finding.key in WORDS else ""
+    return "; ".join(filter(None, (own, changed(finding.details))))
+
+
+def unit_and_details(finding: Finding) -> str:
+    """Return the unit of a finding, followed by its details."""
+    return "; ".join(filter(None, (finding.unit, in_words(finding))))

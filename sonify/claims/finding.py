@@ -1,0 +1,211 @@
+"""The record of a finding, and the decorator that makes one from a function that measures a
+value."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import wraps
+from math import inf, isfinite, isnan
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+
+Verdict = Literal["yes", "no", "undecided"]
+"""What a finding says about its claim."""
+Need = Literal["scene", "motion", "modes", "sound", "tone", "film law", "contact law"]
+"""What a finding is computed from; "tone" is the rising tone, tracked in the sound alone."""
+
+
+class Measured(NamedTuple):
+    """What a claim's function found: value, uncertainty, further numbers, and why it decides
+    nothing, if so."""
+
+    value: float
+    margin: float = 0.0
+    details: Mapping[str, float] = {}
+    undecided_because: str = ""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Finding:
+    """A claim, the value found for it, and the range in which the claim holds.
+
+    Parameters
+    ----------
+    key : str
+        Name of the function that judges the claim, the same in every version.
+    claim : str
+        The claim in words.
+    value : float
+        What was found, in `unit`; infinite where a level is never reached, but never NaN.
+    unit : str
+        Unit of the value, and what it is measured against.
+    at_least, at_most : float
+        Range of values for which the claim holds.
+    tolerance : float
+        Both ends of this range are widened by this much.
+    margin : float
+        Uncertainty of the value as far as the method or the plan can estimate it.
+    details : mapping of str to float
+        Further numbers, by name; `sonify.claims.details` puts them into words.
+    cause : str
+        What causes the finding, where it names one; empty otherwise.
+    undecided_because : str
+        Why the value decides nothing, such as "chaotic"; empty if it does.
+    needs : tuple of str
+        What the finding was computed from.
+    source : str
+        Origin of the claim or of its range.
+
+    Raises
+    ------
+    ValueError
+        If the value or the margin is NaN.
+    """
+
+    key: str
+    claim: str
+    value: float
+    unit: str
+    at_least: float = -inf
+    at_most: float = inf
+    tolerance: float = 0.0
+    margin: float = 0.0
+    details: Mapping[str, float] = field(default_factory=dict)
+    cause: str = ""
+    undecided_because: str = ""
+    needs: tuple[Need, ...] = ()
+    source: str
+
+    def __post_init__(self):
+        if isnan(self.value) or isnan(self.margin):
+            raise ValueError(f"{self.key} = {self.value} ± {self.margin}: a finding needs a number")
+
+    def __repr__(self):
+        return f"Finding({self.key}: {self.answer}, {self.value:.5g} {self.unit})"
+
+    @property
+    def verdict(self) -> Verdict:
+        """Return "yes", "no", or "undecided" if the margin reaches across an end of the range."""
+        low = self.at_least - self.tolerance
+        high = self.at_most + self.tolerance
+        near_an_end = min(abs(self.value - low), abs(self.value - high)) <= self.margin
+        if self.undecided_because or (self.margin > 0 and near_an_end):
+            return "undecided"
+        return "yes" if low <= self.value <= high else "no"
+
+    @property
+    def holds(self) -> bool | None:
+        """Whether the claim holds; None if that is undecided."""
+        return {"yes": True, "no": False, "undecided": None}[self.verdict]
+
+    @property
+    def answer(self) -> str:
+        """The verdict, with the reason if nothing can be decided."""
+        return ": ".join(filter(None, (self.verdict, self.undecided_because)))
+
+    @property
+    def measured(self) -> str:
+        """The value to the first digit of its margin, but at least to two digits, and the
+        margin."""
+        if not (self.margin > 0 and isfinite(self.value) and isfinite(self.margin)):
+            return f"{self.value:.4g}"
+        margin = float(f"{self.margin:.1g}")
+        if self.margin > abs(self.value):
+            return f"{self.value:.2g} ± {margin:g}"
+        digits = -int(np.floor(np.log10(self.margin)))
+        shown = round(self.value, digits) + 0.0
+        return (
+            f"{shown:.{digits}f} ± {margin:g}" if 0 <= digits <= 6 else f"{shown:.6g} ± {margin:g}"
+        )
+
+    @property
+    def expectation(self) -> str:
+        """The range in words; a tolerance below 1e-4 of it is not shown."""
+        if self.at_least == self.at_most:
+            return f"{self.at_least:.6g} ± {self.tolerance:.2g}"
+        ends = {"at least": self.at_least, "at most": self.at_most}
+        ends = {word: end for word, end in ends.items() if isfinite(end)}
+        largest = max(map(abs, ends.values()), default=0.0)
+        tolerance = f" ± {self.tolerance:g}" if self.tolerance > 1e-4 * largest else ""
+        return " and ".join(f"{word} {end:g}{tolerance}" for word, end in ends.items())
+
+
+class Judge(NamedTuple):
+    """A function that judges one claim, and what it needs."""
+
+    function: Callable[..., Any]
+    needs: tuple[Need, ...]
+
+
+JUDGES: dict[str, Judge] = {}
+"""Every function that judges a claim of its own, by the key of its finding; filled as the modules
+are imported."""
+
+
+def finding(
+    claim: str,
+    unit: str,
+    source: str,
+    *,
+    needs: tuple[Need, ...],
+    at_least: float = -inf,
+    at_most: float = inf,
+    tolerance: float = 0.0,
+):
+    """Make a function return the Finding of what it measures: a number, or Measured.
+
+    Parameters
+    ----------
+    claim, unit, source
+        As in `Finding`.
+    needs : tuple of str
+        What the function computes its value from.
+    at_least, at_most, tolerance : float
+        Range of values for which the claim holds.
+    """
+
+    def decorator(function: Callable[..., float | Measured]) -> Callable[..., Finding]:
+        @wraps(function)
+        def judge(*arguments, **options) -> Finding:
+            found = function(*arguments, **options)
+            measured = found if isinstance(found, Measured) else Measured(float(found))
+            return Finding(
+                key=function.__name__,
+                claim=claim,
+                value=float(measured.value),
+                margin=float(measured.margin),
+                details={name: float(number) for name, number in measured.details.items()},
+                unit=unit,
+                undecided_because=measured.undecided_because,
+                needs=needs,
+                source=source,
+                at_least=at_least,
+                at_most=at_most,
+                tolerance=tolerance,
+            )
+
+        return registered(needs)(judge)
+
+    return decorator
+
+
+def registered(needs: tuple[Need, ...]):
+    """Register a function that returns the Finding of its own name."""
+
+    def decorator(function: Callable[..., Finding]) -> Callable[..., Finding]:
+        JUDGES[function.__name__] = Judge(function, needs)
+        return function
+
+    return decorator
+
+
+def median(values, independent: float = 1.0) -> Measured:
+    """Return the median of values (n,) with twice its standard error, 1.25 sigma/sqrt(n).
+
+    sigma follows from the quartiles; the share `independent` of the values counts in n.
+    """
+    low, middle, high = np.percentile(values, [25, 50, 75])
+    sigma = (high - low) / 1.349
+    return Measured(
+        float(middle), float(2 * 1.25 * sigma / np.sqrt(max(independent * len(values), 1.0)))
+    )

@@ -1,0 +1,127 @@
+"""RESULT -> ROWS: what the paper's figures and section 7 say in numbers, beside what is found of
+the same scene."""
+
+import numpy as np
+
+from dynamics import Motion
+from dynamics.observables import nutations_per_turn, precession_rate
+from sonify.claims.finding import Finding
+from sonify.claims.rigid_motion import FORCING_FREQUENCY_NAMED
+from sonify.scene import Scene, load_scene
+
+SECTIONS = ("disk", "friction", "dissipation", "release", "surface", "contact", "air")
+"""What the motion of the paper hangs on."""
+SHOWN = (
+    "energy_falls",
+    "sliding_costs_more",
+    "contact_kept",
+    "load_frequency_rises",
+    "load_frequency_reached",
+    "centre_comes_to_rest",
+    "audible_modes",
+)
+"""Findings on what a figure of the paper shows, or its text names, by key."""
+
+
+def of_the_paper(scene: Scene) -> bool:
+    """Return whether a scene is that of (7.1), (7.3), (7.4)."""
+    paper = load_scene("published")
+    return all(getattr(scene, name) == getattr(paper, name) for name in SECTIONS)
+
+
+def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
+    """Return the numbers of section 7 and of the figures as findings, those of SHOWN among the
+    given ones."""
+    disk = motion.disk
+    rate = np.abs(precession_rate(motion.at(motion.t[-1] * np.array([0.0, 0.5, 0.99]))))
+    alpha = np.pi / 2 - motion.at(motion.t[[0, -1]])[:, 1]
+    shown = {finding.key: finding for finding in findings}
+    own = [
+        _number(
+            "unit_of_time",
+            "The unit of time is χ = 0.0691712 s",
+            disk.time_unit,
+            "s",
+            0.0691712,
+            5e-8,
+            "(7.2)",
+        ),
+        _number(
+            "half_height",
+            "H/R = 1.28/7.51, printed upside down",
+            disk.aspect,
+            "H/R",
+            1.28 / 7.51,
+            1e-9,
+            "(7.2)",
+        ),
+        _number(
+            "density",
+            "The density is 7737.27",
+            disk.mass / disk.volume,
+            "kg/m³",
+            7737.27,
+            5e-3,
+            "footnote 4",
+        ),
+        _number(
+            "named_rate",
+            "f = 2.5 is 36 Hz",
+            FORCING_FREQUENCY_NAMED / disk.time_unit,
+            "Hz",
+            36.0,
+            0.5,
+            "figure 4, caption",
+        ),
+        _number("begins_at", "α begins at 1.0", alpha[0], "rad", 1.0, 1e-9, "figure 3 (a), (7.4)"),
+        _number("ends_at", "α tends to π/2", alpha[1], "rad", np.pi / 2, 1e-6, "figure 3 (a)"),
+        *_rates_are_alike(motion),
+        Finding(
+            key="precession_grows",
+            claim="dθ/dτ grows considerably",
+            value=float(rate[2] / rate[0]),
+            unit="times, from the release to 99 % of the time",
+            details=dict(
+                zip(("release", "half_way", "late"), map(float, rate * disk.time_unit), strict=True)
+            ),
+            at_least=2.0,
+            source="figure 6",
+        ),
+    ]
+    return own + [shown[key] for key in SHOWN if key in shown]
+
+
+def _rates_are_alike(motion):
+    """That row alone; none of a motion too short for a peak of its normal force."""
+    ratio = nutations_per_turn(motion)
+    if not len(ratio):
+        return []
+    low, middle, high = np.percentile(ratio, [5, 50, 95])
+    return [
+        Finding(
+            key="rates_are_alike",
+            claim="The figure of dθ/dτ is for the most part that of the frequency of the normal "
+            "force",
+            value=float((high - low) / middle / 2),
+            unit="half the range of nine tenths of their ratio, over its median",
+            details={"nutations_per_turn": float(middle)},
+            at_most=0.1,
+            source="section 7, on figures 4 (b) and 6",
+        )
+    ]
+
+
+def _number(
+    key: str, claim: str, value: float, unit: str, paper: float, digits: float, source: str
+) -> Finding:
+    """Return the row of a number that the paper prints, to within its `digits`."""
+    return Finding(
+        key=key,
+        claim=claim,
+        value=float(value),
+        unit=unit,
+        at_least=paper,
+        at_most=paper,
+        tolerance=digits,
+        source=source,
+    )

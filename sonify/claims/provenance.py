@@ -1,0 +1,36 @@
+"""CLAIM -> WHAT IT DEPENDS ON, in words."""
+
+from functools import cache
+from importlib import import_module
+from pkgutil import iter_modules
+from types import ModuleType
+
+from sonify import claims
+from sonify.claims.finding import JUDGES, Judge
+
+NEED_IN_WORDS = {
+    "tone": "the rising tone, tracked in the sound alone",
+    "film law": "the law of the air film",
+}
+"""What a finding needs, in words where "the" before it is not enough."""
+
+
+@cache
+def modules() -> tuple[ModuleType, ...]:
+    """Return the modules of the claims."""
+    return tuple(
+        import_module(f"{claims.__name__}.{module.name}")
+        for module in iter_modules(claims.__path__)
+    )
+
+
+@cache
+def judges() -> dict[str, Judge]:
+    """Return the function of every finding, and what it needs, by its key."""
+    modules()
+    return dict(sorted(JUDGES.items()))
+
+
+def depends_on(key: str) -> str:
+    """Return in words what the finding of a key is computed from."""
+    return ", ".join(NEED_IN_WORDS.get(need, f"the {need}") for need in judges()[key].needs)

@@ -1,0 +1,219 @@
+"""Claims of the paper about the motion of the disk, and about its modes alone."""
+
+from math import inf
+
+import numpy as np
+
+from dynamics import Motion
+from dynamics.observables import (
+    nutation_ends,
+    nutation_frequency,
+    piece_ends_and_middles,
+    precession_rate,
+    slips,
+)
+from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
+from modal import Modes
+from sonify.claims.finding import Finding, Measured, finding, median
+
+AUDIBLE_RANGE = (20.0, MAX_AUDIBLE_FREQUENCY)  # Hz
+FORCING_FREQUENCY_NAMED = 2.5  # over chi: the frequency of the normal force named in figure 4
+FORCING_FREQUENCY_TIME = 214.6  # over chi: when the published disk reaches it
+
+
+@finding(
+    "The disk goes from rolling to sliding again and again",
+    "transitions",
+    "section 1 of the paper",
+    needs=("motion",),
+    at_least=2.0,
+)
+def repeated_slips(motion: Motion):
+    """The number of changes from rolling to sliding; rounding may change it by one at the end."""
+    return Measured(len(slips(motion)), 1.0)
+
+
+@finding(
+    "The normal force is never zero",
+    "least normal force / weight",
+    "section 7, figure 4 (a)",
+    needs=("motion",),
+    at_least=1e-9,
+)
+def contact_kept(motion: Motion):
+    """The least normal force over the weight, on two points per piece, the last instant
+    included."""
+    load = motion.force(piece_ends_and_middles(motion))[:, 2] / motion.disk.weight
+    least = 0.0 if motion.contact_losses else float(load.min())
+    return Measured(least, load[::2].min() - load.min())
+
+
+@finding(
+    "The frequency of the normal force rises as the disk declines",
+    "last tenth of the peaks / first tenth",
+    "section 7, figure 4 (b)",
+    needs=("motion",),
+    at_least=1.5,
+)
+def load_frequency_rises(motion: Motion):
+    """The frequency of the normal force late in the motion over that early in it."""
+    frequency = nutation_frequency(motion)[1]
+    tenth = max(len(frequency) // 10, 1)
+    early = median(frequency[:tenth])
+    late = median(frequency[-tenth:])
+    ratio = late.value / early.value
+    margin = ratio * float(np.hypot(early.margin / early.value, late.margin / late.value))
+    return Measured(ratio, margin, nutation_details(motion))
+
+
+def nutation_details(motion: Motion) -> dict[str, float]:
+    """Return until when [s] the disk nutates, where that is not until the end."""
+    end = nutation_ends(motion)
+    return {} if end is None else {"nutates_until": end, "motion_ends": float(motion.t[-1])}
+
+
+@finding(
+    "The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)",
+    "chi from the release, inf if it never does",
+    "figure 4 (b), read in quadruple precision; footnote 3",
+    needs=("motion",),
+    at_most=FORCING_FREQUENCY_TIME,
+    tolerance=0.5,
+)
+def load_frequency_reached(motion: Motion):
+    """The time, over chi of (4.5), at which the frequency of the normal force first is 2.5 /
+    chi."""
+    chi = motion.disk.time_unit
+    time, frequency = nutation_frequency(motion)
+    reached = time[chi * frequency >= FORCING_FREQUENCY_NAMED]
+    first = reached[0] / chi if len(reached) else inf
+    return Measured(first, 1 / FORCING_FREQUENCY_NAMED, nutation_details(motion))
+
+
+@finding(
+    "The energy falls monotonically",
+    "greatest gain between two instants / energy at the start",
+    "sections 6.3 and 7, figure 3 (b)",
+    needs=("motion",),
+    at_most=0.0,
+    tolerance=1e-12,
+)
+def energy_falls(motion: Motion):
+    """The greatest gain of energy from one solved instant to the next, over that at the start."""
+    gain = np.diff(motion.energy(motion.t)).max() / motion.energy(motion.t[:1])[0]
+    return Measured(gain, 16 * np.finfo(float).eps)
+
+
+@finding(
+    "Sliding dissipates more than rolling",
+    "power in a slide / the greater of those before and after, median",
+    "section 7, figure 3 (b)",
+    needs=("motion",),
+    at_least=1.0,
+)
+def sliding_costs_more(motion: Motion):
+    """The power lost in a slide over the greater of those in the rolling around it, median."""
+    power, slides = stretch_powers(motion)
+    around = np.maximum(power[slides - 1], power[slides + 1])
+    return median(power[slides] / around)
+
+
+def stretch_powers(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
+    """Return the mean power lost [W] in each stretch of rolling or sliding, and the indices of
+    slides between two."""
+    sliding = np.char.startswith(motion.regime((motion.t[1:] + motion.t[:-1]) / 2), "slide")
+    edges = np.concatenate([[0], np.flatnonzero(np.diff(sliding)) + 1, [len(sliding)]])
+    power = np.diff(motion.state[edges, 10]) / np.diff(motion.t[edges])
+    first_slide = 2 if sliding[0] else 1
+    return power, np.arange(first_slide, len(power) - 1, 2)
+
+
+@finding(
+    "At least four modes of vibration are in the audible range",
+    "modes from 20 Hz to 20 kHz",
+    "section 8",
+    needs=("modes",),
+    at_least=4.0,
+)
+def audible_modes(modes: Modes):
+    """The number of modes between the limits of hearing."""
+    low, high = AUDIBLE_RANGE
+    distance = np.abs(np.subtract.outer(modes.frequency, AUDIBLE_RANGE)).min(axis=1)
+    uncertain = distance < modes.error * modes.frequency
+    inside = (modes.frequency >= low) & (modes.frequency <= high)
+    return Measured(int(inside.sum()), int(uncertain.sum()))
+
+
+@finding(
+    "The motion of the centre diminishes until it is almost negligible",
+    "extent of the path, last fifth / first fifth",
+    "section 7, figure 5",
+    needs=("motion",),
+    at_most=0.1,
+)
+def centre_comes_to_rest(motion: Motion):
+    """The extent of the path of the centre in the last fifth of the time over that in the first."""
+    t = np.linspace(0, motion.t[-1], 20001)
+    path = motion.at(t)[:, 3:5]
+    extent = extent_ratio(path)
+    return Measured(extent, abs(extent - extent_ratio(path[::2])))
+
+
+def extent_ratio(path: np.ndarray) -> float:
+    """Return the extent of a path (k, 2) in its last fifth over that in its first."""
+    fifth = len(path) // 5
+    return float(np.ptp(path[-fifth:], axis=0).max() / np.ptp(path[:fifth], axis=0).max())
+
+
+@finding(
+    "There is no finite-time singularity: the precession rate stays finite",
+    "exponent of the precession rate in the time left (negative: it diverges)",
+    "section 7",
+    needs=("motion",),
+    at_least=0.0,
+    tolerance=0.05,
+)
+def no_singularity(motion: Motion):
+    """The exponent of the precession rate as a power of the time left."""
+    least = max(4 * (motion.t_end - motion.t[-1]), motion.t_end * 1e-4)
+    time_left = np.geomspace(least, min(max(motion.t_end / 20, 4 * least), motion.t_end), 400)
+    rate = np.abs(precession_rate(motion.at(motion.t_end - time_left)))
+    (exponent, _), covariance = np.polyfit(np.log(time_left), np.log(rate), 1, cov=True)
+    return Measured(exponent, 2 * covariance[0, 0] ** 0.5)
+
+
+def nears_its_end(motion: Motion) -> bool:
+    """Return whether a motion comes near enough to the time of inclination 0 that its last part has
+    a power law."""
+    return 16 * (motion.t_end - motion.t[-1]) <= motion.t_end
+
+
+def motion_findings(motion: Motion) -> list[Finding]:
+    """Return the claims about the motion that it can judge.
+
+    Those on the frequency of the normal force need peaks, those on sliding rolling before and after
+    it, and those on the end a disk that settles.
+    """
+    has_peaks = len(nutation_frequency(motion)[0]) > 0
+    has_slides = len(stretch_powers(motion)[1]) > 0
+    settles = motion.outcome.name == "SETTLED"
+    claims = [
+        repeated_slips,
+        contact_kept,
+        *([load_frequency_rises, load_frequency_reached] if has_peaks else []),
+        energy_falls,
+        *([sliding_costs_more] if has_slides else []),
+        *([centre_comes_to_rest] if settles else []),
+        *([no_singularity] if settles and nears_its_end(motion) else []),
+    ]
+    return [claim(motion) for claim in claims]
+
+
+def mode_findings(modes: Modes) -> list[Finding]:
+    """Return the claims that the modes alone can judge."""
+    return [audible_modes(modes)]
+
+
+def all_findings(motion: Motion, modes: Modes) -> list[Finding]:
+    """Return every claim about motion and modes that this run can judge."""
+    return [*motion_findings(motion), *mode_findings(modes)]

@@ -1,0 +1,143 @@
+"""FINDINGS -> ANSWER: what is heard on each surface, whether it rises, whether contact is lost,
+what makes the halt."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from sonify.claims.air import CAUSE_IN_WORDS
+from sonify.claims.finding import Finding
+
+SURFACES = {
+    "published": "rigid table, in a vacuum",
+    "granite": "rough granite slab, in air",
+    "glass-plate": "glass plate, 6 mm thick, in a vacuum",
+    "wood-table": "wooden table on four feet, in a vacuum",
+    "light-plate": "light glass plate, 3 mm thick, in a vacuum",
+}
+"""Scene -> the surface under its disk, and whether a film of air acts on the motion."""
+
+
+class Words(NamedTuple):
+    """What answers a question if a claim holds, if it does not, and if it is undecided; {value} is
+    the value."""
+
+    yes: str
+    no: str
+    undecided: str
+
+
+OF_THE_LAST = "{value:.0%} of the last tenth of the energy"
+LOUDER = "{value:+.0f} dB(A)"
+ANSWERS: dict[str, dict[str, Words]] = {
+    "what you hear": {
+        "table_is_louder": Words(
+            f"the table, {LOUDER} relative to the disk",
+            f"the disk, the table {LOUDER} relative to it",
+            f"undecided: the table, {LOUDER} relative to the disk",
+        ),
+        "carrier_is_contact": Words(
+            "the contact resonance, at {value:.2f} of the predicted frequency",
+            "no resonance of the contact",
+            "undecided: the contact resonance, at {value:.2f} of the predicted frequency",
+        ),
+        "modes_carry_the_end": Words(
+            f"the modes, {LOUDER} relative to the motion in the last second",
+            f"the motion of the disk, its modes {LOUDER} relative to it in the last second",
+            f"undecided: the modes, {LOUDER} relative to the motion in the last second",
+        ),
+    },
+    "does the pitch rise": {
+        "table_tone_rises": Words("yes", "no", "undecided"),  # by how much is chaotic
+        "carrier_rises": Words(
+            "yes, {value:.1f} times", "no, {value:.1f} times", "undecided, {value:.1f} times"
+        ),
+        "pitch_rises": Words(
+            "yes, {value:.1f} times", "no, {value:.1f} times", "undecided, {value:.1f} times"
+        ),
+    },
+    "is contact lost": {
+        "table_breaks_contact": Words("yes", "no", "undecided"),
+        "contact_is_lost": Words(
+            "yes, {value:.1%} of the time",
+            "no, {value:.1%} of the time",
+            "undecided, {value:.1%} of the time",
+        ),
+        "contact_kept": Words(
+            "no, the least force is {value:.1f} of the weight",
+            "yes",
+            "undecided, the least force is {value:.1f} of the weight",
+        ),
+    },
+    "what ends the motion": {
+        "halt_comes_earlier": Words(
+            "the table, {value:.1f} s earlier than with one-way coupling",
+            "the same as with one-way coupling, {value:.1f} s earlier",
+            "undecided: the table, {value:.1f} s earlier than with one-way coupling",
+        ),
+        "table_takes_little": Words(
+            "as on a rigid table",
+            "the table, not solved: {value:.1f} s before the end it would hold as much energy as "
+            "the disk",
+            "undecided: the table, not solved, {value:.1f} s before the end",
+        ),
+        "what_ends": Words(
+            f"{{cause}}: {OF_THE_LAST}",
+            f"several causes, most of it {{cause}}: {OF_THE_LAST}",
+            f"undecided: {{cause}}, {OF_THE_LAST}",
+        ),
+    },
+}
+"""Question -> key of a finding, of which the first that a run has answers -> its words."""
+LOST = "is contact lost"
+
+
+def answers(findings: Iterable[Finding]) -> dict[str, str]:
+    """Return the answer to each question from the findings of a run.
+
+    Raises
+    ------
+    LookupError
+        If no finding answers one of the questions.
+    """
+    found = in_short(findings)
+    for question in ANSWERS.keys() - found.keys():
+        raise LookupError(f"none of the findings {', '.join(ANSWERS[question])}")
+    return found
+
+
+def in_short(findings: Iterable[Finding]) -> dict[str, str]:
+    """Return the answers to the questions that findings of this run do answer.
+
+    A disk that the air carries has lost its contact at the end, whatever vibrations do.
+    """
+    by_key = {finding.key: finding for finding in findings}
+    found = {
+        question: _answer(by_key, words)
+        for question, words in ANSWERS.items()
+        if by_key.keys() & words
+    }
+    carried = by_key.get("carried_by_air")
+    if LOST in found and carried and carried.holds and carried.cause == "film":
+        found[LOST] += (
+            ", to the air" if found[LOST] == "yes" else "; finally the air carries the disk"
+        )
+    return found
+
+
+def _answer(by_key: Mapping[str, Finding], words: Mapping[str, Words]) -> str:
+    key = next(key for key in words if key in by_key)
+    finding = by_key[key]
+    cause = CAUSE_IN_WORDS.get(finding.cause, "")
+    return getattr(words[key], finding.verdict).format(value=finding.value, cause=cause)
+
+
+def answer_table(runs: Mapping[str, Iterable[Finding]]) -> str:
+    """Return the table of surfaces in Markdown, of the findings by the name of the scene."""
+    header = ["scene", "the disk is on", *ANSWERS]
+    rows = [
+        [f"`{name}`", SURFACES[name], *answers(findings).values()]
+        for name, findings in runs.items()
+    ]
+    lines = [f"| {' | '.join(row)} |" for row in (header, *rows)]
+    lines.insert(1, "|---" * len(header) + "|")
+    return "\n".join(lines)

@@ -1,0 +1,503 @@
+"""SOUNDS -> WHAT SLOWED THE DISK: where the tone is sought first, in which signal and line it is
+followed, the fit."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import product
+
+import numpy as np
+from scipy.signal import resample_poly
+
+from sonify.fitting.decay_model import LAWS, Decline
+from sonify.fitting.least_squares import (
+    FLOOR,
+    LENGTHS,
+    TINY,
+    Fit,
+    Followed,
+    Heard,
+    Value,
+    fit,
+    followed,
+    mixed,
+    solved_near,
+)
+from sonify.fitting.phase_demodulation import FARTHEST, OVERLAP, SHORTEST, Rates, follows
+from sonify.hearing.audio_source import Source
+from sonify.hearing.find_end import run_ends
+from sonify.hearing.power_law import TIME_LEFT
+from sonify.hearing.recording import (
+    AFTER,
+    ENVELOPE_FROM,
+    LONGEST,
+    RecordingError,
+    between,
+    envelope,
+    later,
+    read,
+)
+from sonify.hearing.rising_tone import RisingTone, clearest_tone
+
+TONE_RATE = 4000
+"""Samples a second [Hz] in which the tone is followed."""
+FOLLOWED, NEARLY = 0.45, 0.9
+"""A tone is there if its phase follows it so surely (runs have 0.6, of thirty pieces of speech the
+clearest 0.36), and if it stands out, or would for so much of what is asked."""
+BEFORE, BEYOND, TRIED = 12.0, 2.0, 12
+"""So long before and after an end a tone that is hidden by what is louder is sought [s], at so many
+ends."""
+MAIN = ("precession", "its double", "nutation")
+"""Lines that the loudest tone may be."""
+NEAR, USUAL, LIKELY, LIKELIER = 0.05, 5.0, 0.5, 0.7
+"""A block speaks for a line by the logarithm of this over the spread of the fit; the contact is
+usually heard once in a turn; tracks for which so much speaks, over that for the best, are tried
+along a solved motion, and along a second."""
+MOST_AIR, MUCH = 2.0, 20.0
+"""Theory knows the film within this factor; how much an excess of it speaks against a track."""
+LITTLE = 1e-4
+"""Of its unit, with which a share begins that was sought before."""
+FIRST, SECOND, THEN = (8.0,), (12.0,), (16.0,) * 4
+"""Turns in a block along motions that are solved one after the other: for likely tracks, for
+likelier ones, and for the best."""
+SETTLED, AS_WELL = 0.25, 2.0
+"""Shares that move by less than this, over their standard deviation, have settled; a motion
+explains a sound as well whose spread is not so many times as large, nor what is heard along it so
+many times less."""
+SLIPS, FAR_WORSE = 2.5e-3, 4.0
+"""A steady motion that leaves less of the rates than slips do stands, if the motion solved with its
+shares leaves so many times as much."""
+UNKNOWN = 0.004
+"""So much of the power may go elsewhere: the precession of a hoop tells 0.7 % more of it than there
+is, its nutation what there is."""
+UNEXPLAINED = 0.01
+"""A motion that leaves more of the rates than this, and than noise, does not explain them."""
+STARTS = (1e-4, 1.0, 1.0)
+"""Shares of the LAWS with which the search begins."""
+RIDGE_ERROR = 0.03
+"""Relative error of the ridge of a spectrogram, from which the search begins."""
+CLIPPED, RUN, NEAR_TOP = 1e-3, 3, 0.98
+"""A sound is clipped if this share of it, in runs of so many samples, is at its greatest value, and
+less above this share of that: the round top of a slow tone is not."""
+ABSENT, PRESENT = 0.1, 0.02
+"""A law is absent if, at the upper end of its interval, it takes less than this share of the power
+that was lost; and present if it takes at least that at the lower end."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Sound:
+    """A sound that was read, and the rising tone that stands out in it; it may have passed a
+    recorder's high-pass."""
+
+    name: str
+    samples: np.ndarray
+    rate: float
+    start: float
+    tones: dict[str, RisingTone]
+    recorded: bool = True
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Judged:
+    """What sounds tell together: the `fit` of the LAWS to their `signal` (tone, envelope), heard as
+    a `line` of the decline, of the `model` steady or solved; `verdict` is one of rolling, air,
+    both, cannot tell. Where no motion has `explained` it, the line may be any other that was
+    followed."""
+
+    sounds: tuple[Sound, ...]
+    signal: str
+    line: str
+    model: str
+    decline: Decline
+    streams: list[Heard]
+    fit: Fit
+    explained: bool
+    verdict: str
+
+    @property
+    def contour_fits(self) -> bool:
+        """Whether contour friction and film alone explain the sounds: the scene's other law takes
+        little."""
+        return 2 not in self.fit.free or shares_of_power(self.decline, self.fit)["law"][0] < ABSENT
+
+    def without_samples(self) -> "Judged":
+        """Return the same with nothing left of the sounds but what was found."""
+        none = np.zeros(0)
+        sounds = tuple(replace(sound, samples=none) for sound in self.sounds)
+        return replace(
+            self, sounds=sounds, streams=[replace(one, samples=none) for one in self.streams]
+        )
+
+    def values(self) -> dict[str, Value]:
+        """Return `rolling`, `air` and `law`, the share of the scene's other laws: those that were
+        sought."""
+        return self.fit.values()
+
+
+def heard(source: Source, name: str, wanted=("tone", "envelope"), recorded: bool = True) -> Sound:
+    """Return a sound with the rising tones in the signals `wanted`. Raises RecordingError for one
+    that cannot be fitted, in one line."""
+    samples, rate, start, _ = read(source)
+    if len(samples) < SHORTEST * rate:
+        raise RecordingError(
+            f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s of a disk are "
+            f"needed"
+        )
+    _refuse_clipped(samples, name)
+    tones = _tones(samples, rate, wanted)
+    for _, end in () if tones else run_ends(source)[:TRIED]:  # what is louder may hide it
+        first = max(end - BEFORE, 0.0)
+        start = max(end + AFTER - LONGEST, 0.0)
+        hidden = _tones(between(source, first, end + BEYOND), rate, wanted)
+        if hidden:
+            samples = between(source, start, end + AFTER)
+            tones = {kind: later(tone, first - start) for kind, tone in hidden.items()}
+            break
+    if not tones:
+        raise RecordingError(f"{name}: no tone rises in it towards an end")
+    end = max(tone.end for tone in tones.values()) + 1.0
+    after = samples[int(end * rate) :]
+    if len(after) > 4 * rate and np.abs(after).max() > 0.1 * np.abs(samples).max():
+        again = _tones(after, rate, ("tone",)).get("tone")
+        if again is not None:
+            end += start + again.end
+            raise RecordingError(
+                f"{name}: a second disk ends at {end:.2f} s: cut the file between them"
+            )
+    return Sound(name=name, samples=samples, rate=rate, start=start, tones=tones, recorded=recorded)
+
+
+def _tones(samples, rate, wanted):
+    """The rising tones of the signals wanted, if the phase of one is followed: those that stand
+    out, or nearly do."""
+    down = max(int(rate // TONE_RATE), 1)
+    signals = {"tone": (samples, rate)}
+    if "envelope" in wanted and rate > 2 * ENVELOPE_FROM:
+        signals["envelope"] = envelope(samples, rate)
+    found = {kind: clearest_tone(*signals[kind]) for kind in wanted if kind in signals}
+    tones = {
+        kind: tone for kind, tone in found.items() if tone is not None and tone.stands_out(NEARLY)
+    }
+    signals["tone"] = resample_poly(samples, 1, down), rate / down
+    sure = {kind: tone for kind, tone in tones.items() if follows(*signals[kind], tone) > FOLLOWED}
+    clear = {kind: tone for kind, tone in tones.items() if tone.stands_out()}
+    return clear if clear.keys() & sure.keys() else sure
+
+
+def _refuse_clipped(samples, name):
+    share = np.abs(samples) / np.abs(samples).max()
+    top = share > 1 - 1e-6
+    below = (share > NEAR_TOP) & (share <= 1 - 1e-6)
+    runs = top.copy()
+    for i in range(1, RUN):
+        runs[:-i] &= top[i:]
+    if runs.sum() > max(CLIPPED * len(samples), RUN) and top.sum() > below.sum():
+        raise RecordingError(
+            f"{name}: clipped: {top.mean():.1%} of its samples are at full scale; record it more "
+            f"quietly"
+        )
+
+
+def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged:
+    """Return what sounds of the same disk tell. Raises RecordingError if none of them can be
+    followed.
+
+    `correct` by solved motions, unless a steady one leaves little and the solved one far more.
+    """
+    lines = _tracks(decline, sounds)
+    best = max(lines, key=lambda track: track.score)
+    correct = correct and not _stands(best, decline)
+    first = _approached(_near_the_best(lines, LIKELY) if correct else [], decline, FIRST)
+    second = _approached(_near_the_best(first, LIKELIER), decline, SECOND)
+    nearest = _near_the_best(first + second, 1.0)[:1]
+    found = _approached(nearest, decline, THEN) or nearest
+    if any(track.fit.spread <= AS_WELL * best.fit.spread for track in found):
+        best = min(found, key=lambda track: track.fit.spread)
+    same = [
+        track for track in lines + found if (track.signal, track.line) == (best.signal, best.line)
+    ]
+    one = _mean_of([track.fit for track in same], decline) if best.model == "solved" else best.fit
+    explained = not correct or one.spread < max(UNEXPLAINED, AS_WELL * np.median(one.sigma))
+    if not explained:
+        others = [
+            track.fit for track in lines if (track.signal, track.line) != (best.signal, best.line)
+        ]
+        one = mixed([best.fit, *others])
+    return Judged(
+        sounds=tuple(sounds),
+        signal=best.signal,
+        line=best.line,
+        model=best.model,
+        decline=best.decline,
+        streams=best.streams,
+        fit=one,
+        explained=explained,
+        verdict=verdict_of(decline, one),
+    )
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Track:
+    """The fit of a decline to one signal of the sounds, in which one `line` of it is followed: the
+    other lines, there and in the signals `beside`, must be where they should be then."""
+
+    signal: str
+    line: str
+    model: str
+    lines: dict[str, Decline]
+    streams: list[Heard]
+    beside: list[list[Heard]]
+    fit: Fit
+
+    @property
+    def decline(self) -> Decline:
+        """The decline as it is heard in this line."""
+        return self.lines[self.line]
+
+    @cached_property
+    def score(self) -> float:
+        """How much speaks for it: the tones of all lines that are where they should be, how near
+        the one that is followed is to its decline, that the contact is usually heard once in a
+        turn, and that no film is much more than theory has it."""
+        one = self.fit
+        signals = product((self.streams, *self.beside), self.lines.values())
+        seen = sum(
+            _evidence(line, streams, one.ends, one.shares, LENGTHS[-1], NEAR)
+            for streams, line in signals
+        )
+        near = len(one.residual) / OVERLAP * np.log(NEAR / max(one.spread, FLOOR))
+        return float(
+            seen
+            + near
+            + USUAL * (self.line == "precession")
+            - MUCH * max(one.shares[1] - MOST_AIR, 0)
+        )
+
+
+def _evidence(line, streams, ends, shares, length, near=FARTHEST):
+    """How much speaks for a line: the sum of log(1 + power over noise) of the blocks that are
+    `near` where they should be, over that; another line beside it is no noise."""
+    found = 0.0
+    for one in followed(line, streams, ends, shares, length, noise_of=np.median):
+        found += np.log1p(one.rates.clear[np.abs(one.rates.missed) < near]).sum() / OVERLAP
+    return found
+
+
+def _tracks(decline, sounds):
+    """The tracks of the sounds: the ridge of every signal that they have in common may be that of
+    every line, and of the lines of the decline that this would be, that which is heard best is
+    followed, or the next that can be."""
+    signals = [
+        signal for signal in ("tone", "envelope") if all(signal in sound.tones for sound in sounds)
+    ]
+    streams = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}
+    found = {}
+    for ridge, name in product(signals, MAIN):
+        try:
+            moved, shares = _guess(decline, decline.lines[name], *_ridges(sounds, ridge))
+        except ValueError:
+            continue
+        heard = {
+            (signal, line): _evidence(
+                decline.lines[line], streams[signal], moved, shares, LENGTHS[0]
+            )
+            for signal, line in product(signals, MAIN)
+        }
+        best_first = sorted(heard, key=heard.__getitem__, reverse=True)
+        tracks = (
+            _track(decline, streams, *pair, moved, shares) for pair in best_first if heard[pair]
+        )
+        track = next((track for track in tracks if track is not None), None)
+        if track is not None:
+            place = track.signal, track.line
+            found[place] = max(found.get(place, track), track, key=lambda track: track.score)
+    if not found:
+        name = sounds[0].name
+        disk = decline.scene.name
+        raise RecordingError(
+            f"{name}: its tone cannot be followed by a decline of the disk '{disk}'"
+        )
+    return list(found.values())
+
+
+def _track(decline, streams, signal, line, ends, shares):
+    """The track of a line in a signal, from a guess of ends and shares; None if it cannot be
+    followed, or leads to ends that are farther away than the tone was sought."""
+    try:
+        one = fit(decline.lines[line], streams[signal], ends, shares, _free(decline), LENGTHS[:4])
+    except ValueError:
+        return None
+    if np.abs(one.ends - ends).max() > TIME_LEFT[1]:
+        return None
+    beside = [sounds for other, sounds in streams.items() if other != signal]
+    head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
+    return Track(**head, streams=streams[signal], beside=beside, fit=one)
+
+
+def _free(decline):
+    """The laws that are sought: the scene's other law too where it stands in place of contour
+    friction."""
+    other = decline.has_law and not decline.scene.dissipation.contour_moment
+    return (0, *([1] if decline.has_film else []), *([2] if other else []))
+
+
+def base(decline: Decline, shares) -> np.ndarray:
+    """Return shares with that of the scene's other laws: beside contour friction in the same scene,
+    they are known."""
+    return np.array([*shares[:2], 1.0 if decline.scene.dissipation.contour_moment else shares[2]])
+
+
+def stream(sound: Sound, signal: str) -> Heard:
+    """Return the signal of a sound in which its tone is followed."""
+    if signal == "envelope":
+        samples, rate = envelope(sound.samples, sound.rate)
+    else:
+        down = max(int(sound.rate // TONE_RATE), 1)
+        samples = resample_poly(sound.samples, 1, down)
+        rate = sound.rate / down
+    return Heard(
+        samples=samples, rate=rate, first=sound.start, filtered=sound.recorded and signal == "tone"
+    )
+
+
+def _ridges(sounds, signal):
+    """Ridges of the spectrograms, and ends."""
+    tones = [sound.tones[signal] for sound in sounds]
+    ends = np.array([sound.start + tone.end for sound, tone in zip(sounds, tones, strict=True)])
+    ridges = [
+        Rates(
+            sound.start + tone.time,
+            tone.frequency,
+            RIDGE_ERROR * tone.frequency,
+            tone.level,
+            0 * tone.frequency,
+        )
+        for sound, tone in zip(sounds, tones, strict=True)
+    ]
+    return ridges, ends
+
+
+def _guess(decline, line, ridges, ends):
+    """Ends and shares with which a line is near the ridges: of every law that is sought alone, or
+    of two of them."""
+    heard = tuple(Followed(i, line, ridge, ridge.frequency) for i, ridge in enumerate(ridges))
+    sought = _free(decline)
+    tried = []
+    for some in (*((law,) for law in sought), sought[:2]):
+        start = np.zeros(3)
+        start[list(some)] = np.array(STARTS)[list(some)]
+        tried.append(solved_near(heard, ends, base(decline, start), some))
+    return min(tried, key=lambda one: one[2])[:2]
+
+
+def _near_the_best(tracks, share):
+    """The tracks for which as much speaks as this share of what does for the best."""
+    return [track for track in tracks if track.score >= share * max(one.score for one in tracks)]
+
+
+def _stands(track, decline):
+    """Whether a steady motion leaves little, and the motion that is solved with its shares far
+    more."""
+    least = FAR_WORSE * track.fit.spread
+    return track.fit.spread < SLIPS and all(
+        one.fit.spread > least for one in _approached([track], decline, FIRST)
+    )
+
+
+def _approached(tracks, decline, lengths):
+    """Every track along motions that are solved one after the other, each with the shares found
+    along the one before, in blocks of so many turns, until these have settled."""
+    found = []
+    for track in tracks:
+        for length in lengths:
+            try:
+                lines, one = _followed(track, decline, length)
+            except (
+                ValueError,
+                ArithmeticError,
+                KeyError,
+            ):  # there is no such motion, or it has no such line
+                break
+            moved = np.abs(one.shares - track.fit.shares)
+            track = replace(track, model="solved", lines=lines, fit=one)
+            found.append(track)
+            away = np.hypot(one.draws[:, len(one.ends) :].std(axis=0), _unknown(decline, one))
+            if (moved <= SETTLED * away).all():
+                break
+    return found
+
+
+def _followed(track, decline, length):
+    """The lines of the motion with the shares of a track, and the fit of its line there; or of the
+    motion by which what was heard there would be explained."""
+    one = track.fit
+    lines = decline.solved(track.fit.shares)
+    try:
+        return lines, fit(
+            lines[track.line], track.streams, one.ends, one.shares, one.free, (length,), LITTLE
+        )
+    except ValueError:
+        heard = tuple(h._replace(line=lines[track.line]) for h in one.heard)
+        ends, shares, _ = solved_near(heard, one.ends, one.shares, one.free)
+        lines = decline.solved(shares)
+        return lines, fit(
+            lines[track.line], track.streams, ends, shares, one.free, (length,), LITTLE
+        )
+
+
+def _mean_of(fits, decline):
+    """The mean of fits along all motions that explain as much of the sounds as well, which differ
+    by when they slip; as uncertain as if every law took or left what is UNKNOWN of the power."""
+    as_much = max(len(one.residual) for one in fits) / AS_WELL
+    fits = sorted((one for one in fits if len(one.residual) >= as_much), key=lambda one: one.spread)
+    one = mixed([one for one in fits if one.spread <= AS_WELL * fits[0].spread])
+    draws = one.draws.copy()
+    draws[:, len(one.ends) :] += _unknown(decline, one) * np.random.default_rng(0).standard_normal(
+        (len(draws), 3)
+    )
+    return replace(one, draws=draws)
+
+
+def _unknown(decline, one):
+    """By how much every share (3,) that is sought is uncertain that takes or leaves what is UNKNOWN
+    of the power."""
+    power, fall = _powers(decline, one)
+    unknown = UNKNOWN * (one.shares @ power @ fall) / np.maximum(power @ fall, TINY)
+    return np.where(np.isin(range(3), one.free), unknown, 0.0)
+
+
+def _powers(decline, one):
+    """The power that each of the LAWS takes (3, 60) at inclinations that were heard, and how far
+    these are apart (60,): energy goes with the inclination."""
+    left = np.concatenate([one.ends[h.sound] - h.rates.time for h in one.heard])
+    beta = np.geomspace(
+        *decline.inclination(np.clip([left.min(), left.max()], 1e-3, None), one.shares), 60
+    )
+    return np.array([np.interp(beta, decline.beta, p) for p in decline.powers]), np.gradient(beta)
+
+
+def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]]:
+    """Return for each of the LAWS the least and greatest share, in 95 %, of the energy that was
+    lost while heard."""
+    power, fall = _powers(decline, one)
+    each = np.clip(one.draws[:, len(one.ends) :, None] * power, 0, None)
+    share = (each / np.maximum(each.sum(axis=1, keepdims=True), TINY) * fall).sum(
+        axis=2
+    ) / fall.sum()
+    low, high = np.percentile(share, [2.5, 97.5], axis=0)
+    return {name: (float(low[i]), float(high[i])) for i, name in enumerate(LAWS)}
+
+
+def verdict_of(decline: Decline, one: Fit) -> str:
+    """Return rolling, air or both, where 95 % of what is as likely as the fit agrees on it; else,
+    and where the scene has what no decline has, cannot tell."""
+    if decline.left_out:
+        return "cannot tell"
+    share = shares_of_power(decline, one)
+    if 2 in one.free and share.pop("law")[1] > ABSENT:
+        return "cannot tell"
+    share = {name: share[name] for name in ("rolling", "air")}
+    present = {name for name, (low, _) in share.items() if low > PRESENT}
+    absent = {name for name, (_, high) in share.items() if high < ABSENT}
+    if len(present) == 2:
+        return "both"
+    return next(iter(present)) if len(present) == 1 and len(absent) == 1 else "cannot tell"

@@ -1,0 +1,199 @@
+"""FILE or RENDERED SOUND -> SOURCE: samples that can be read again and again, from any place on,
+block by block."""
+
+import re
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import dataclass
+from functools import cached_property
+from io import SEEK_END, BytesIO
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+import soundfile
+
+from sonify.hearing.mp3 import read_mp3
+
+PROMISED = re.compile(r"(?:data|SSND|Data Size) *: *(\d+) \(should be (\d+)\)")
+"""What libsndfile notes of WAV, AIFF and AU files whose length is not that of their header
+[bytes]."""
+UNKNOWN = 0x7FFF0000
+"""So long is a file said to be whose length was not known when its header was written [bytes]."""
+BLOCK = 1 << 16
+"""Samples read from a file at once."""
+SMALL_BLOCK = 1 << 10
+"""Samples read at once where the end of what can be decoded is sought."""
+
+
+class Source(Protocol):
+    """What can be heard: `frames` samples at `sample_rate` [Hz].
+
+    Every call of `blocks` begins anew, and nothing of the source changes by it; whoever has heard
+    enough stops reading."""
+
+    @property
+    def sample_rate(self) -> int: ...
+
+    @property
+    def frames(self) -> int: ...
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield (k, channels): the samples from number `start` on to the last, in pieces of any
+        length."""
+        ...
+
+
+@dataclass(frozen=True)
+class Truncation:
+    """How much sound a file that was cut off holds, and how much its header announces [s], None if
+    it does not."""
+
+    held: float
+    announced: float | None
+
+    def __str__(self):
+        announced = (
+            "no length is announced"
+            if self.announced is None
+            else f"{self.announced:.3f} s are announced"
+        )
+        return f"the file is truncated: {self.held:.3f} s of sound are there, {announced}"
+
+
+@dataclass(frozen=True)
+class SoundFile:
+    """The source in a file of any format that libsndfile reads. Raises soundfile.LibsndfileError
+    for any other.
+
+    Of a file that was cut off it has the samples that can be decoded, and no others.
+    """
+
+    path: str | Path
+
+    @cached_property
+    def _mp3(self):
+        return read_mp3(self.path) if Path(self.path).suffix.lower() == ".mp3" else None
+
+    def open(self) -> soundfile.SoundFile:
+        """Return the file, open. An MP3 file whose header is absent or wrong gets one that is
+        right."""
+        mp3 = self._mp3
+        wrong = mp3 is not None and mp3.frames != mp3.announced
+        return soundfile.SoundFile(BytesIO(mp3.content) if wrong else self.path)
+
+    @cached_property
+    def _header(self):
+        with self.open() as file:
+            return file.samplerate, file.frames, file.format, file.extra_info
+
+    @property
+    def sample_rate(self) -> int:
+        """Samples a second [Hz]."""
+        return self._header[0]
+
+    @cached_property
+    def frames(self) -> int:
+        """Number of samples in each channel that can be decoded."""
+        announced = self._header[1]
+        if not announced or self._decodes(announced - 1):
+            return announced
+        with self.open() as file:
+            held = 0
+            with suppress(soundfile.LibsndfileError):  # the end of what can be decoded
+                while part := len(file.read(SMALL_BLOCK)):
+                    held += part
+        return held
+
+    def _decodes(self, last):
+        """Whether there is a sample of this number."""
+        with self.open() as file:
+            try:
+                file.seek(last)
+                return len(file.read(1)) == 1
+            except soundfile.LibsndfileError:
+                return False
+
+    @cached_property
+    def truncation(self) -> Truncation | None:
+        """How much of the file is there, None if it is whole as far as its format tells."""
+        rate, announced, kind, notes = self._header
+        held = self.frames / rate
+        if self._mp3 is not None:
+            missing = (
+                (self._mp3.announced - self._mp3.frames) * self._mp3.samples / rate
+                if self._mp3.cut
+                else 0.0
+            )
+            return Truncation(held, held + missing) if missing else None
+        if kind == "OGG":
+            return None if ends_with_its_stream(self.path) else Truncation(held, None)
+        if self.frames < announced:
+            return Truncation(held, announced / rate)
+        noted = PROMISED.search(notes)
+        said, found = map(int, noted.groups()) if noted else (0, 0)
+        return Truncation(held, held * said / found) if 0 < found < said < UNKNOWN else None
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield (k, channels), float32: the samples from number `start` on."""
+        left = self.frames - start
+        with self.open() as file:
+            file.seek(min(start, self.frames))
+            while left > 0:
+                block = file.read(min(BLOCK, left), dtype="float32", always_2d=True)
+                left -= len(block)
+                yield block
+                if not len(block):
+                    break
+
+
+def ends_with_its_stream(path: str | Path, longest_page: int = 65_307) -> bool:
+    """Return whether the last page of an Ogg file is whole and marked as the end of its stream (RFC
+    3533)."""
+    with Path(path).open("rb") as file:
+        size = file.seek(0, SEEK_END)
+        file.seek(max(size - 2 * longest_page, 0))
+        tail = file.read()
+    at = tail.rfind(b"OggS")
+    if at < 0 or at + 27 > len(tail):
+        return False
+    lengths = tail[at + 27 : at + 27 + tail[at + 26]]
+    whole = at + 27 + tail[at + 26] + sum(lengths) <= len(tail)
+    return whole and bool(tail[at + 5] & 4)
+
+
+def source_of(sound: Source | str | Path) -> Source:
+    """Return a source as it is, and that in a file for a path."""
+    return SoundFile(sound) if isinstance(sound, (str, Path)) else sound
+
+
+def stretch(source: Source, start: int, stop: int) -> np.ndarray:
+    """Return the samples (stop - start, channels) from `start` up to `stop`, or up to the last."""
+    parts = []
+    left = stop - start
+    for block in source.blocks(start):
+        parts.append(block[:left])
+        left -= len(parts[-1])
+        if left <= 0:
+            break
+    return np.concatenate(parts) if parts else np.zeros((0, 1))
+
+
+def pieces(source: Source, step: int, overlap: int = 0, start: int = 0) -> Iterator[np.ndarray]:
+    """Yield (step + overlap, channels): the samples from `start` on in pieces that begin `step`
+    apart, zeros after the last sample. Memory is that of one piece and one block."""
+    held = np.zeros((0, 1))
+    for block in source.blocks(start):
+        held = np.concatenate([held, block]) if len(held) else block
+        while len(held) >= step + overlap:
+            yield held[: step + overlap]
+            held = held[step:]
+    while len(held):
+        yield np.pad(held[: step + overlap], ((0, max(step + overlap - len(held), 0)), (0, 0)))
+        held = held[step:]
+
+
+def truncation_of(sound: Source | str | Path) -> Truncation | None:
+    """Return the `truncation` of a sound file, None of any other source."""
+    source = source_of(sound)
+    return source.truncation if isinstance(source, SoundFile) else None

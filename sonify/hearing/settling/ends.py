@@ -1,0 +1,80 @@
+"""FRAMES -> ENDS: where the power of a sound drops."""
+
+import numpy as np
+from scipy.ndimage import uniform_filter1d
+
+from sonify.hearing.settling.onset_strength import TINY_POWER, Frames
+
+
+def end_drops(frames: Frames) -> np.ndarray:
+    """Return by how much [dB] the power drops at every frame: in all bands, in the waveform, or in
+    the clearest band.
+
+    A drop below -20 dB of the mean over the sound does not count.
+    """
+    total = frames.power.sum(axis=1)
+    least = 0.01 * float(total.mean(dtype=float)) + TINY_POWER
+    waveform = np.square(frames.waveform)
+    drops = [
+        power_drop(total, TINY_POWER),
+        power_drop(waveform, 0.01 * float(waveform.mean()) + TINY_POWER),
+    ]
+    drops += [power_drop(band, least) for band in frames.power.T]
+    return np.max(drops, axis=0)
+
+
+def power_drop(power: np.ndarray, least: float) -> np.ndarray:
+    """Return by how much [dB] a power (n,) drops: 80 ms before every frame against 30 to 130 ms
+    after."""
+    cumulative = np.concatenate([[0.0], np.cumsum(power, dtype=float)])
+    count = len(power)
+    place = np.arange(count)
+
+    def mean(first, last):
+        first = np.clip(first, 0, count)
+        last = np.clip(last, 0, count)
+        return (cumulative[last] - cumulative[first]) / np.maximum(last - first, 1)
+
+    before = np.maximum(mean(place - 80, place), 0) + least
+    after = np.maximum(mean(place + 30, place + 130), 0) + least
+    drop = 10 * np.log10(before / after)
+    drop[: min(80, count)] = 0
+    drop[max(count - 60, 0) :] = 0
+    return drop
+
+
+def drop_peaks(drop: np.ndarray, least: float, separation: int = 40) -> np.ndarray:
+    """Return the frames of peaks of at least `least` dB, the highest first, `separation` apart."""
+    inner = drop[1:-1]
+    peaks = np.flatnonzero((inner >= drop[:-2]) & (inner > drop[2:]) & (inner >= least)) + 1
+    kept = []
+    for place in peaks[np.argsort(-drop[peaks], kind="stable")]:
+        if all(abs(place - other) >= separation for other in kept):
+            kept.append(int(place))
+    return np.array(kept, dtype=int)
+
+
+def knee(power: np.ndarray, end: int) -> int:
+    """Return the frame near an end at which the level of a power (n,) begins to fall for good.
+
+    Two straight lines are fitted to the level; where none of them falls steeply, it is the end
+    itself."""
+    smooth = uniform_filter1d(power.astype(float), 5)
+    level = 10 * np.log10(smooth + TINY_POWER)
+    floor = 10 * np.log10(power[end + 30 : end + 130].mean(dtype=float) + TINY_POWER) + 6
+    quiet = np.flatnonzero(level[max(end - 80, 0) : end + 130] <= floor)
+    last = max(end - 80, 0) + (int(quiet[0]) if len(quiet) else 130)
+    places = np.arange(max(end - 300, 0), min(max(last, end - 40), len(power)))
+    levels = level[places]
+    best = np.inf
+    found = end
+    for corner in range(max(end - 150, places[0] + 10), min(end + 60, int(places[-1]) - 4), 2):
+        before = np.minimum(places - corner, 0) / 100
+        after = np.maximum(places - corner, 0) / 100
+        columns = np.stack([np.ones(len(places)), before, after], axis=1)
+        coefficients = np.linalg.lstsq(columns, levels)[0]
+        misfit = float(np.abs(levels - columns @ coefficients).sum())
+        if coefficients[2] < -20 and misfit < best:
+            best = misfit
+            found = corner
+    return found

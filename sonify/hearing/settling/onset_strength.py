@@ -1,0 +1,109 @@
+"""SOUND -> ONSET STRENGTH: how suddenly the power of bands rises, millisecond by millisecond."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
+from scipy.fft import rfft
+from scipy.ndimage import uniform_filter1d
+from scipy.signal import butter, sosfilt
+
+from sonify.hearing.settling.settings import SettlingSettings
+
+FRAME_RATE = 1000  # Hz
+TINY_POWER = 1e-14  # of full scale
+
+
+@dataclass(frozen=True)
+class Frames:
+    """Power (frames, bands) and waveform (frames,) of a sound, one frame per millisecond; edges
+    (bands + 1) [Hz]."""
+
+    power: np.ndarray
+    waveform: np.ndarray
+    edges: np.ndarray
+
+    def part(self, first, last):
+        """Return the frames from number `first` up to `last`."""
+        return Frames(self.power[first:last], self.waveform[first:last], self.edges)
+
+
+@dataclass(frozen=True)
+class OnsetStrength:
+    """Channels (channels, frames) that are searched; scale of each [ms], and its band (low, high)
+    [Hz]."""
+
+    values: np.ndarray
+    scales_ms: np.ndarray
+    bands: list[tuple[float, float]]
+    kinds: list[str]
+
+
+def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> Frames:
+    """Return power and waveform of a sound (n,) at a sample rate [Hz]."""
+    window_length = max(2 * round(rate * 4 / 3000), 8)
+    window = np.hanning(window_length + 2)[1:-1]
+    weights, edges = _band_weights(window_length, rate, settings)
+    count = int(len(samples) * FRAME_RATE / rate)
+    centres = np.round(np.arange(count) * rate / FRAME_RATE).astype(int)
+    padded = np.pad(np.asarray(samples, dtype=np.float32), window_length // 2)
+    windows = sliding_window_view(padded, window_length)
+    power = np.empty((count, weights.shape[1]), dtype=np.float32)
+    scale = np.float32(2 / np.sum(window)) ** 2 / 2
+    weights = weights.astype(np.float32) * scale
+    for first in range(0, count, 4096):
+        spectrum = rfft(windows[centres[first : first + 4096]] * window.astype(np.float32))
+        power[first : first + 4096] = (spectrum.real**2 + spectrum.imag**2) @ weights
+    low, high = settings.waveform_band
+    sos = butter(2, (low, min(high, 0.45 * rate)), "bandpass", fs=rate, output="sos")
+    waveform = sosfilt(sos, samples)[centres]
+    return Frames(power=power, waveform=waveform.astype(np.float32), edges=edges)
+
+
+def _band_weights(window_length, rate, settings):
+    """Share (bins, bands) of every bin of the spectrum in every band, and the edges of the bands
+    [Hz]."""
+    spacing = rate / window_length
+    bins = np.arange(window_length // 2 + 1) * spacing
+    edges = np.array(settings.band_edges, dtype=float)
+    edges = edges[edges <= rate / 2]
+    low = np.maximum(bins[:, None] - spacing / 2, edges[:-1])
+    high = np.minimum(bins[:, None] + spacing / 2, edges[1:])
+    return np.maximum(high - low, 0) / spacing, edges
+
+
+def onset_strength(frames: Frames, settings: SettlingSettings) -> OnsetStrength:
+    """Return the onset strength of all bands, of the bright ones, and the waveform itself."""
+    power = frames.power.T
+    mean = uniform_filter1d(power, 401, axis=1)
+    level = np.log(power + 10 ** (-settings.floor_db / 10) * mean + TINY_POWER)
+    bright = frames.edges[:-1] >= settings.bright_from
+    groups = (
+        [np.ones_like(bright), bright]
+        if bright.any() and not bright.all()
+        else [np.ones_like(bright)]
+    )
+    values = []
+    scales = []
+    bands = []
+    for scale in settings.scales_ms:
+        short = uniform_filter1d(level, max(round(scale / 2), 1), axis=1)
+        rise = normalised(short - uniform_filter1d(level, 8 * scale + 1, axis=1))
+        for group in groups:
+            values.append(normalised(rise[group].mean(axis=0)))
+            scales.append(scale)
+            bands.append((float(frames.edges[:-1][group][0]), float(frames.edges[1:][group][-1])))
+    values.append(normalised(frames.waveform))
+    scales.append(settings.waveform_scale_ms)
+    bands.append(settings.waveform_band)
+    kinds = ["repetition"] * (len(values) - 1) + ["tone"]
+    return OnsetStrength(
+        np.array(values, dtype=np.float32), np.array(scales, dtype=float), bands, kinds
+    )
+
+
+def normalised(values):
+    """Return values (..., n) over their running deviation of 0.3 s, clipped to -3 and 6."""
+    deviation = np.sqrt(np.maximum(uniform_filter1d(np.square(values), 301, axis=-1), 0))
+    silent = deviation <= 1e-9
+    return np.where(silent, 0, np.clip(values / np.where(silent, 1, deviation), -3, 6))

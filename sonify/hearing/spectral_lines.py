@@ -1,0 +1,414 @@
+"""SOUND -> CARRIERS: peaks of the spectrum that last, how far and how fast each of them moves, and
+its sidebands."""
+
+from dataclasses import dataclass, replace
+from itertools import compress, pairwise
+from statistics import median
+
+import numpy as np
+from scipy.interpolate import make_interp_spline
+from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
+from scipy.signal import ShortTimeFFT
+
+from sonify.hearing.mains_hum import vertex
+
+WINDOW, LOWEST = 0.5, 300.0
+"""Window in which carriers are told apart [s], and where they begin [Hz]."""
+STANDS_OUT_DB, MOST, BANDS = 15.0, 12, 32
+"""A peak stands out by as much; carriers at most."""
+REACH, LAST, GAP = 30.0, 5, 2
+"""A carrier is so many cents from the middle of its LAST frames at most; so many frames may not
+show it."""
+BAND, WIDE = 30.0, 15.0
+"""What is so many cents from a stronger carrier is part of it, or so many times as far as this goes
+from frame to frame, which is far in a band of noise."""
+GRID, BROAD, FRAMES = 5.0, 120.0, 5
+"""Bands of noise are sought on a grid of so many cents, in medians over so many and means of so
+many frames;"""
+AROUND, COARSE = 1200.0, 10
+"""above the median over so many cents, taken on so many times the grid."""
+FAINTEST, HALF, AHEAD = 5.0, 3.0, 60.0
+"""A band stands out by as much [dB], goes down to so much less [dB], and is so far [cents] from the
+middle of its LAST frames at most."""
+LINE, BROADEST = 75.0, 400.0
+"""A line looks like a band that reaches so far [cents] at most; what reaches farther than the other
+is no band."""
+FEWEST, SHARE = 8, 0.2
+"""Frames that show a carrier: so many, or so large a share of them all and at least five."""
+PARTS, LEAST_PART = 8, 3
+"""Parts of a carrier for the jackknife, of so many frames at least: neighbours share half of what
+they hear."""
+PLACE = 0.02
+"""Error of the place of a peak between the bins of the spectrum, over their spacing, that no line
+is without; that of a band is GRID."""
+SURE = 2.0
+"""A carrier rises or falls if its drift is so many times its error."""
+APART, FINE, BESIDE = (6.0, 300.0), 2, (6, 80)
+"""Sidebands are so far from their centre [Hz], which is known to a part of a bin; other centres, in
+such parts."""
+DISTANCES, COURSE, ORDER = 5, 0.5, 3
+"""A centre has sidebands at so many distances, one bin apart, at least, which change from frame to
+frame by less than this share of what they change by in all; what is left among them is one too, of
+up to this order."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Carrier:
+    """A tone or narrow band from `begin` to `end` [s]: its `frequency` in the middle and the
+    standard `error` [Hz], its `drift` and `drift_error` [cents/s], its `spread` about the drift
+    [cents], how far it stands out (`level` [dB]), and how far from it its sidebands are [Hz], in
+    the middle and between which `rates`. Where a carrier is not `heard` itself, all this is that of
+    the middle of its sidebands. A band of noise has a `reach` [cents] to the farther side, where it
+    has half of its power; a line has none."""
+
+    frequency: float
+    error: float
+    spread: float
+    level: float
+    drift: float
+    drift_error: float
+    begin: float
+    end: float
+    sidebands: tuple[float, ...] = ()
+    rates: tuple[float, float] | None = None
+    heard: bool = True
+    reach: float = 0.0
+
+    @property
+    def course(self) -> str:
+        """What it does: rises, falls or is steady, as far as its errors tell."""
+        if abs(self.drift) < SURE * self.drift_error:
+            return "steady"
+        return "rises" if self.drift > 0 else "falls"
+
+
+@dataclass(frozen=True, eq=False)
+class Track:
+    """A peak that was followed: frames (k,), frequencies (k,) [Hz] and levels (k,) [dB]; how far it
+    reaches [cents]."""
+
+    frame: np.ndarray
+    frequency: np.ndarray
+    level: np.ndarray
+    reach: float = 0.0
+
+
+def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
+    """Return the carriers in samples (n,) at `rate` [Hz] from the time `start` [s] on, the most
+    outstanding first; at most MOST."""
+    size = int(WINDOW * rate)
+    if len(samples) < 4 * size:
+        return []
+    windows = ShortTimeFFT(np.hanning(size), size // 2, rate)
+    power = (
+        np.abs(windows.stft(samples, 1, 2 + (len(samples) - size) // (size // 2))) ** 2
+    )  # none beyond the samples
+    hop = size // 2 / rate
+    spacing = rate / size
+    level = 10 * np.log10(power.T + 1e-300)
+    peaks = _peaks(level, spacing)
+    aside, centres = _sidebands(peaks, spacing)
+    tracks = _with_bands(_tracks(peaks[:, ~aside], len(level)), level, spacing)
+    tracks = sorted(tracks, key=lambda track: -np.median(track.level))
+    found = [_carrier(track, start, hop, spacing) for track in tracks[:MOST]]
+    for track, apart in centres:
+        found = _with_sidebands(found, _carrier(track, start, hop, spacing), apart, spacing)
+    return sorted(found, key=lambda one: -one.level)[:MOST]
+
+
+def _with_sidebands(found, centre, apart, spacing):
+    """Carriers with a centre whose sidebands are so far apart (k,) [Hz]: those at its frequency
+    have them if they are heard for most of that time, or else it itself; weaker ones that are among
+    its sidebands are more of these."""
+    low, middle, high = np.percentile(apart, [5, 50, 95]).tolist()
+    sides = {"sidebands": (middle,), "rates": (low, high)}
+    there = [
+        abs(one.frequency - centre.frequency) < spacing and _common(one, centre) > 0
+        for one in found
+    ]
+    heard = (
+        sum(_common(one, centre) for one in compress(found, there))
+        > (centre.end - centre.begin) / 2
+    )
+    told = [replace(one, **sides) if heard else one for one in compress(found, there)]
+    others = [
+        one
+        for one, at in zip(found, there, strict=True)
+        if not at and not _among(one, centre, ORDER * high)
+    ]
+    return [*told, *others, *([] if heard else [replace(centre, heard=False, **sides)])]
+
+
+def _among(one, centre, reach):
+    """Whether a carrier is weaker than a centre, not as far from it as the `reach` [Hz], and there
+    for as long."""
+    within = (
+        abs(one.frequency - centre.frequency) < reach
+        and _common(one, centre) > (one.end - one.begin) / 2
+    )
+    return within and one.level < centre.level
+
+
+def _common(one, other):
+    """For how long both are there [s]; negative if they are not."""
+    return min(one.end, other.end) - max(one.begin, other.begin)
+
+
+def _floor(level, count):
+    """The median level (t, f) in so many neighbouring bands of each frame, on straight lines
+    between their middles, not more than 90 dB below its highest."""
+    edges = np.linspace(0, level.shape[1], count + 1).astype(int)
+    floor = np.column_stack([np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)])
+    floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
+    middle = (edges[1:] + edges[:-1] - 1) / 2
+    return make_interp_spline(middle, floor, 1, axis=1)(
+        np.clip(np.arange(level.shape[1]), middle[0], middle[-1])
+    )
+
+
+def _peaks(level, spacing):
+    """Frames, frequencies [Hz] and levels above the floor [dB] (3, n) of all peaks of levels (t, f)
+    that stand out."""
+    frame, place, height = _tops(level - _floor(level, BANDS), STANDS_OUT_DB)
+    return np.array([frame, place * spacing, height])[:, place > LOWEST / spacing]
+
+
+def _tops(level, least):
+    """Frames, places between the columns, and heights (n,) of all peaks above the `least` in levels
+    (t, f)."""
+    low = level[:, :-2]
+    top = level[:, 1:-1]
+    high = level[:, 2:]
+    frame, place = np.nonzero((top > low) & (top >= high) & (top > least))
+    low = low[frame, place]
+    top = top[frame, place]
+    high = high[frame, place]
+    return frame, place + 1 + vertex(low, top, high), top
+
+
+def _with_bands(tracks, level, spacing):
+    """Tracks of lines, and those of bands of noise in levels (t, f); what does not stand out of a
+    band is part of it, or of the line that looks like one."""
+    for band in _bands(level, spacing):
+        line = band.reach < LINE
+        inside = [
+            track
+            for track in tracks
+            if _within(track, band, band.reach if line else 2 * band.reach)
+        ]
+        loudest = max(inside, key=lambda track: np.median(track.level), default=None)
+        bar = np.median(band.level) + STANDS_OUT_DB
+        own = [
+            track for track in inside if np.median(track.level) > bar or (line and track is loudest)
+        ]
+        tracks = [track for track in tracks if track not in inside or track in own]
+        tracks += [] if line else _straight(band)
+    return tracks
+
+
+def _bands(level, spacing):
+    """The tracks of bands of noise in levels (t, f)."""
+    octaves = np.log2(0.9 * level.shape[1] * spacing / LOWEST)
+    size = int(BROAD / GRID) + 1
+    frequency = LOWEST * 2 ** (np.arange(0, 1200 * octaves, GRID) / 1200)
+    grid = _medians(level[:, np.round(frequency / spacing).astype(int)], size)
+    around = _medians(grid[:, ::COARSE], int(AROUND / GRID / COARSE) + 1)
+    places = np.arange(0, grid.shape[1], COARSE)
+    grid -= make_interp_spline(places, around, 1, axis=1)(
+        np.clip(np.arange(grid.shape[1]), 0, places[-1])
+    )
+    grid = uniform_filter1d(grid, size, axis=1)
+    mean = uniform_filter1d(grid, FRAMES, axis=0)
+    frame, place, height = _tops(mean, FAINTEST)
+    found = _tracks(
+        np.array([frame, LOWEST * 2 ** (place * GRID / 1200), height]), len(level), AHEAD
+    )
+    return [band for band in (_middled(one, mean, grid) for one in found) if band.reach < BROADEST]
+
+
+def _medians(level, size):
+    """The medians over so many columns about each of levels (t, f): row by row, for which SciPy has
+    a faster way."""
+    return np.array([median_filter(row, size) for row in level])
+
+
+def _middled(band, mean, grid):
+    """A band with the middle by power of what is in it as its frequency, in levels (t, f) and their
+    mean over some frames, which reaches as far from there as the median over its frames."""
+    tops = np.round(1200 / GRID * np.log2(band.frequency / LOWEST)).astype(int)
+    middles = []
+    sides = []
+    for row, own, top in zip(mean[band.frame], grid[band.frame], tops, strict=True):
+        out = np.flatnonzero(row < row[top] - HALF)
+        low = out[out < top].max(initial=-1) + 1
+        high = out[out > top].min(initial=len(row))
+        middles.append(np.average(np.arange(low, high), weights=10 ** (own[low:high] / 10)))
+        sides.append(max(middles[-1] - low, high - middles[-1]))
+    return replace(
+        band, frequency=LOWEST * 2 ** (np.array(middles) * GRID / 1200), reach=GRID * median(sides)
+    )
+
+
+def _within(track, band, reach):
+    """Whether a track is within the reach [cents] of a band for most of its frames."""
+    middle = np.interp(track.frame, band.frame, band.frequency, np.nan, np.nan)
+    return np.sum(np.abs(1200 * np.log2(track.frequency / middle)) < reach) > len(track.frame) / 2
+
+
+def _straight(track):
+    """A track in as few parts as are straight, by halves: those of a straight one go on alike."""
+    half = len(track.frame) // 2
+    parts = [
+        replace(track, frame=track.frame[i], frequency=track.frequency[i], level=track.level[i])
+        for i in (slice(half), slice(half, None))
+    ]
+    if half < FEWEST or _alike(*(_carrier(part, 0.0, 1.0, 0.0) for part in parts)):
+        return [track]
+    return [straight for part in parts for straight in _straight(part)]
+
+
+def _alike(one, other):
+    """Whether two carriers drift alike, as far as their errors tell."""
+    return abs(one.drift - other.drift) < SURE * np.hypot(one.drift_error, other.drift_error)
+
+
+def _tracks(peaks, count, reach=REACH):
+    """The tracks of peaks (3, n) through frames, from the most outstanding peak on; each takes the
+    band around it and goes on within a reach [cents]."""
+    frame = peaks[0].astype(int)
+    cents = 1200 * np.log2(peaks[1])
+    level = peaks[2]
+    inside = [np.flatnonzero(frame == i) for i in range(count)]
+    left = np.ones(len(frame), bool)
+    found = []
+    for seed in np.argsort(-level):
+        if not left[seed]:
+            continue
+        chosen = [
+            seed,
+            *_followed(seed, range(frame[seed] + 1, count), inside, cents, level, left, reach),
+        ]
+        chosen += _followed(seed, range(frame[seed] - 1, -1, -1), inside, cents, level, left, reach)
+        chosen = np.array(sorted(chosen, key=lambda peak: frame[peak]))
+        wide = max(BAND, WIDE * np.median(np.abs(np.diff(cents[chosen], prepend=cents[seed]))))
+        for peak in chosen:
+            near = inside[frame[peak]]
+            left[near[np.abs(cents[near] - cents[peak]) < wide]] = False
+        if len(chosen) >= min(FEWEST, max(5, SHARE * count)):
+            found.append(Track(frame[chosen], peaks[1][chosen], level[chosen]))
+    return found
+
+
+def _followed(seed, frames, inside, cents, level, left, reach):
+    """The peaks that continue a seed in frames, one after the other, until GAP of them show none:
+    the highest that is near the middle of the last ones."""
+    found = [seed]
+    missed = 0
+    for i in frames:
+        near = inside[i][left[inside[i]]]
+        near = near[np.abs(cents[near] - median(cents[found[-LAST:]].tolist())) < reach]
+        if len(near):
+            found.append(near[np.argmax(level[near])])
+            missed = 0
+        elif (missed := missed + 1) > GAP:
+            break
+    return found[1:]
+
+
+def _carrier(track, start, hop, spacing):
+    """The carrier of a track: a straight line through its cents, with errors by leaving out part
+    after part."""
+    t = start + (track.frame + 1) * hop
+    middle = (t[0] + t[-1]) / 2
+    cents = 1200 * np.log2(track.frequency / np.median(track.frequency))
+    line = _line(t - middle, cents)
+    part = np.arange(len(t)) * min(PARTS, max(len(t) // LEAST_PART, 2)) // len(t)
+    without = np.array(
+        [_line((t - middle)[part != i], cents[part != i]) for i in range(part[-1] + 1)]
+    )
+    error = np.sqrt(
+        (len(without) - 1) / len(without) * np.square(without - without.mean(axis=0)).sum(axis=0)
+    )
+    place = GRID if track.reach else 1200 / np.log(2) * PLACE * spacing / np.median(track.frequency)
+    frequency = float(np.median(track.frequency) * 2 ** (line[0] / 1200))
+    return Carrier(
+        frequency=frequency,
+        error=float(np.hypot(error[0], place) * np.log(2) / 1200 * frequency),
+        spread=float(1.48 * np.median(np.abs(cents - line[0] - line[1] * (t - middle)))),
+        level=float(np.median(track.level)),
+        drift=float(line[1]),
+        drift_error=float(np.hypot(error[1], place / (t[-1] - t[0]))),
+        begin=float(t[0] - hop),
+        end=float(t[-1] + hop),
+        reach=track.reach,
+    )
+
+
+def _line(t, cents):
+    """Height and slope of the straight line through cents (k,) at times t (k,) [s], without what is
+    far from it."""
+    keep = np.ones(len(t), bool)
+    for _ in range(3):
+        slope, height = np.polyfit(t[keep], cents[keep], 1)
+        apart = np.abs(cents - height - slope * t)
+        keep = apart <= max(4 * 1.48 * np.median(apart), 1e-6)
+    return np.array([height, slope])
+
+
+def _sidebands(peaks, spacing):
+    """Which of peaks (3, n) are sidebands (n,), and for every centre, heard or silent, the track of
+    its middles and the half distances (k,) [Hz] of its strongest pairs.
+
+    About a centre peaks mirror each other at more distances than about any place BESIDE, and these
+    follow one course: two carriers of their own keep their distance, or their middle moves."""
+    pairs = _pairs(peaks)
+    aside = np.zeros(peaks.shape[1], bool)
+    found = []
+    middle = peaks[1, pairs].mean(axis=0)
+    half = np.diff(peaks[1, pairs], axis=0)[0] / 2
+    frame = peaks[0, pairs[0]].astype(int)
+    level = peaks[2, pairs].min(axis=0)
+    count, most = _distances(middle / spacing, half / spacing)
+    tried = np.flatnonzero((count >= DISTANCES) & (count >= most))
+    free = np.ones(len(count), bool)
+    for place in tried[np.argsort((most - count)[tried], kind="stable")]:
+        here = np.flatnonzero(
+            (np.abs(middle - place * spacing / FINE) < spacing) & ~aside[pairs].any(axis=0)
+        )
+        best = here[np.lexsort((-level[here], frame[here]))]
+        best = best[np.unique(frame[best], return_index=True)[1]]
+        if free[place] and len(best) >= FEWEST and _one_course(half[best]):
+            aside[pairs[:, here]] = True
+            free[max(place - BESIDE[0], 0) : place + BESIDE[0]] = False
+            found.append((Track(frame[best], middle[best], level[best]), half[best]))
+    return aside, found
+
+
+def _one_course(apart):
+    """Whether distances (k,) change less from frame to frame than by COURSE of what they change by
+    in all."""
+    return np.median(np.abs(np.diff(apart))) < COURSE * np.median(np.abs(apart - np.median(apart)))
+
+
+def _distances(middle, half):
+    """At how many distances pairs with such middles and half distances (n,) [bins] mirror each
+    other about each place (p,), FINE to a bin, and at how many at most about the places BESIDE
+    it."""
+    place = np.round(FINE * middle).astype(int)
+    seen = np.unique(place * 1000 + half.astype(int)) // 1000
+    count = np.bincount(seen, minlength=place.max(initial=0) + BESIDE[1] + 1)
+    around = maximum_filter1d(count, BESIDE[1] - BESIDE[0] + 1)
+    away = sum(BESIDE) // 2
+    return count, np.maximum(np.roll(around, away), np.roll(around, -away))
+
+
+def _pairs(peaks):
+    """The numbers (2, n) of all pairs of peaks (3, m) of one frame that are so far APART."""
+    found = [np.zeros((2, 0), int)]
+    for step in range(1, peaks.shape[1]):
+        frame, apart = peaks[:2, step:] - peaks[:2, :-step]
+        low = np.flatnonzero((frame == 0) & (apart < 2 * APART[1]))
+        if not len(low):
+            break
+        found.append(np.array([low, low + step])[:, apart[low] > 2 * APART[0]])
+    return np.concatenate(found, axis=1)

@@ -1,0 +1,76 @@
+"""SCENE -> PLAN, MODES, MOTION, or one line that says why it has none."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from dynamics import ImpossibleContactError, Motion, Outcome, simulate
+from dynamics.film.activation import decide_film
+from dynamics.simulation import chosen_integrator
+from modal import Modes, SurfaceModes, UnsolvableError, eigenmodes, with_radiation
+from modal.radiation import TOP
+from modal.solve import check_solvable
+from sonify.plan.contact import with_contact
+from sonify.plan.plan import Plan, plan_of, with_sounding
+from sonify.plan.supports import compared
+from sonify.plan.table import check_table, off_since
+from sonify.scene import Scene, SceneError, scene_of
+from sonify.sound.audible_modes import response_to_unit_jump
+
+
+def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
+    """Return the scene with that accuracy. Raises SceneError, before any work, where its disk,
+    support or integrator cannot be solved."""
+    scene = scene_of(scene, accuracy)
+    check_table(scene)
+    try:
+        check_solvable(scene.disk, scene.support)
+        chosen_integrator(scene.numerics.integrator)
+        decide_film(scene)
+    except ValueError as error:
+        raise SceneError(str(error)) from None
+    return scene
+
+
+def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tuple[Plan, Modes]:
+    """Return what is to be computed, and the modes, which the plan needs to say which of them
+    sound; `eigenmodes` finds these. Raises SceneError where there are too many modes, where the
+    patch is lost in round-off, and where decay rates are given for more modes than there are."""
+    plan = plan_of(scene)
+    try:
+        elastic = eigenmodes(scene, below=plan.highest_mode)
+    except UnsolvableError as error:
+        raise SceneError(str(error)) from None
+    modes = damped(with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates)
+    if scene.support.kind == "contact":
+        plan = plan.also(compared(scene, modes, plan.highest_mode))
+    return with_contact(
+        with_sounding(plan, scene, modes, *response_to_unit_jump(modes, scene)), scene
+    ), modes
+
+
+def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
+    """Return the modes, the first of them with the decay rates [1/s] that were `measured`."""
+    if len(measured) > len(modes):
+        raise SceneError(
+            f"material.decay_rates: {len(measured)} values, but only {len(modes)} modes are sought"
+        )
+    return modes.with_decay([*measured, *modes.decay_rate[len(measured) :]]) if measured else modes
+
+
+def solve_motion(
+    scene: Scene,
+    watch: Callable[..., None] = lambda t, inclination, doing: None,
+    table: SurfaceModes | None = None,
+) -> Motion:
+    """Return the motion of a scene, on a table with these modes, as far as it stays on a plate.
+    Raises SceneError where no contact force satisfies the balance laws."""
+    try:
+        motion: Any = simulate(scene, watch, surface_modes=table)
+        if (end := off_since(scene, motion)) is None:
+            return motion
+        motion = simulate(scene.replace(f"numerics.time_limit={end}"), watch, surface_modes=table)
+        return replace(motion, outcome=Outcome.LEFT_TABLE)
+    except ImpossibleContactError as error:
+        raise SceneError(f"friction, release: {error}") from None

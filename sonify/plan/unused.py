@@ -1,0 +1,124 @@
+"""SCENE -> UNUSED KEYS: the keys that a scene sets although no stage of its run reads them."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import MISSING, fields, is_dataclass
+from math import inf
+from typing import Any, NamedTuple
+
+from dynamics.compliant.model_selection import choose_contact_model
+from dynamics.compliant.two_way_onset import may_be_two_way
+from dynamics.surface import table_action
+from sonify.scene import Scene
+
+
+class Rule(NamedTuple):
+    """Keys that no stage reads in a scene for which `is_unread(scene)` is true."""
+
+    keys: tuple[str, ...]
+    is_unread: Callable[[Scene], bool]
+
+
+def yields(scene: Scene) -> bool:
+    """Return True if the contact is elastic from the release on, or from where the table may act on
+    the motion."""
+    return scene.contact.law == "elastic" or may_be_two_way(scene)
+
+
+def is_solved_in_full(scene: Scene) -> bool:
+    """Return True if the compliant contact is stepped from the release on."""
+    return scene.contact.law == "elastic" and choose_contact_model(scene).kind == "full"
+
+
+def has_no_spectrum(scene: Scene) -> bool:
+    """Return True if no heights of the scene follow from a power spectrum: table and edge are
+    measured or smooth."""
+    heights = scene.roughness
+    return heights is not None and heights.profile is not None and heights.edge_rms == 0.0
+
+
+def has_no_film(scene: Scene) -> bool:
+    """Return True if no film of air is solved, whatever `air.film` is: in a vacuum, and under a
+    shell."""
+    return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
+
+
+PATCH_KEYS = ("half_angle_deg", "height", "position", "held")
+SPECTRUM_KEYS = ("shortest", "longest", "exponent", "seed")
+ROUGHNESS_KEYS = ("rms", "rms_edge", *SPECTRUM_KEYS, "loss", "profile", "profile_edge")
+
+
+def named(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
+    """Return the full names of keys of a section."""
+    return tuple(f"{section}.{key}" for key in keys)
+
+
+RULES = (
+    Rule(("friction.mu_dynamic",), lambda scene: scene.friction.mu_static == inf),
+    Rule(("support.inclination_deg",), lambda scene: scene.support.kind != "contact"),
+    Rule(named("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"),
+    Rule(("support.position",), lambda scene: scene.support.height in (None, scene.disk.thickness)),
+    Rule(("surface.action",), lambda scene: scene.surface.kind == "infinite"),
+    Rule(("dissipation.power_exponent",), lambda scene: scene.dissipation.power_coefficient == 0.0),
+    Rule(
+        ("dissipation.air_density",),
+        lambda scene: scene.dissipation.boundary_layer_viscosity == 0.0,
+    ),
+    Rule(
+        named("contact", ("fillet", "loss_factor", "young", "poisson")),
+        lambda scene: not yields(scene) and scene.support.kind != "contact",
+    ),
+    Rule(("contact.body",), lambda scene: not yields(scene) or scene.disk.shape != "solid"),
+    Rule(named("roughness", ROUGHNESS_KEYS), lambda scene: scene.contact.law == "rigid"),
+    Rule(named("roughness", SPECTRUM_KEYS), has_no_spectrum),
+    Rule(("roughness.loss",), lambda scene: scene.numerics.contact == "filter"),
+    Rule(("air.film", "air.viscosity"), has_no_film),
+    Rule(("audio.distance", "audio.elevation_deg"), lambda scene: bool(scene.audio.listeners)),
+    Rule(("numerics.integrator", "numerics.tolerance"), is_solved_in_full),
+    Rule(
+        ("numerics.final_inclination",),
+        lambda scene: table_action(scene) == "motion" or scene.imperfection is not None,
+    ),
+    Rule(("numerics.contact",), lambda scene: scene.contact.law == "rigid"),
+    Rule(
+        ("numerics.contact_rate",),
+        lambda scene: not may_be_two_way(scene) and not is_solved_in_full(scene),
+    ),
+)
+"""What each stage reads, in one place; tests/test_unused_keys.py compares it with what the stages
+do."""
+
+
+def unused_keys(scene: Scene) -> tuple[str, ...]:
+    """Return the keys that a scene sets to other values than their defaults and that have no effect
+    on its run.
+
+    Parameters
+    ----------
+    scene : Scene
+        Keys count as set where its document has them.
+
+    Returns
+    -------
+    tuple of str
+        Full names, as "roughness.rms", in the order of the document.
+    """
+    return tuple(
+        key
+        for key in set_keys(scene)
+        if any(key in rule.keys and rule.is_unread(scene) for rule in RULES)
+    )
+
+
+def set_keys(scene: Scene) -> Iterator[str]:
+    """Yield the keys that a scene sets to other values than their defaults."""
+    sections = vars(scene)
+    for name, given in scene.document.items():
+        if is_dataclass(sections[name]):
+            values = vars(sections[name])
+            defaults = {field.name: default_of(field) for field in fields(sections[name])}
+            yield from (f"{name}.{key}" for key in given if values[key] != defaults[key])
+
+
+def default_of(field: Any) -> Any:
+    """Return the default of a field of a section; MISSING if the key is required."""
+    return field.default if field.default_factory is MISSING else field.default_factory()

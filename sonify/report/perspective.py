@@ -1,0 +1,163 @@
+"""ATTITUDE -> IMAGE: the disk on its table in perspective, with motion blur."""
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from PIL import Image, ImageDraw
+
+from dynamics import Disk
+from sonify.sound.modal_forcing import in_patch_frame
+
+SEGMENTS = 96
+"""Sides of the polygon that is drawn for the rim."""
+FINER = 2
+"""Pixels are drawn so many times finer, and then averaged."""
+MARKED = slice(0, 5)
+"""The sides of the rim that carry the mark."""
+LIGHT = np.array([0.35, -0.45, 0.82])
+TABLE, LINES, SHADOW, MARK, TRACE = (
+    (238, 236, 230),
+    (205, 202, 195),
+    (190, 187, 180),
+    (160, 20, 40),
+    (0, 60, 140),
+)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Camera:
+    """Looks from `distance` [m] and `elevation` [rad] at `target` (3,) [m]; `focal` [px]; the image
+    is `size` [px]."""
+
+    target: np.ndarray
+    distance: float
+    elevation: float
+    focal: float
+    size: tuple[int, int]
+
+    @cached_property
+    def axes(self) -> np.ndarray:
+        """To the right, up, and towards the camera, (3, 3)."""
+        c = np.cos(self.elevation)
+        s = np.sin(self.elevation)
+        return np.array([[1.0, 0, 0], [0, s, c], [0, -c, s]])
+
+    @property
+    def position(self) -> np.ndarray:
+        """Where the camera is, (3,) [m]."""
+        return self.target + self.distance * self.axes[2]
+
+    def project(self, points) -> np.ndarray:
+        """Return the places (..., 2) [px], from the upper left corner, of points (..., 3) [m]
+        before the camera."""
+        right, up, near = np.moveaxis((points - self.target) @ self.axes.T, -1, 0)
+        scale = self.focal / (self.distance - near)
+        return np.stack([self.size[0] / 2 + right * scale, self.size[1] / 2 - up * scale], axis=-1)
+
+
+def patch_frame(state, inclination) -> np.ndarray:
+    """Return the axes (k, 3, 3) of the patch for states (k, 11), x to the contact and z along the
+    axis; (2.1)."""
+    c = np.cos(state[:, 0])
+    s = np.sin(state[:, 0])
+    zero = 0 * inclination
+    table = [(c, -s, zero), (s, c, zero), (zero, zero, 1 + zero)]
+    return np.stack([in_patch_frame(np.stack(axis, axis=1), inclination) for axis in table], axis=2)
+
+
+def contact(state, inclination, disk: Disk) -> np.ndarray:
+    """Return the contact points (k, 3) [m] on the table."""
+    x, _, z = patch_frame(state, inclination).swapaxes(0, 1)
+    point = disk.radius * x - disk.thickness / 2 * z
+    return np.column_stack([state[:, 3:5] + point[:, :2], 0 * point[:, 2]])
+
+
+def rims(state, inclination, disk: Disk) -> np.ndarray:
+    """Return the points (k, 2, SEGMENTS, 3) [m] of the lower and the upper rim, fixed in the
+    body."""
+    x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
+    angle = state[:, 2, None] + np.arange(SEGMENTS) * 2 * np.pi / SEGMENTS
+    round_ = np.einsum("kn,ki->kni", np.cos(angle), x) + np.einsum("kn,ki->kni", np.sin(angle), y)
+    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(inclination)
+    centre = np.column_stack([state[:, 3:5], height])
+    faces = np.array([-0.5, 0.5])[None, :, None, None] * disk.thickness * z[:, None, None]
+    return (centre[:, None] + disk.radius * round_)[:, None] + faces
+
+
+def table(camera, radius: float) -> Image.Image:
+    """Return the image of the empty table, with circles one, two and three radii [m] around its
+    origin."""
+    image = Image.new("RGB", tuple(FINER * n for n in camera.size), TABLE)
+    angle = np.linspace(0, 2 * np.pi, 361)
+    circle = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]) * radius
+    for size in (1, 2, 3):
+        middle = np.append(camera.target[:2], 0.0)
+        ImageDraw.Draw(image).line(_flat(camera, middle + size * circle), LINES, FINER)
+    return image
+
+
+def exposed(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
+    """Return the mean image (h, w, 3) of the disk on the `empty` table; `bodies` (s, 2, n, 3) [m]
+    are its rims.
+
+    `hole` is the radius of a hoop's hole over that of its rim.
+    """
+    total = np.zeros((*camera.size[::-1], 3), np.uint32)
+    for body in bodies:
+        image = empty.copy()
+        _draw_body(ImageDraw.Draw(image), camera, body, hole)
+        total += np.asarray(image.reduce(FINER))
+    return (total // len(bodies)).astype(np.uint8)
+
+
+def traced(camera, image, path) -> Image.Image:
+    """Return an image (h, w, 3) with a path (p, 3) [m] drawn over it, seen through whatever is
+    before it."""
+    line = Image.new("L", tuple(FINER * n for n in camera.size))
+    if len(path) > 1:
+        ImageDraw.Draw(line).line(_flat(camera, path), 255, 2 * FINER)
+    return Image.composite(
+        Image.new("RGB", camera.size, TRACE), Image.fromarray(image), line.reduce(FINER)
+    )
+
+
+def _draw_body(pen, camera, body, hole):
+    """The shadow right below, and whatever of the convex body faces the camera."""
+    for rim in body:
+        pen.polygon(_flat(camera, rim * [1.0, 1.0, 0.0]), SHADOW)
+    lower, upper = body
+    middle = body.mean(axis=1)
+    axis = middle[1] - middle[0]
+    outward = (lower + np.roll(lower, -1, axis=0)) / 2 - middle[0]
+    facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
+    shade = _shade(outward)
+    marked = np.zeros(len(lower), bool)
+    marked[MARKED] = True
+    corners = camera.project(body)
+    for i in np.flatnonzero(facing):
+        j = (i + 1) % len(lower)
+        side = np.concatenate([corners[0, [i, j]], corners[1, [j, i]]]) * FINER
+        pen.polygon(side.ravel().tolist(), MARK if marked[i] else shade[i])
+    top = np.dot(axis, camera.position - middle[1]) > 0
+    if not top and np.dot(axis, camera.position - middle[0]) > 0:
+        return
+    face, centre, normal = (upper, middle[1], axis) if top else (lower, middle[0], -axis)
+    pen.polygon(_flat(camera, face), _shade(normal[None])[0])
+    if hole:
+        pen.polygon(_flat(camera, centre + hole * (face - centre)), SHADOW)
+    wedge = face[MARKED.start : MARKED.stop + 1]
+    pen.polygon(
+        _flat(camera, np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]])),
+        MARK,
+    )
+
+
+def _shade(normals):
+    """Grey levels of faces with these normals (n, 3), as colours."""
+    lit = normals @ LIGHT / np.linalg.norm(normals, axis=1) / np.linalg.norm(LIGHT)
+    return [(g, g, g) for g in (90 + 110 * np.maximum(lit, 0)).astype(int).tolist()]
+
+
+def _flat(camera, points):
+    return (camera.project(points) * FINER).ravel().tolist()

@@ -1,0 +1,41 @@
+"""FOLDER with an earlier run -> one line on what a new run of another scene replaces there."""
+
+from pathlib import Path
+
+from sonify.report.write import scene_record
+from sonify.scene import Scene, load_scene
+from sonify.scene_errors import SceneError
+
+
+def replaced_results(scene: Scene, folder: Path) -> str:
+    """Return which results in a folder a run of `scene` replaces, and which keys differ.
+
+    Empty if the folder holds no run, or one of the same scene with the same settings.
+    """
+    record = folder / "run.json"
+    if not record.is_file():
+        return ""
+    try:
+        earlier = load_scene(record)
+    except SceneError as error:
+        return f"{folder}: replaces results of a run that cannot be read ({error})"
+    old = _flat(scene_record(earlier))
+    new = _flat(scene_record(scene))
+    differing = [key for key in old | new if old.get(key) != new.get(key) and key != "name"]
+    if not differing and earlier.name == scene.name:
+        return ""
+    shown = differing[:8]
+    more = [f"{len(differing) - len(shown)} more"] if len(differing) > len(shown) else []
+    keys = f", which differs in {', '.join([*shown, *more])}" if differing else ""
+    return f"{folder}: replaces the results of {earlier.name}{keys}"
+
+
+def _flat(record, path=""):
+    """The values of a nested record by their dotted keys; a list is one value."""
+    values = {}
+    for key, value in record.items():
+        if isinstance(value, dict):
+            values |= _flat(value, f"{path}{key}.")
+        else:
+            values[f"{path}{key}"] = value
+    return values

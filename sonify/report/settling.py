@@ -1,0 +1,42 @@
+"""SETTLING RUNS -> WORDS AND NUMBERS of `sonify listen`."""
+
+from sonify.hearing.settling.detector import SettlingRun
+from sonify.hearing.settling.joint_region import Estimate
+
+
+def run_numbers(run: SettlingRun) -> dict:
+    """Return a run as plain values: an entry of `runs` in heard.json."""
+    return {
+        "kind": run.kind,
+        "start": run.start,
+        "t_end": _plain(run.t_end),
+        "exponent": _plain(run.exponent),
+        "rate_at_1s": _plain(run.rate_at_1s),
+        "events_per_turn": run.events_per_turn,
+        "false_alarm": run.false_alarm,
+        "bands": [list(band) for band in run.bands],
+        "score": run.score,
+        "certain": run.certain,
+    }
+
+
+def run_sentences(run: SettlingRun) -> list[str]:
+    """Return two lines on a run: when and by which law; how certain."""
+    end = f"{run.t_end.value:.3f} s ({run.t_end.low:.3f} to {run.t_end.high:.3f})"
+    rate = f"{run.rate_at_1s.value:.1f} Hz ({run.rate_at_1s.low:.1f} to {run.rate_at_1s.high:.1f})"
+    low = f"{run.exponent.low:.2f}"
+    high = f"{run.exponent.high:.2f}"
+    value = "not determined" if run.exponent.value is None else f"{run.exponent.value:.2f}"
+    bands = ", ".join(f"{below:.0f} to {above:.0f} Hz" for below, above in run.bands)
+    when = "at first" if run.t_end.value - run.start < 1 else "one second before the end"
+    certainty = "certain" if run.certain else "probable"
+    return [
+        f"a disk or coin comes to rest at {end}: {run.kind} in {bands} from {run.start:.2f} s on",
+        f"  {certainty}; rate {rate} {when}, rising as (t_end - t)^-n with n {value} ({low} to "
+        f"{high}); "
+        f"{run.false_alarm:.1g} such events expected in a file of this length without a disk",
+    ]
+
+
+def _plain(estimate: Estimate) -> dict:
+    return {"value": estimate.value, "low": estimate.low, "high": estimate.high}

@@ -1,0 +1,1 @@
+"""Signals, progress, files and the console: how a command meets the system around it."""

@@ -1,0 +1,110 @@
+"""Which stage a run is in, how long each took, and what goes on beside it."""
+
+from collections import deque
+from collections.abc import Callable
+from concurrent.futures import Future, ThreadPoolExecutor
+from contextlib import contextmanager
+from math import floor
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+MINUTE = 60.0  # s
+HOUR = 3600.0  # s
+DAY = 86400.0  # s
+
+if TYPE_CHECKING:
+    from sonify.result import Result
+
+
+class Stages:
+    """Times the stages of a run, of which some go on beside each other; `seconds` by name. Silent:
+    the command line shows them by a subclass."""
+
+    def __init__(self, seconds: dict[str, float] | None = None):
+        self.seconds = {} if seconds is None else seconds
+
+    @contextmanager
+    def stage(self, name: str):
+        """Time the block as stage `name`; yields watch(share done, note)."""
+        began = perf_counter()
+        yield lambda share, note="": None
+        self.seconds[name] = perf_counter() - began
+
+    def notice(self, line: str):
+        """Take note of something the user should know before the work."""
+
+    def answer(self, result: "Result"):
+        """Take note of what was found, before it is drawn and written."""
+
+
+class StageProgress:
+    """How far one stage is, and how long it will still take at the speed of its last half minute.
+
+    Times are those of a clock [s] that the caller reads. The share that is done never falls, and is
+    None before the first report.
+    """
+
+    def __init__(self, name: str, began: float):
+        self.name = name
+        self.began = began
+        self.share: float | None = None
+        self.note = ""
+        self._history: deque[tuple[float, float]] = deque()
+
+    def report(self, now: float, share: float, note: str = ""):
+        """Take the share that is done, from 0 to 1, and a note of a few words."""
+        window = 30.0  # s
+        self.share = max(share, self.share or 0.0)
+        self.note = note
+        while len(self._history) > 1 and self._history[1][0] < now - window:
+            self._history.popleft()
+        self._history.append((now, self.share))
+
+    def remaining(self, now: float) -> float | None:
+        """Return the time [s] that the rest will take; None as long as nothing can be said."""
+        if self.share is None:
+            return None
+        before, share_before = self._history[0]
+        gained = self.share - share_before
+        return (1 - self.share) * (now - before) / gained if gained > 0 else None
+
+    def line(self, now: float) -> str:
+        """Return name, percent, remaining time and note; without a percentage the time so far."""
+        if self.share is None:
+            return f"{self.name} for {duration_in_words(now - self.began)}"
+        unfinished = min(self.share, 0.999)
+        parts = [f"{self.name} {percent(unfinished)}"]
+        remaining = self.remaining(now)
+        if remaining is not None:
+            parts.append(f"about {duration_in_words(max(round(remaining), 1))} left")
+        if self.note:
+            parts.append(self.note)
+        return ", ".join(parts)
+
+
+def percent(share: float) -> str:
+    """Return a share in percent, rounded down: 100 % only of what is complete."""
+    return f"{floor(100 * share)} %"
+
+
+def duration_in_words(seconds: float) -> str:
+    """Return a duration in the unit that people use: "0.8 s", "12 min", "3.4 h", "2.1 days"."""
+    for size, unit in ((DAY, "days"), (HOUR, "h"), (MINUTE, "min")):
+        if seconds >= 1.5 * size:
+            return f"{_two_digits(seconds / size)} {unit}"
+    return f"{_two_digits(seconds)} s"
+
+
+def _two_digits(number):
+    """Two significant digits, more only before the point."""
+    return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
+
+
+def beside(work: Callable, *arguments: Any) -> Future:
+    """Return the future of work in a thread of its own, for which nobody waits who does not ask for
+    its result."""
+    thread = ThreadPoolExecutor(1, work.__name__)
+    try:
+        return thread.submit(work, *arguments)
+    finally:
+        thread.shutdown(wait=False)

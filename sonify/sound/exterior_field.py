@@ -1,0 +1,181 @@
+"""EXTERIOR FIELD: sound of a solid disk a gap above a baffle, radiated by its face and by the flow
+out of the gap.
+
+Lengths are over the radius R, pressures over density times R times acceleration. Waves are exp(i w
+t), of order n round the axis; k = w R/c. Finite elements in the half plane of r and z extend from
+the disk to a hemisphere, where the field is a sum of outgoing multipoles. Their amplitudes give the
+pressure at every listener beyond the hemisphere. tests/test_sound_open_film.py."""
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.linalg import splu
+from scipy.special import gammaln, lpmv, spherical_jn, spherical_yn
+from skfem import Basis, BilinearForm, ElementQuad2, FacetBasis, LinearForm, MeshQuad
+
+FACE_CELLS = 14
+"""Number of elements along the face of the disk."""
+RADIAL_CELLS = 6
+"""Number of elements from the disk to the hemisphere."""
+MULTIPOLES = 8
+"""Number of multipoles of each order."""
+
+
+class ExteriorField:
+    """The air around a disk of `thickness` above a `gap`, within a hemisphere of radius `far`.
+
+    Attributes
+    ----------
+    loads : ndarray, shape (3, nodes)
+        Sources of the field: heave and tilt of the disk, and a flow of unit volume per length of
+        the rim.
+    """
+
+    def __init__(
+        self,
+        thickness: float,
+        gap: float,
+        far: float,
+        face_cells: int = FACE_CELLS,
+        radial_cells: int = RADIAL_CELLS,
+    ):
+        self.gap = gap
+        self.far = far
+        height = thickness + gap
+        mesh = _mesh(height, gap, far, face_cells, radial_cells)
+        self._basis = Basis(mesh, ElementQuad2())
+        facets = mesh.boundary_facets()
+        ends = mesh.p[:, mesh.facets[:, facets]]
+        r, z = ends.mean(axis=1)
+        on_rim = np.abs(r - 1) < 1e-9
+        parts = (
+            (np.abs(z - height) < 1e-9) & (r < 1),
+            on_rim & (z > gap),
+            on_rim & (z < gap),
+            np.hypot(*ends).min(axis=0) > 0.999 * far,
+        )
+        face, side, outlet, self._hemisphere = (
+            FacetBasis(mesh, ElementQuad2(), facets=facets[part]) for part in parts
+        )
+        self._axis = self._basis.get_dofs(facets[r < 1e-9]).all()
+        self._forms = [form.assemble(self._basis) for form in (_stiffness, _azimuthal, _mass)]
+        heave = _load.assemble(face, weight=1.0)
+        face_tilt = _load.assemble(face, weight=_coordinates(face)[0])
+        side_tilt = _load.assemble(side, weight=_coordinates(side)[1] - gap - thickness / 2)
+        self.loads = np.array(
+            [heave, face_tilt - side_tilt, _load.assemble(outlet, weight=1 / gap)]
+        )
+
+    def solve(self, n: int, wavenumbers) -> tuple[np.ndarray, np.ndarray]:
+        """Solve for each of `loads` times cos n theta, at `wavenumbers` k (a,).
+
+        Returns
+        -------
+        at_rim : ndarray, shape (a, 3)
+            Mean pressure at the outlet of the gap.
+        multipoles : ndarray, shape (a, MULTIPOLES, 3)
+            Amplitudes on the hemisphere.
+        """
+        order = n + 2 * np.arange(MULTIPOLES)
+        stiffness, azimuthal, mass = self._forms
+        r, z = _coordinates(self._hemisphere)
+        shapes = _legendre(n, z / np.hypot(r, z))
+        waves = np.array([_load.assemble(self._hemisphere, weight=w) for w in shapes]) / self.far**2
+        on = np.flatnonzero(waves.any(axis=0))
+        free = np.setdiff1d(np.arange(waves.shape[1]), self._axis if n else [])
+        at_rim = []
+        multipoles = []
+        for k in wavenumbers:
+            outgoing = (
+                k * self.far**2 * _hankel(order, k * self.far, True) / _hankel(order, k * self.far)
+            )
+            values = ((waves[:, on].T * outgoing) @ waves[:, on]).ravel()
+            boundary = coo_matrix(
+                (values, (np.repeat(on, len(on)), np.tile(on, len(on)))), mass.shape
+            )
+            matrix = (stiffness + n * n * azimuthal - k * k * mass - boundary).tocsc()[free][
+                :, free
+            ]
+            p = splu(matrix).solve(self.loads.T[free].astype(complex))
+            at_rim.append(self.loads[2, free] @ p)
+            multipoles.append(waves[:, free] @ p)
+        return np.array(at_rim), np.array(multipoles)
+
+
+def listener_pressure(
+    n: int, wavenumbers, far: float, distance: float, elevation: float
+) -> np.ndarray:
+    """Return the pressures (a, MULTIPOLES) of unit multipoles of order n at a listener, at
+    wavenumbers k (a,).
+
+    The multipoles are normalised on the hemisphere of radius `far`; the listener is at a distance
+    over the radius, an elevation [rad], and azimuth 0; retarded to the centre."""
+    order = n + 2 * np.arange(MULTIPOLES)
+    k = np.asarray(wavenumbers)[:, None]
+    wave = _hankel(order, k * distance) / _hankel(order, k * far)
+    return wave * np.exp(1j * k * distance) * _legendre(n, np.sin(elevation))
+
+
+def _mesh(height, gap, far, face_cells, radial_cells):
+    """Return a mesh of quadrilaterals between the disk and the hemisphere, refined towards the
+    edges of the disk."""
+    half = height - (height - gap) / 2
+    inwards = np.linspace(0, 1, face_cells + 1) ** 2
+    low = int(np.ceil(np.log2(max((half - gap) / gap, 4.0)))) + 1
+    sides = [
+        height - (height - half) * np.linspace(0, 1, face_cells // 2 + 1)[1:] ** 2,
+        gap + (half - gap) * (2.0 ** np.arange(low, -1, -1) - 1)[1:] / (2.0**low - 1),
+        [gap / 2, 0.0],
+    ]
+    z = np.concatenate([np.full(face_cells + 1, height), *sides])
+    r = np.minimum(np.append(1 - inwards[::-1], np.ones(len(z) - face_cells - 1)), 1.0)
+    length = np.append(0.0, np.cumsum(np.hypot(np.diff(r), np.diff(z))))
+    angle = np.pi / 4 * (2 - length / length[-1] - np.linspace(0, 1, len(z)))
+    disk = np.array([r, z])[..., None]
+    arc = far * np.array([np.cos(angle), np.sin(angle)])[..., None]
+    part = np.linspace(0, 1, radial_cells + 1) ** 2.0
+    grid = MeshQuad.init_tensor(
+        np.arange(len(z), dtype=float), np.arange(radial_cells + 1, dtype=float)
+    )
+    along, across = np.rint(grid.p).astype(int)
+    return MeshQuad(
+        np.ascontiguousarray((disk * (1 - part) + arc * part)[:, along, across]), grid.t
+    )
+
+
+def _coordinates(basis):
+    """Return r and z at the quadrature points."""
+    return np.asarray(basis.global_coordinates())
+
+
+def _hankel(order, x, derivative=False):
+    """Return the spherical Hankel function of the second kind, which is outgoing with exp(i w
+    t)."""
+    return spherical_jn(order, x, derivative) - 1j * spherical_yn(order, x, derivative)
+
+
+def _legendre(n, cosine):
+    """Return associated Legendre functions of degrees n, n + 2, ..., (MULTIPOLES, ...), of unit
+    mean square."""
+    degree = n + 2 * np.arange(MULTIPOLES)
+    size = np.sqrt((2 * degree + 1) * np.exp(gammaln(degree - n + 1) - gammaln(degree + n + 1)))
+    return np.array([c * lpmv(n, m, cosine) for c, m in zip(size, degree, strict=True)])
+
+
+@BilinearForm
+def _stiffness(p, q, w):
+    return (p.grad[0] * q.grad[0] + p.grad[1] * q.grad[1]) * w.x[0]
+
+
+@BilinearForm
+def _azimuthal(p, q, w):
+    return p * q / w.x[0]
+
+
+@BilinearForm
+def _mass(p, q, w):
+    return p * q * w.x[0]
+
+
+@LinearForm
+def _load(q, w):
+    return w.weight * q * w.x[0]

@@ -1,0 +1,161 @@
+"""SOUND -> PLAYBACK COPIES: the scaled pressure, and an A-weighted copy for small loudspeakers."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cached_property
+from math import inf
+
+import numpy as np
+from scipy.signal import freqz_zpk, resample_poly, sosfilt, zpk2sos
+
+from sonify.hearing.audio_source import pieces
+from sonify.hearing.loudness import a_weighting_db, loudness_lufs
+from sonify.hearing.spectrogram import spectrogram
+
+A_WEIGHTING_POLES = (20.598997, 20.598997, 107.65265, 737.86223, 12194.217, 12194.217)  # Hz
+"""Poles of the A-weighting, IEC 61672-1, annex E; its four zeros are at 0."""
+LOUDNESS_LUFS = -23.0
+"""Loudness of audible.wav, EBU R 128."""
+TRUE_PEAK_DB = -1.0
+"""Highest true peak [dBTP] of audible.wav; it takes precedence over the loudness."""
+TRUE_PEAK_OVERSAMPLING = 4
+"""Oversampling in the search for the true peak, BS.1770-4, annex 2."""
+MAX_OVERSHOOT = 2.5
+"""Bound of the true peak over the greatest sample: the absolute filter weights add up to less."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class DerivedTrack:
+    """A track computed from another `track`, with the same length, sample rate and channels."""
+
+    track: object
+
+    @property
+    def sample_rate(self) -> int:
+        """Sample rate [Hz]."""
+        return self.track.sample_rate
+
+    @property
+    def frames(self) -> int:
+        """Number of samples."""
+        return self.track.frames
+
+    @property
+    def channels(self) -> int:
+        """Number of listeners."""
+        return self.track.channels
+
+
+@dataclass(frozen=True, kw_only=True)
+class Weighted(DerivedTrack):
+    """A-weighted copy of a track [Pa]; up to `max_cached` samples it is filtered once and kept in
+    memory."""
+
+    max_cached: int = 1 << 23
+
+    @cached_property
+    def _cached_blocks(self):
+        return list(self._filtered()) if self.frames * self.channels <= self.max_cached else None
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield blocks (k, channels) of samples from number `start` on; each call starts again."""
+        done = 0
+        for block in self._cached_blocks or self._filtered():
+            yield block[max(start - done, 0) :]
+            done += len(block)
+
+    def _filtered(self):
+        weighting = a_weighting(self.sample_rate)
+        state = np.zeros((len(weighting), 2, self.channels))
+        for block in self.track.blocks():
+            out, state = sosfilt(weighting, block.astype(float), axis=0, zi=state)
+            yield out
+
+
+@dataclass(frozen=True, kw_only=True)
+class Copy(DerivedTrack):
+    """A track divided by `full_scale` [Pa], the pressure that 1.0 represents."""
+
+    full_scale: float = 1.0
+
+    @cached_property
+    def loudness(self) -> float:
+        """Loudness by BS.1770 [LUFS]; raises ValueError if the track is too short for it."""
+        return loudness_lufs(self)
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield blocks (k, channels) of samples from number `start` on; each call starts again."""
+        yield from (block.astype(float) / self.full_scale for block in self.track.blocks(start))
+
+
+def audible(track) -> Copy:
+    """Return the A-weighted copy of a track [Pa], amplified to LOUDNESS_LUFS or at most
+    TRUE_PEAK_DB."""
+    weighted = Weighted(track=track)
+    full_scale_at_peak = true_peak(weighted) / 10 ** (TRUE_PEAK_DB / 20) or 1.0
+    at_peak = Copy(
+        track=weighted, full_scale=full_scale_at_peak
+    )  # scaled first: loudness has a gate at -70 LUFS
+    try:
+        attenuation = 10 ** ((at_peak.loudness - LOUDNESS_LUFS) / 20)
+    except ValueError:  # too short for a loudness
+        attenuation = 1.0
+    return (
+        at_peak
+        if attenuation <= 1
+        else replace(at_peak, full_scale=full_scale_at_peak * attenuation)
+    )
+
+
+def loudness(copy: Copy) -> float | str:
+    """Return the loudness of a copy [LUFS], or the reason why it is undefined."""
+    try:
+        return copy.loudness
+    except ValueError as error:
+        return str(error)
+
+
+def true_peak(source) -> float:
+    """Return the greatest magnitude of a source, including values between samples."""
+    tops = [np.abs(part).max() for part in _overlapping_parts(source)]
+    loudest = max(tops)
+    peak = 0.0
+    for part, top in zip(_overlapping_parts(source), tops, strict=True):
+        if top * MAX_OVERSHOOT >= loudest:
+            peak = max(peak, np.abs(resample_poly(part, TRUE_PEAK_OVERSAMPLING, 1, axis=0)).max())
+    return float(peak)
+
+
+def _overlapping_parts(source, filter_reach=32):
+    """Return parts of a source that overlap by the reach of the resampling filter [samples] on both
+    sides."""
+    return pieces(source, 1 << 16, 2 * filter_reach)
+
+
+def energy_below(track, *limits) -> tuple[float, ...]:
+    """Return the shares of the energy of a track below frequencies [Hz]."""
+    spectrum = spectrogram(track, 0.2)
+    total = spectrum.power.sum(axis=1, dtype=float)
+    return tuple(
+        float(total[spectrum.frequency < limit].sum() / (total.sum() or inf)) for limit in limits
+    )
+
+
+def a_weighting(rate: float) -> np.ndarray:
+    """Return a causal A-weighting filter at a sample rate [Hz], as second-order sections (3, 6).
+
+    Poles and zeros of the standard are mapped by z = exp(s / rate). Two more zeros correct the gain
+    at a quarter of the sample rate. tests/test_sound_audible.py."""
+    zeros = np.ones(4)
+    poles = np.exp(-2 * np.pi * np.array(A_WEIGHTING_POLES) / rate)
+    at = np.array([1.0, rate / 4])
+    gain = np.abs(freqz_zpk(zeros, poles, 1.0, worN=at, fs=rate)[1])
+    wanted = 10 ** ((a_weighting_db(at[1]) - a_weighting_db(at[0])) / 20)
+    share = (gain[0] / gain[1]) * wanted
+    zero = (np.sqrt(2 * share - 1) - share) / (
+        1 - share
+    )  # solves (1 + zero^2) / (1 - zero)^2 = share
+    zeros = np.append(zeros, [zero, zero])
+    return zpk2sos(
+        zeros, poles, 1 / np.abs(freqz_zpk(zeros, poles, 1.0, worN=[1000.0], fs=rate)[1][0])
+    )

@@ -1,0 +1,1 @@
+"""Sources of sound: what turns the contact force into stems of pressure."""

@@ -1,0 +1,181 @@
+"""FORCE -> TABLE -> PRESSURE: modes of an elastic table under the moving contact, radiated as from
+a baffle."""
+
+from math import ceil
+
+import numpy as np
+from numpy.lib.stride_tricks import as_strided
+
+from modal.tabletop.record import SurfaceModes
+from sonify.hearing.loudness import a_weighting_db
+from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB
+from sonify.sound.oscillators import Knots, OscillatorBank
+from sonify.sound.radiation import Listener, listeners_of
+from sonify.sound.sources.protocol import DRIVE_FADE, FADE_OUT, Source, energy_peaks
+
+ARRIVAL_MARGIN = 12  # samples
+"""Samples before the first and after the last arrival in which the band-limited kernels decay."""
+
+
+def contact_place(state, disk) -> np.ndarray:
+    """Return the position (k, 2) [m] of the contact, relative to the disk's centre at the release;
+    states (k, 11).
+
+    Along a_2, a quarter turn ahead of the precession, its distance from the centre is R cos beta -
+    H sin beta."""
+    reach = disk.radius * np.cos(state[:, 1]) - disk.thickness / 2 * np.sin(state[:, 1])
+    ahead = state[:, 0] + np.pi / 2
+    return state[:, 3:5] + reach[:, None] * np.column_stack([np.cos(ahead), np.sin(ahead)])
+
+
+def shapes_under(modes: SurfaceModes, state, scene) -> np.ndarray:
+    """Return the shapes w (k, m) [kg^-1/2] of the modes of the table at the contact, for states (k,
+    11)."""
+    if scene.surface.kind == "modes":  # known only on the contact circle, which moves with the disk
+        ahead = state[:, 0] + np.pi / 2
+        return modes.at(scene.disk.radius * np.cos(ahead), scene.disk.radius * np.sin(ahead))
+    return modes.at(*(modes.place + contact_place(state, scene.disk)).T)
+
+
+class ElasticTable(Source):
+    """An elastic table, driven at the moving contact; its whole top face radiates upwards.
+
+    The part under the disk radiates like the rest: the disk does not shade it. The friction force
+    is neglected: it bends a plate less than the normal force does, by the ratio of thickness to
+    wavelength."""
+
+    names = ("table",)
+
+    def __init__(self, scene, modes: SurfaceModes, listener: Listener):
+        self._scene = scene
+        self._modes = modes
+        self._rate = scene.audio.sample_rate
+        self.latency = table_latency(modes, listener, self._rate)
+        self._kernels = radiation_kernels(modes, listener, self._rate, self.latency)
+        self.channel_ends = np.tile([np.nan, DRIVE_FADE], (len(modes), 1))
+        slowest = modes.decay_rate.min(initial=np.inf)
+        audible = min(np.log(10) / 20 * RING_DOWN_DB / max(slowest, 1e-9), MAX_RING_TIME)
+        self.tail_duration = FADE_OUT + max(FADE_OUT, audible)
+
+    def channels(self, force, state):
+        """Return the modal forces (k, m) [N kg^-1/2]: shape at the contact times the normal force,
+        downwards."""
+        return -force[:, 2:] * shapes_under(self._modes, state, self._scene)
+
+    def start_rendering(self, first, note):
+        """Return the function that radiates the blocks after constant modal forces `first` (m,)."""
+        bank = OscillatorBank(self._modes.frequency, self._modes.decay_rate, self._rate)
+        bank.settle(first)
+        past = len(self._kernels) - 1
+        moved = np.zeros((past, len(self._modes)))
+
+        def advance(force):
+            nonlocal moved
+            count = len(force.t) - 1
+            if (
+                len(moved) < past + count
+            ):  # memory is reused: allocation would take longer than the steps
+                moved = np.vstack([moved[:past], np.empty((count, len(self._modes)))])
+            knots = Knots(*force.knots, force.jump, force.bend)
+            accelerations = bank.advance(force.samples, knots, out=moved[past : past + count])
+            note(*energy_peaks(force.t, accelerations, self._modes, self._rate))
+            pressure = convolve_kernels(moved[: past + count], self._kernels)[:, None]
+            moved[:past] = moved[count : past + count].copy()
+            return pressure
+
+        return advance
+
+
+def table_latency(modes: SurfaceModes, listener: Listener, sample_rate: float) -> int:
+    """Return the samples by which the first sound of the table precedes that of the disk, plus
+    ARRIVAL_MARGIN."""
+    path = np.linalg.norm(listener.position - _face_points(modes), axis=1)
+    return (
+        ceil((listener.distance - path.min()) / listener.air.sound_speed * sample_rate)
+        + ARRIVAL_MARGIN
+    )
+
+
+def radiation_kernels(
+    modes: SurfaceModes,
+    listener: Listener,
+    sample_rate: float,
+    latency: int,
+    passband: float = 0.84,
+) -> np.ndarray:
+    """Return kernels (j, m): the pressure [Pa] at sample n is the sum of kernels[i] times the
+    accelerations at n - i.
+
+    They are Rayleigh's integral over the top face, `latency` samples late: exact up to a share
+    `passband` of half the sample rate, tapered to zero above."""
+    points = _face_points(modes)
+    longest = np.linalg.norm(listener.position - points, axis=1).max()
+    last_arrival = (longest - listener.distance) / listener.air.sound_speed
+    count = latency + ceil(last_arrival * sample_rate) + ARRIVAL_MARGIN
+    size = 2 << (2 * count).bit_length()
+    frequency = np.fft.rfftfreq(size, 1 / sample_rate)
+    above_passband = np.clip((2 * frequency / sample_rate - passband) / (1 - passband), 0, 1)
+    taper = np.cos(np.pi / 2 * above_passband) ** 2
+    spectrum = table_radiation(modes, listener, frequency)
+    delay = np.exp(-2j * np.pi * frequency / sample_rate * latency)
+    return np.fft.irfft(spectrum * (taper * delay)[:, None], size, axis=0)[:count]
+
+
+def table_radiation(modes: SurfaceModes, listener: Listener, frequency) -> np.ndarray:
+    """Return Rayleigh's integral (f, m) [Pa] of the top face per unit modal acceleration, at
+    frequencies (f,) [Hz].
+
+    Without the factor exp(-i k distance). Exact for a plane baffle, above and below coincidence.
+    """
+    path = np.linalg.norm(listener.position - _face_points(modes), axis=1)
+    delay = (path - listener.distance) / listener.air.sound_speed
+    share = listener.air.density / (2 * np.pi) * modes.weights / path
+    return np.array([(share * np.exp(-2j * np.pi * f * delay)) @ modes.face.T for f in frequency])
+
+
+def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
+    """Return the pressure (k,) of accelerations (j - 1 + k, m), summed over modes; kernels (j, m).
+
+    The first j - 1 accelerations precede the first pressure. `block` samples at once fit into the
+    processor cache."""
+    count = len(kernels)
+    reversed_kernels = np.ascontiguousarray(kernels[::-1].T)
+    out = np.empty(len(accelerations) - count + 1)
+    for n in range(0, len(out), block):
+        products = accelerations[n : n + block + count - 1] @ reversed_kernels
+        size = len(products) - count + 1
+        step = products.itemsize
+        diagonals = as_strided(products, (size, count), (count * step, (count + 1) * step))
+        out[n : n + size] = diagonals.sum(axis=1)
+    return out
+
+
+def _face_points(modes):
+    """Return the points of the top face, (p, 3) [m], relative to the disk's centre at the
+    release."""
+    return np.column_stack([modes.points - modes.place, np.zeros(len(modes.points))])
+
+
+def response_to_unit_jump(modes: SurfaceModes, scene) -> tuple[np.ndarray, np.ndarray]:
+    """Return the response of the modes to a force jump of 1 N: loudness (m,) [Pa^2 s] and energy
+    (m,) [J].
+
+    Loudness is the maximum over the listeners, as in `audible_modes.response_to_unit_jump`. Each
+    shape is represented by its root mean square over the circle that the disk covers."""
+    circle_radius, circle_angle = np.meshgrid(
+        scene.disk.radius * np.arange(1, 9) / 8, np.arange(64) * np.pi / 32
+    )
+    r = circle_radius.ravel()
+    angle = circle_angle.ravel()
+    points = modes.place[:, None] + r * np.array([np.cos(angle), np.sin(angle)])
+    g2 = r @ modes.at(*points) ** 2 / r.sum()
+    pressure = np.zeros(len(modes))
+    for ear in listeners_of(scene):
+        each = [
+            table_radiation(modes.select([i]), ear, [f])[0, 0]
+            for i, f in enumerate(modes.frequency)
+        ]
+        pressure = np.maximum(pressure, np.abs(each))
+    weight = 10 ** (a_weighting_db(modes.frequency) / 10)
+    decay = np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
+    return weight * g2 * pressure**2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)

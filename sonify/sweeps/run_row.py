@@ -1,0 +1,115 @@
+"""DOCUMENT -> ROW: one run of a sweep, with no more stages than its question needs."""
+
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from dynamics.compliant.two_way_onset import takes_modes
+from modal import Modes, as_json, eigenmodes
+from sonify.claims.air import air_scalars
+from sonify.claims.checks import mode_checks, motion_checks
+from sonify.pipeline import solve, write
+from sonify.plan.plan import plan_of
+from sonify.plan.preflight import planned, solvable, solve_motion
+from sonify.plan.table import with_table
+from sonify.report.write import judged, summary, timed, write_json, write_motion
+from sonify.runtime.progress import Stages
+from sonify.scene import Scene, from_document
+from sonify.sound.wav import write_sound
+from sonify.sweeps.required_stages import found_by
+
+KNOWN: deque = deque(maxlen=4)
+"""What this process has last solved of modes: the sections that they read, what else was asked, and
+the modes."""
+
+
+@dataclass(frozen=True)
+class Read:
+    """A scene that notes which of its sections are read."""
+
+    scene: Scene
+    sections: dict[str, Any] = field(default_factory=dict)
+
+    def __getattr__(self, name):
+        self.sections[name] = getattr(self.scene, name)
+        return self.sections[name]
+
+
+def remembered(scene: Scene, **asked) -> Modes:
+    """Return the `eigenmodes` of a scene, solved once for scenes that are equal in all that they
+    read of them."""
+    for sections, other, modes in tuple(KNOWN):
+        if asked == other and all(
+            getattr(scene, name) == value for name, value in sections.items()
+        ):
+            return modes
+    reading = Read(scene)
+    modes = eigenmodes(reading, **asked)
+    KNOWN.append((reading.sections, asked, modes))
+    return modes
+
+
+def row_of(
+    document: dict, stages: tuple[str, ...], keep: tuple[str, ...] = (), folder: str = ""
+) -> dict[str, Any]:
+    """Return what a run of the scene in `document` finds in these `stages`, as plain scalars; the
+    files to `keep` are written into `folder` first. What goes wrong is the scalar `error`, one
+    line. Raises OSError where a file cannot be written."""
+    watch = Stages()
+    try:
+        row = _row(solvable(from_document(document), None), stages, keep, Path(folder), watch)
+    except OSError:
+        raise  # a full disk is not the fault of the run
+    except Exception as error:  # a run may fail in any way, and its sweep goes on
+        row = {"error": f"{type(error).__name__}: {' '.join(str(error).split())}"}
+    return row | timed(watch.seconds)
+
+
+def _row(scene, stages, keep, folder, watch):
+    if "sound" in stages:
+        result = solve(scene, stages=watch, eigenmodes=remembered)
+        for kind in keep:
+            WHOLE[kind](result, folder, watch)
+        return {
+            key: value for key, value in summary(result).items() if not key.startswith("seconds_")
+        }
+    row: dict[str, Any] = {}
+    for stage in stages:
+        with watch.stage(stage):
+            row |= ALONE[stage](scene, folder if "arrays" in keep else None)
+    return row | {"passed": all(value for key, value in row.items() if key.endswith("_passed"))}
+
+
+def _motion(scene, folder):
+    table = with_table(plan_of(scene), scene)[1] if takes_modes(scene) else None
+    motion = solve_motion(scene, table=table)
+    if folder:
+        write_motion(motion, folder / "motion.npz")
+    row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])} | air_scalars(
+        scene, motion
+    )
+    return row | judged(found_by("motion_findings", scene, motion), motion_checks(scene, motion))
+
+
+def _modes(scene, folder):
+    _, modes = planned(scene, remembered)
+    if folder:
+        write_json(as_json(modes), folder / "modes.json")
+    return judged(found_by("mode_findings", scene, modes), mode_checks(scene, modes))
+
+
+def _arrays(result, folder, _):
+    write_motion(result.motion, folder / "motion.npz")
+    write_json(as_json(result.modes), folder / "modes.json")
+
+
+ALONE: dict[str, Callable] = {"motion": _motion, "modes": _modes}
+"""Stage -> what is found without a sound."""
+WHOLE: dict[str, Callable] = {
+    "arrays": _arrays,
+    "wav": lambda result, folder, watch: write_sound(result.sound, folder, lambda share: None),
+    "page": write,
+}
+"""What to keep -> what writes it."""

@@ -1,0 +1,222 @@
+"""ROWS -> runs.parquet: a table that loses no row that was added, however the process or the
+machine ends.
+
+Rows go to a journal, a line each, and onto the disk before they count as added; now and then, and
+at the end, they move into the table, which is replaced as a whole. A line that was cut short fails
+its checksum and is left out."""
+
+import json
+import os
+from contextlib import ExitStack
+from io import FileIO
+from pathlib import Path
+from time import monotonic
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+import pyarrow as pa
+import pyarrow.compute as pc
+import pyarrow.parquet as pq
+from filelock import FileLock, Timeout
+
+from sonify.runtime.files import OutputError, claimed, whole
+from sonify.scene_errors import InputError
+
+NAME, JOURNAL, LOCK, KEY = "runs.parquet", "runs.journal", ".runs.lock", b"sonify.sweep"
+FIRST = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
+"""Columns that every table begins with, after the number of the run and its axes."""
+PAUSE, SHARE = 30.0, 20
+"""The journal moves into the table after this time [s], or after so many times the time that it
+last took."""
+
+
+class Table:
+    """The table of a sweep in `folder`, which this process alone writes; a context. `done` marks
+    the runs it holds.
+
+    Raises OutputError where another process writes it, InputError where it is of another sweep.
+    """
+
+    def __init__(
+        self, folder: str | Path, identity: dict, axes: list[str], count: int, retry: bool = False
+    ):
+        self.folder = Path(folder)
+        self.identity = identity
+        self.axes = axes
+        self.path, self.journal = self.folder / NAME, self.folder / JOURNAL
+        self.done = np.zeros(count, bool)
+        self.failed = 0
+        self._retry = retry
+        self._moved = monotonic()
+        self._took = 0.0
+        self._file: FileIO | None = None
+
+    def __enter__(self):
+        with ExitStack() as stack:
+            stack.enter_context(claimed(self.folder))
+            lock = FileLock(self.folder / LOCK, timeout=0)
+            try:
+                stack.enter_context(lock)
+            except Timeout:
+                raise OutputError(f"{self.folder}: another sweep is writing this table") from None
+            if not self.path.exists():
+                self._write(pa.table({"run": pa.array([], pa.int64())}))
+            if json.loads(pq.read_schema(self.path).metadata.get(KEY, b"null")) != self.identity:
+                raise InputError(
+                    f"{self.path}: the table of another sweep: give this one another name, or "
+                    f"remove it"
+                )
+            self.move()
+            found = pq.read_table(self.path)
+            good = (
+                found.filter(pc.is_null(found["error"]))
+                if self._retry and "error" in found.column_names
+                else found
+            )
+            self.done[good["run"].to_numpy()] = True
+            self._held = stack.pop_all()
+        return self
+
+    def __exit__(self, kind, *_):
+        with self._held:
+            if kind is None or not issubclass(
+                kind, OSError
+            ):  # what a full disk had no room for stays in the journal
+                self.move()
+            self._close()
+
+    def add(self, rows: list[dict[str, Any]]):
+        """Add rows; when this returns, they are on the disk. Raises OSError where that is full."""
+        if not rows:
+            return
+        if not self._file:
+            self._file = open(self.journal, "ab", buffering=0)  # noqa: SIM115
+            self._put(self._file, _line({"sweep": self.identity}))
+            _sync_folder(self.folder)
+        self._put(self._file, b"".join(map(_line, rows)))
+        self.done[[row["run"] for row in rows]] = True
+        self.failed += sum(row.get("error") is not None for row in rows)
+        if monotonic() - self._moved > max(PAUSE, SHARE * self._took):
+            self.move()
+
+    def move(self):
+        """Move the rows of the journal into the table."""
+        began = monotonic()
+        if rows := self._journalled():
+            new = _as_table(rows, pq.read_schema(self.path), self.axes)
+            old = pq.read_table(self.path)
+            old = old.filter(pc.invert(pc.is_in(old["run"], new["run"])))
+            self._write(pa.concat_tables([old, new], promote_options="default").sort_by("run"))
+        self._close()
+        self.journal.unlink(missing_ok=True)
+        self._moved = monotonic()
+        self._took = monotonic() - began
+
+    def _put(self, file, content):
+        try:
+            while content:
+                content = content[file.write(content) :]
+            os.fsync(file.fileno())
+        except OSError as error:
+            raise OSError(error.errno, error.strerror, str(self.journal)) from None
+
+    def _close(self):
+        if self._file:
+            self._file.close()
+        self._file = None
+
+    def _journalled(self):
+        """The rows of the journal, the last of each run, in order of their numbers."""
+        if not self.journal.exists():
+            return []
+        with open(self.journal, "rb") as lines:
+            records = [record for line in lines if (record := _record(line)) is not None]
+        if any(record["sweep"] != self.identity for record in records if "sweep" in record):
+            raise InputError(
+                f"{self.journal}: rows of another sweep: give this one another name, or remove it"
+            )
+        rows = {record["run"]: record for record in records if "run" in record}
+        return [rows[run] for run in sorted(rows)]
+
+    def _write(self, table):
+        names = [*FIRST[:1], *self.axes, *FIRST[1:]]
+        rest = sorted(
+            set(table.column_names) - set(names),
+            key=lambda name: (name.startswith("seconds_"), name),
+        )
+        table = table.select([name for name in [*names, *rest] if name in table.column_names])
+        table = table.replace_schema_metadata({KEY: json.dumps(self.identity)})
+        with whole(self.path) as temporary:
+            pq.write_table(table, temporary, compression="zstd")
+            with open(temporary, "rb+") as written:
+                os.fsync(written.fileno())
+        _sync_folder(self.folder)
+
+
+def read_table(path: str | Path) -> tuple[pa.Table, dict]:
+    """Return a table and what its sweep was. Raises InputError where the file is no table of a
+    sweep."""
+    if not Path(path).is_file():
+        raise InputError(f"{path}: no such file")
+    try:
+        table = pq.read_table(path)
+        return table, json.loads(table.schema.metadata[KEY])
+    except (OSError, pa.ArrowInvalid) as error:
+        raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
+    except (KeyError, TypeError):
+        raise InputError(f"{path}: not the table of a sweep") from None
+
+
+def _as_table(rows, known, axes):
+    names = dict.fromkeys(name for row in rows for name in row)
+    return pa.table(
+        {
+            name: _column(name, [row.get(name) for row in rows], known, name in axes)
+            for name in names
+        }
+    )
+
+
+def _column(name, values, known, axis):
+    """One column; of what was found, a number that is not finite is none."""
+    given = {type(value) for value in values if value is not None}
+    if name == "run":
+        return pa.array(values, pa.int64())
+    if given <= {bool}:
+        boolean = given or name.endswith("_holds")  # null where a finding is undecided or absent
+        return pa.array(values, pa.bool_() if boolean else _known(known, name))
+    if given <= {int, float}:
+        numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
+        return pa.array([v if v is None else float(v) for v in numbers], pa.float64())
+    return pa.array(
+        [v if v is None or isinstance(v, str) else json.dumps(v) for v in values], pa.string()
+    )
+
+
+def _known(schema, name):
+    return schema.field(name).type if name in schema.names else pa.null()
+
+
+def _line(record):
+    content = json.dumps(record).encode()
+    return b"%08x %s\n" % (crc32(content), content)
+
+
+def _record(line):
+    checksum, _, content = line.rstrip(b"\n").partition(b" ")
+    return (
+        json.loads(content)
+        if checksum == b"%08x" % crc32(content) and line.endswith(b"\n")
+        else None
+    )
+
+
+def _sync_folder(folder):
+    """Put the names in a folder onto the disk; Windows does that by itself, and opens no folder."""
+    if os.name == "posix":
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)

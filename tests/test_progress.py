@@ -1,0 +1,100 @@
+"""Claim: the percentage of a running stage is the part that is done, never 100 % before the end.
+
+Source: the README's command line. Oracle: the duration of motions solved to their end; arithmetic.
+"""
+
+import numpy as np
+import pytest
+
+from dynamics.progress import MotionProgress
+from modal import eigenmodes
+from modal.progress import portion, report, watched
+from sonify import load_scene
+from sonify.console import Console
+from sonify.plan.preflight import solve_motion
+from sonify.runtime.progress import StageProgress
+
+
+def shares(scene, motion, times):
+    progress = MotionProgress(scene)
+    inclinations = motion.at(times)[:, 1]
+    return [progress.share(*place) for place in zip(times, inclinations, strict=True)]
+
+
+@pytest.mark.parametrize("name", ["published", "thorne", "moffatt"])
+def test_the_share_of_a_motion_is_that_of_its_duration(name):
+    """Friction alone, a film of air, another law; the transient at first is not predicted."""
+    scene = load_scene(name).replace("numerics.accuracy=draft")
+    motion = solve_motion(scene)
+    true = np.linspace(0, 1, 201)[:-1]
+    told = np.array(shares(scene, motion, true * motion.t[-1]))
+    assert (np.diff(told) >= 0).all()
+    assert told.max() < 1
+    assert np.abs(told - true).max() < 0.17
+    assert np.abs(told - true)[true > 0.8].max() < 0.03
+    assert (told - true).max() < 0.02
+
+
+def test_a_motion_without_loss_ends_at_its_time_limit():
+    friction = "friction={mu_static=inf, mu_dynamic=inf}"
+    scene = load_scene("published").replace(friction, "numerics.time_limit=4", "air.film=none")
+    progress = MotionProgress(scene)
+    assert [progress.share(t, 0.4) for t in (1.0, 3.0, 2.0, 4.0)] == [0.25, 0.75, 0.75, 0.999]
+
+
+def test_a_disk_too_steep_for_a_steady_motion_has_its_time_limit():
+    scene = load_scene("published").replace("numerics.time_limit=8", "air.film=none")
+    assert MotionProgress(scene).share(2.0, 1.5) == 0.25
+
+
+@pytest.mark.parametrize("support", ["patch", "free"])
+def test_modes_report_every_step_up_to_the_last(scene, support):
+    told = []
+    with watched(told.append):
+        eigenmodes(scene.replace(f"support={{kind='{support}'}}", "numerics.accuracy=draft"))
+    assert told[-1] == pytest.approx(1)
+    assert len({round(share, 2) for share in told}) >= 5
+    assert (np.diff(told) >= 0).all()
+
+
+def test_a_portion_of_the_work_counts_as_that():
+    told = []
+    with watched(told.append):
+        with portion(0.5, 1.0), portion(0.0, 0.5):
+            report(0.5)
+        report(1.0)
+    assert told == [0.625, 0.75, 1.0, 1.0]
+
+
+def test_the_time_left_follows_from_the_speed_of_the_last_half_minute():
+    stage = StageProgress("motion", 100.0)
+    assert stage.line(112.0) == "motion for 12 s"
+    stage.report(100.0, 0.0)
+    assert stage.line(101.0) == "motion 0 %"
+    stage.report(110.0, 0.25, "t = 1 s")
+    assert stage.line(110.0) == "motion 25 %, about 30 s left, t = 1 s"
+    for second in range(111, 171):  # a sixth of a percent a second from now on
+        stage.report(second, 0.25 + (second - 110) / 600)
+    assert stage.line(170.0) == "motion 35 %, about 6.5 min left"
+    stage.report(171.0, 0.2)
+    stage.report(172.0, 1.0)
+    assert stage.line(172.0) == "motion 99 %, about 1 s left"
+
+
+def test_outside_a_terminal_updates_print_no_line_each(capsys):
+    with Console(interval=1e6) as stages, stages.stage("motion") as watch:
+        for k in range(1000):
+            watch(k / 1000)
+        assert stages.progress_line().startswith("motion 99 %")
+    written = capsys.readouterr()
+    assert written.out == ""
+    assert [line.split()[0] for line in written.err.splitlines()] == ["motion"]
+
+
+def test_outside_a_terminal_one_line_at_a_time_tells_all_stages(capsys):
+    with Console(interval=0.01) as stages, stages.stage("motion") as watch, stages.stage("modes"):
+        watch(0.5, "half")
+        written = ""
+        while "\n" not in written:
+            written += capsys.readouterr().err
+    assert written.splitlines()[0].startswith("motion 50 %, half; modes for ")

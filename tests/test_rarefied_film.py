@@ -1,0 +1,86 @@
+"""Claim: a film that is no continuum is told, bounded in time, and refused where there is none.
+
+Source: Fukui & Kaneko (1990), J. Tribol. 112, 78: flow between parallel plates by Boltzmann's
+equation; Maxwell's slip. Oracle: their flow over that of slip; the ideal gas's mean free path, 0.66
+mm at 10 Pa."""
+
+import numpy as np
+import pytest
+
+from dynamics import Outcome, simulate
+from dynamics.film.activation import (
+    MAX_KNUDSEN,
+    decide_film,
+    final_inclination,
+    rarefied_inclination,
+)
+from sonify import SceneError
+from sonify.plan.air import beyond_the_film
+from sonify.plan.preflight import solvable
+
+
+@pytest.fixture(scope="module")
+def rare(scene):
+    return scene.replace("numerics.accuracy=draft", "air.film=auto", "air.pressure=10.0")
+
+
+def kinetic_flow(knudsen):
+    """Flow between plates by kinetic theory, over D = sqrt(pi)/(2 Kn) of the gap, as Fukui & Kaneko
+    fitted it."""
+    D = np.sqrt(np.pi) / (2 * knudsen)
+    if D >= 5:
+        return D / 6 + 1.0162 + 1.0653 / D - 2.1354 / D**2
+    if D >= 0.15:
+        return 0.13852 * D + 1.25087 + 0.15653 / D - 0.00969 / D**2
+    return -2.22919 * D + 2.10673 + 0.01653 / D - 0.0000694 / D**2
+
+
+@pytest.mark.parametrize(
+    ("knudsen", "more"), [(1 / 60, 1.01), (0.1, 1.09), (1.0, 1.49), (88.6, 3.42)]
+)
+def test_how_much_more_air_passes_than_slip_lets_through(knudsen, more):
+    """Slip: D/6 (1 + 6 Kn). What the plan says at 10 and 1 mean free paths, and at the end of a
+    motion."""
+    slip = np.sqrt(np.pi) / (2 * knudsen) / 6 * (1 + 6 * knudsen)
+    assert kinetic_flow(knudsen) / slip == pytest.approx(more, abs=0.01)
+
+
+def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
+    """Below, the film that closes is ever stiffer, and the disk never flat: it took minutes, and
+    told nothing."""
+    assert rare.air.mean_free_path == pytest.approx(0.66e-3, rel=0.01)
+    motion = simulate(rare)
+    gap = rare.disk.radius * np.sin(motion.state[-1, 1])
+    assert motion.outcome is Outcome.SETTLED
+    assert gap * MAX_KNUDSEN == pytest.approx(rare.air.mean_free_path, rel=1e-9)
+    assert len(motion.t) < 50_000
+    told = " ".join(beyond_the_film(rare, motion))
+    assert "6.6e-06 m" in told  # the gap at which it ends
+    assert "less than 1 mean free paths of the air, 0.00066 m" in told
+
+
+def test_in_air_of_one_atmosphere_the_end_is_as_before(scene):
+    acts = scene.replace("air.film=acts")
+    assert rarefied_inclination(acts.disk, acts.air, MAX_KNUDSEN) < 2e-8
+    assert final_inclination(acts) == max(
+        acts.numerics.stopping_inclination(acts.disk),
+        rarefied_inclination(acts.disk, acts.air, MAX_KNUDSEN),
+    )
+    assert final_inclination(scene.replace("air.film=none")) == scene.numerics.stopping_inclination(
+        scene.disk
+    )
+
+
+def test_molecules_that_fly_further_than_the_gap_are_no_film(rare):
+    """At the release the mean gap is 20 mm; a mean free path as long needs 10 Pa 0.66/20 = 0.33
+    Pa."""
+    thin = rare.replace("air.pressure=0.3")
+    found = decide_film(thin)
+    assert found.film is None
+    assert "must be at least 0.326" in found.reason
+    with pytest.raises(
+        SceneError, match=r"air.pressure = 0.3: must be at least 0.326 for a film"
+    ) as refused:
+        solvable(thin.replace("air.film=acts"), None)
+    assert "\n" not in str(refused.value)
+    assert decide_film(thin.replace("air.pressure=0.34", "air.film=acts")).film is not None
