@@ -9,6 +9,7 @@ from .motion import Motion as Motion
 from .motion import Outcome as Outcome
 from .motion import Transition as Transition
 from .rigid_motion import RigidMotion as RigidMotion
+from .sections import MotionScene as MotionScene
 from .simulation import simulate as simulate
 from .solver_settings import Numerics as Numerics
 from .surface import InfiniteSurface as InfiniteSurface

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dynamics.disk import Disk, Friction, Release
-from dynamics.solver_settings import Numerics
+from dynamics.disk import Disk
 
 if TYPE_CHECKING:
     from dynamics.film.wedge import Film
@@ -94,19 +93,6 @@ class MotionPart(NamedTuple):
 
     begin: float
     motion: "Motion"
-
-
-class MotionScene(Protocol):
-    """The sections of a scene that `simulate` needs; dissipation, surface and air are optional."""
-
-    @property
-    def disk(self) -> Disk: ...
-    @property
-    def friction(self) -> Friction: ...
-    @property
-    def release(self) -> Release: ...
-    @property
-    def numerics(self) -> Numerics: ...
 
 
 @runtime_checkable

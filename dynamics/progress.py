@@ -4,8 +4,8 @@ from math import inf
 
 from dynamics.equations import law_of
 from dynamics.film.activation import non_contact_loads
-from dynamics.motion import MotionScene
 from dynamics.quasi_steady import decline_time
+from dynamics.sections import MotionScene
 
 
 class MotionProgress:

@@ -14,13 +14,13 @@ from dynamics.dissipation import OwnLaw
 from dynamics.equations import law_of
 from dynamics.film.activation import final_inclination, non_contact_loads
 from dynamics.hybrid import CASCADE, STALLED, StalledError, drive
-from dynamics.motion import Motion, MotionScene, Outcome, Transition, read_only
+from dynamics.motion import Motion, Outcome, Transition, read_only
 from dynamics.piecewise_polynomial import Pieces
 from dynamics.regime import FLOAT, V1, V2, W1, W3, R, Regime
 from dynamics.rigid_motion import RigidMotion
 from dynamics.rolling import RollingDisk, released
+from dynamics.sections import MotionScene
 from dynamics.solver_settings import integrator_of
-from dynamics.surface import table_action
 from dynamics.switching import ImpossibleContactError
 
 OUTCOMES = {
@@ -102,12 +102,12 @@ def simulate(
     >>> f"{motion.t_end:.2f} s"
     '19.38 s'
     """
-    if table_action(scene) == "sound":
+    if scene.surface.action == "sound":
         return _with_given_table(scene, watch, loads, None)
     from dynamics.compliant.two_way_onset import table_modes, table_reaction
 
     modes = table_modes(scene, surface_modes)
-    if modes is None or table_action(scene) == "motion":
+    if modes is None or scene.surface.action == "motion":
         return _with_given_table(scene, watch, loads, modes)
     found = table_reaction(scene, modes)
     if not found.acts:
@@ -226,8 +226,7 @@ def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> No
 
 def is_compliant(scene: MotionScene) -> bool:
     """Return True if the scene has an elastic contact that is solved in full."""
-    contact = getattr(scene, "contact", None)
-    if contact is None or contact.law == "rigid":
+    if scene.contact.law == "rigid":
         return False
     from dynamics.compliant.model_selection import choose_contact_model
 

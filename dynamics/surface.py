@@ -5,7 +5,7 @@ disk is above the origin, or above `place` if given. [ ] holds the unit of each 
 """
 
 from dataclasses import dataclass
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from annotated_types import Ge, Gt, Le, Len, Lt
 
@@ -34,6 +34,7 @@ class Surface:
 
     kind: Literal["rigid"] = "rigid"
     """Kind of table: rigid, a round plate, a list of modes, an infinite plate, or a mesh."""
+    action: ClassVar[Action] = "sound"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -193,8 +194,3 @@ class MeshSurface:
 
 AnySurface = Surface | PlateSurface | ModesSurface | InfiniteSurface | MeshSurface
 """Any kind of table; `kind` is the discriminator."""
-
-
-def table_action(scene) -> Action:
-    """Return `surface.action` of a scene; "sound" if the scene has no table or a rigid one."""
-    return getattr(getattr(scene, "surface", None), "action", "sound")

@@ -5,7 +5,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from types import SimpleNamespace
 
 from dynamics.compliant.two_way_onset import takes_modes
 from dynamics.progress import MotionProgress
@@ -22,6 +21,7 @@ from sonify.claims.sound import all_verdicts, hear
 from sonify.claims.table import table_findings
 from sonify.claims.two_way import motion_findings as halt_findings
 from sonify.plan.air import beyond_the_film, with_air
+from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import Plan, with_end
 from sonify.plan.predictions import SOUND
 from sonify.plan.preflight import planned, solvable, solve_motion
@@ -31,7 +31,7 @@ from sonify.report.pictures import Pictures
 from sonify.report.render_worker import painter
 from sonify.report.replaced import replaced_results
 from sonify.report.write import run_record, told_by_the_page, write_record
-from sonify.result import Result
+from sonify.result import Result, SolvedMotion
 from sonify.runtime.files import claimed
 from sonify.runtime.progress import Stages, beside
 from sonify.scene import Scene
@@ -77,17 +77,14 @@ def solve(
 
         motion = solve_motion(scene, show, elastic.result()[2] if takes_modes(scene) else None)
         plan, modes, table = elastic.result()
-    begin(SimpleNamespace(scene=scene, plan=plan, modes=modes, table=table, motion=motion))
+    solved = SolvedMotion(scene=scene, plan=plan, modes=modes, table=table, motion=motion)
+    begin(solved)
     halt = beside(
         halt_findings, scene, motion
     )  # solves the end of a motion on a table that acts back anew
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
-    begin(
-        SimpleNamespace(
-            scene=scene, plan=plan, modes=modes, table=table, motion=motion, sound=sound
-        )
-    )
+    begin(replace(solved, sound=sound))
     with stages.stage("findings"):
         hearing = beside(hear, sound)
         checks = all_checks(scene, motion, modes, sound)
@@ -187,14 +184,10 @@ def run(
 
 
 def _known_modes(scene: Scene, below: float) -> Modes:
-    """`eigenmodes`; but for a disk on its contact, they are the same whatever friction, release and
-    air are."""
-    if scene.support.kind == "contact":
-        return painter().call(eigenmodes, scene, below=below)
-    return _modes(scene.disk, scene.material, scene.support, scene.numerics, below)
+    """Return the modes of the disk of a scene, solved once for scenes with the same disk."""
+    return _modes_of(body_scene(scene), below)
 
 
 @lru_cache(MOST_KEPT)
-def _modes(disk, material, support, numerics, below):
-    sections = SimpleNamespace(disk=disk, material=material, support=support, numerics=numerics)
-    return painter().call(eigenmodes, sections, below=below)
+def _modes_of(body: BodyScene, below: float) -> Modes:
+    return painter().call(eigenmodes, body, below=below)

@@ -18,6 +18,18 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
+class SolvedMotion:
+    """What a run knows once the motion is solved, and later its sound."""
+
+    scene: Scene
+    plan: Plan
+    motion: Motion
+    modes: Modes
+    table: SurfaceModes | None = None
+    sound: Sound | None = None
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
 class Result:
     """What a run found, `seconds` by stage. Its files are in `out`, where they have been written.
 

@@ -7,16 +7,13 @@ from dataclasses import asdict, dataclass, field
 from functools import cache, cached_property
 from math import hypot, inf, isfinite
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, ClassVar
 
 from annotated_types import Ge, Gt, Le, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from dynamics.air import Air, dry_air_density
-from dynamics.compliant.law.sections import Contact, Imperfection, Roughness
-from dynamics.disk import Disk, Friction, Release
-from dynamics.dissipation import Dissipation
-from dynamics.solver_settings import Numerics
+from dynamics.air import dry_air_density
+from dynamics.sections import MotionScene
 from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.modes import Material, Support
 from sonify.runtime.toml_files import named, read, shipped
@@ -66,7 +63,7 @@ class Audio:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Scene:
+class Scene(MotionScene):
     """Everything a run depends on. A section that is not given has its defaults; SI units unless a
     key says `_deg`."""
 
@@ -74,19 +71,11 @@ class Scene:
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")] = "scene"
     """Name of the scene, and of the folder that it is written into."""
-    disk: Disk
     material: Material
-    friction: Friction
-    release: Release
     support: Support = field(default_factory=Support)
     surface: Annotated[AnySurface, Field(discriminator="kind")] = field(default_factory=Surface)
-    dissipation: Dissipation = field(default_factory=Dissipation)
-    contact: Contact = field(default_factory=Contact)
-    roughness: Roughness | None = None
-    imperfection: Imperfection | None = None
-    air: Air = field(default_factory=Air)
     audio: Audio = field(default_factory=Audio)
-    numerics: Numerics = field(default_factory=Numerics)
+    _document: ClassVar[dict | None] = None
 
     def __post_init__(self):
         distances = {"audio": self.audio.distance}
@@ -128,7 +117,7 @@ class Scene:
     def document(self) -> dict:
         """The TOML document that this scene came from, or would come from, as nested plain values
         (a copy)."""
-        return deepcopy(self._document) if hasattr(self, "_document") else _document(asdict(self))
+        return deepcopy(self._document) if self._document else _document(asdict(self))
 
     @cached_property
     def edge(self) -> Any:

@@ -510,16 +510,14 @@ def compliant_model(scene, modes=None) -> CompliantModel:
     """Return the model of a scene, with two-way coupling to the modes of its table where they are
     given.
     """
-    dissipation = getattr(scene, "dissipation", None)
+    dissipation = scene.dissipation
     disk = scene.disk
     bends = modes is not None  # the modes of the disk then move
     return CompliantModel(
         table=law_table(scene, SeriesLawTable, moves=MAX_MOVING_FREQUENCY * bends),
         friction=scene.friction,
-        powers=tuple(power_laws(dissipation, disk)) if dissipation else (),
-        viscous=(dissipation.viscous_moment, dissipation.viscous_force)
-        if dissipation
-        else (0.0, 0.0),
+        powers=tuple(power_laws(dissipation, disk)),
+        viscous=(dissipation.viscous_moment, dissipation.viscous_force),
         profiles=profiles(scene.roughness, disk.radius),
         film=decide_film(scene).film,
         fitted=scene.roughness is not None and scene.roughness.loss == "fitted",
@@ -530,7 +528,7 @@ def compliant_model(scene, modes=None) -> CompliantModel:
         )
         if bends
         else NO_RIM_MODES,
-        imperfection=getattr(scene, "imperfection", None),
+        imperfection=scene.imperfection,
         rate=step_rate(scene),
     )
 

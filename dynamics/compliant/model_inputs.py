@@ -14,7 +14,6 @@ from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.sections import require_resolved_waves
 from dynamics.compliant.law.tabulated import LawTable
 from dynamics.film.activation import final_inclination
-from dynamics.surface import table_action
 
 
 def contact_law(scene) -> ContactLaw:
@@ -36,7 +35,7 @@ def law_table(scene, kind: type[LawTable] = LawTable, moves: float = 0.0) -> Law
 
 def edge_of(scene):
     """Return the `Edge` of the disk of a scene if the disk is elastic, else None."""
-    return getattr(scene, "edge", None) if scene.contact.body == "elastic" else None
+    return scene.edge if scene.contact.body == "elastic" else None
 
 
 @lru_cache(maxsize=16)
@@ -51,7 +50,7 @@ def last_inclination(scene) -> float:
 
 def is_two_way(scene) -> bool:
     """Return True if the scene asks for a table that moves with the disk (default: False)."""
-    return table_action(scene) == "motion"
+    return scene.surface.action == "motion"
 
 
 def step_rate(scene) -> float:
@@ -69,7 +68,7 @@ def min_step_rate(scene) -> float:
 
     On a table that moves or is wavy the disk passes through all inclinations before it rests.
     """
-    moves = is_two_way(scene) or getattr(scene, "imperfection", None)
+    moves = is_two_way(scene) or scene.imperfection
     least = LEAST_INCLINATION if moves else last_inclination(scene)
     return float(required_step_rate(contact_law(scene), np.array([least]))[0])
 

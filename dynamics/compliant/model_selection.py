@@ -53,7 +53,7 @@ def choose_contact_model(scene) -> ModelChoice:
     """Return the contact model of a scene: `numerics.contact`, or the choice for 'auto'."""
     if is_two_way(scene):
         return ModelChoice("full", "surface.action = 'motion': the table moves with the disk")
-    if getattr(scene, "imperfection", None):
+    if scene.imperfection:
         return ModelChoice("full", "imperfection: the rim follows the waves of the table")
     if scene.contact.law == "rigid":
         return ModelChoice("rigid", "contact.law = 'rigid'")

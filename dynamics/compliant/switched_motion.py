@@ -3,9 +3,8 @@ matters.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
-from types import SimpleNamespace
 
 import numpy as np
 
@@ -23,16 +22,25 @@ from dynamics.motion import (
     Transition,
     read_only,
 )
+from dynamics.sections import MotionScene
 
 
-class ChangedScene:
-    """A scene with some sections replaced."""
+@dataclass(frozen=True, kw_only=True)
+class ScenePart(MotionScene):
+    """A part of the motion of the scene `whole`, with sections of its own."""
 
-    def __init__(self, scene, **sections):
-        self.__dict__.update(sections, _scene=scene)
+    whole: MotionScene
 
-    def __getattr__(self, name):
-        return getattr(self._scene, name)
+    @property
+    def edge(self):
+        """The compliance of the disk at its edge, which is that of the whole scene."""
+        return self.whole.edge
+
+
+def scene_part(scene: MotionScene, **sections) -> ScenePart:
+    """Return a part of a scene with some sections replaced."""
+    kept = {section.name: vars(scene)[section.name] for section in fields(MotionScene)}
+    return ScenePart(whole=scene, **(kept | sections))
 
 
 def solve_switched(scene, inclination: float, alone: Callable, watch, modes) -> Motion:
@@ -43,18 +51,18 @@ def solve_switched(scene, inclination: float, alone: Callable, watch, modes) -> 
     elastic at the switch.
     """
     short = replace(scene.numerics, final_inclination=inclination)
-    first = alone(ChangedScene(scene, numerics=short))
+    first = alone(scene_part(scene, numerics=short))
     if first.outcome is not Outcome.SETTLED:
         return first
     t = float(first.t[-1])
     left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
     yields = replace(scene.contact, law="elastic")
-    parts = ChangedScene(
+    parts = scene_part(
         scene,
         numerics=left,
         contact=yields,
         roughness=None,  # no effect on a rigid contact; a rough elastic contact does not switch
-        surface=SimpleNamespace(action="motion"),
+        surface=replace(scene.surface, action="motion"),
     )
     state, force = first.at_and_force(t)
     held = float(first.energy(t)[0])

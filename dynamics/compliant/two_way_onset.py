@@ -12,7 +12,7 @@ from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from dynamics.dissipation import resistance
 from dynamics.equations import law_of
 from dynamics.quasi_steady import steady_power
-from dynamics.surface import ACTS, ModesSurface, table_action
+from dynamics.surface import ACTS, ModesSurface
 
 INCLINATION_COUNT = 200
 """Inclinations at which the reaction of the table is evaluated."""
@@ -63,7 +63,7 @@ def table_reaction(scene, modes) -> TableReaction:
 
 def may_be_two_way(scene: Any) -> bool:
     """Return True if the motion of a scene is solved with the modes of its table."""
-    action = table_action(scene)
+    action = scene.surface.action
     return action == "motion" or (action == "auto" and not why_not_two_way(scene))
 
 
@@ -83,7 +83,7 @@ def table_modes(scene, given=None):
     """
     if not may_be_two_way(scene):
         return None
-    if table_action(scene) == "motion" and (why := why_not_two_way(scene) or why_not_full(scene)):
+    if scene.surface.action == "motion" and (why := why_not_two_way(scene) or why_not_full(scene)):
         raise ValueError(f"surface.action = 'motion' with {why}")
     if given is not None:
         return given
@@ -146,7 +146,7 @@ def reaction_shares(scene, modes):
     """
     disk = scene.disk
     law = law_of(scene.disk, scene.friction)
-    loads = resistance(getattr(scene, "dissipation", None), disk)
+    loads = resistance(scene.dissipation, disk)
     beta = np.geomspace(
         min(radians(scene.release.inclination_deg), 0.3),
         FLAT_INCLINATION,

@@ -53,11 +53,11 @@ def decide_film(scene) -> FilmDecision:
     """Decide whether the air film acts in a scene. Raises ValueError if it is requested but
     impossible.
     """
-    air = getattr(scene, "air", None)
-    if air is None or air.film == "none":
+    air = scene.air
+    if air.film == "none":
         return FilmDecision(None, "air.film = 'none'")
     disk = scene.disk
-    dissipation = getattr(scene, "dissipation", None)
+    dissipation = scene.dissipation
     numerics = scene.numerics
     if air.film == "auto" and (why := _known_without(disk, air, dissipation)):
         return FilmDecision(None, why)
@@ -121,7 +121,7 @@ def non_contact_loads(scene, own: OwnLaw | None = None):
     dissipation or an `own` law.
     """
     return together(
-        own or resistance(getattr(scene, "dissipation", None), scene.disk),
+        own or resistance(scene.dissipation, scene.disk),
         decide_film(scene).film,
     )
 

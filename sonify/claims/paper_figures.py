@@ -26,7 +26,7 @@ SHOWN = (
 def of_the_paper(scene: Scene) -> bool:
     """Return whether a scene is that of (7.1), (7.3), (7.4)."""
     paper = load_scene("published")
-    return all(getattr(scene, name) == getattr(paper, name) for name in SECTIONS)
+    return all(vars(scene)[name] == vars(paper)[name] for name in SECTIONS)
 
 
 def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:

@@ -15,7 +15,6 @@ from dynamics.compliant.two_way_onset import (
     why_not_full,
     why_not_two_way,
 )
-from dynamics.surface import table_action
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan.plan import ENERGY_SHARE, Decision, Plan, counted
 from sonify.plan.predictions import END, SOUND
@@ -29,7 +28,7 @@ BENT = 0.5
 def check_table(scene: Scene):
     """Raise SceneError, before any work, where the table cannot be solved."""
     surface = scene.surface
-    if table_action(scene) == "motion":
+    if scene.surface.action == "motion":
         what = "surface.action = 'motion'"
         instead = why_not_two_way(scene) or why_not_full(scene)
     else:
@@ -115,7 +114,7 @@ def action(scene: Scene, modes: SurfaceModes) -> Decision:
     """Return whether the table acts back, and from when on."""
     chosen = SOUNDS
     reason = "surface.action = 'sound'"
-    asked = table_action(scene)
+    asked = scene.surface.action
     if asked == "motion":
         chosen = "it moves with the disk, and sounds"
         reason = "surface.action = 'motion': the contact is at the least gap between rim and deflected table, and the "
@@ -139,7 +138,9 @@ def heard(modes: SurfaceModes, scene: Scene) -> np.ndarray:
 def bending(modes: SurfaceModes, scene: Scene) -> list[str]:
     """Return what linear theory leaves out where the weight of the disk bends a plate by BENT of
     its thickness."""
-    thickness = getattr(scene.surface, "thickness", np.inf)
+    if scene.surface.kind not in ("plate", "infinite"):
+        return []
+    thickness = scene.surface.thickness
     deflection = modes.compliance() * scene.disk.weight
     if deflection < BENT * thickness:
         return []

@@ -7,7 +7,6 @@ from typing import Any, NamedTuple
 
 from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.compliant.two_way_onset import may_be_two_way
-from dynamics.surface import table_action
 from sonify.scene import Scene
 
 
@@ -76,7 +75,7 @@ RULES = (
     Rule(("numerics.integrator", "numerics.tolerance"), is_solved_in_full),
     Rule(
         ("numerics.final_inclination",),
-        lambda scene: table_action(scene) == "motion" or scene.imperfection is not None,
+        lambda scene: scene.surface.action == "motion" or scene.imperfection is not None,
     ),
     Rule(("numerics.contact",), lambda scene: scene.contact.law == "rigid"),
     Rule(

@@ -31,7 +31,7 @@ from sonify.sound.radiation import listener_of
 if TYPE_CHECKING:
     from PIL.Image import Image
 
-    from sonify.result import Result
+    from sonify.result import Result, SolvedMotion
 
 
 NEAREST = 1e-4
@@ -48,15 +48,16 @@ class Pictures:
         self._futures: dict[str, Future] = {}
         self._parts = {"colours": painter().draw("sound", "draw_colours", dict)}
 
-    def begin(self, found: Any):
-        """Have those drawn that can be: `found` has scene, plan, modes, motion and later sound, as
-        a Result has."""
+    def begin(self, found: "SolvedMotion | Result"):
+        """Start to draw the pictures whose content is known."""
+        known = ("motion",) if found.sound is None else ("motion", "sound")
         for name, (needs, *_) in PICTURES.items():
-            if hasattr(found, needs) and name not in self._futures and not _left_out(name, found):
+            if needs in known and name not in self._futures and not _left_out(name, found):
                 self._futures[name] = _begun(name, found)
-        for name, part in (("motion", _instants), ("sound", _sounds)):
-            if hasattr(found, name) and name not in self._parts:
-                self._parts[name] = beside(part, getattr(found, name))
+        if "motion" not in self._parts:
+            self._parts["motion"] = beside(_instants, found.motion)
+        if found.sound is not None and "sound" not in self._parts:
+            self._parts["sound"] = beside(_sounds, found.sound)
 
     def parts(self) -> dict[str, Any]:
         """Return the `parts` of the page_data of a result for which this has begun."""

@@ -1,8 +1,7 @@
 """DOCUMENT -> ROW: one run of a sweep, with no more stages than its question needs."""
 
-from collections import deque
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +10,7 @@ from modal import Modes, as_json, eigenmodes
 from sonify.claims.air import air_scalars
 from sonify.claims.checks import mode_checks, motion_checks
 from sonify.pipeline import solve, write
+from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import planned, solvable, solve_motion
 from sonify.plan.table import with_table
@@ -20,35 +20,17 @@ from sonify.scene import Scene, from_document
 from sonify.sound.wav import write_sound
 from sonify.sweeps.required_stages import found_by
 
-KNOWN: deque = deque(maxlen=4)
-"""What this process has last solved of modes: the sections that they read, what else was asked, and
-the modes."""
-
-
-@dataclass(frozen=True)
-class Read:
-    """A scene that notes which of its sections are read."""
-
-    scene: Scene
-    sections: dict[str, Any] = field(default_factory=dict)
-
-    def __getattr__(self, name):
-        self.sections[name] = getattr(self.scene, name)
-        return self.sections[name]
+MAX_CACHED_MODES = 4
 
 
 def remembered(scene: Scene, **asked) -> Modes:
-    """Return the `eigenmodes` of a scene, solved once for scenes that are equal in all that they
-    read of them."""
-    for sections, other, modes in tuple(KNOWN):
-        if asked == other and all(
-            getattr(scene, name) == value for name, value in sections.items()
-        ):
-            return modes
-    reading = Read(scene)
-    modes = eigenmodes(reading, **asked)
-    KNOWN.append((reading.sections, asked, modes))
-    return modes
+    """Return the `eigenmodes` of a scene, solved once for scenes with the same disk."""
+    return _modes_of(body_scene(scene), **asked)
+
+
+@lru_cache(maxsize=MAX_CACHED_MODES)
+def _modes_of(body: BodyScene, **asked) -> Modes:
+    return eigenmodes(body, **asked)
 
 
 def row_of(

@@ -1,0 +1,73 @@
+"""The sections of a scene that its motion depends on."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from dynamics.air import Air
+from dynamics.compliant.law.sections import Contact, Imperfection, Roughness
+from dynamics.disk import Disk, Friction, Release
+from dynamics.dissipation import Dissipation
+from dynamics.solver_settings import Numerics
+from dynamics.surface import AnySurface, Surface
+
+
+@dataclass(frozen=True, kw_only=True)
+class MotionScene:
+    """A disk, its release, and everything else that its motion depends on.
+
+    `sonify.Scene` extends it by the sections of the sound.
+
+    Attributes
+    ----------
+    disk : Disk
+        Size and mass of the disk.
+    material : object, optional
+        Elastic constants of the disk. A disk whose modes move with a vibrating table needs its
+        `loss_factor`.
+    friction : Friction
+        Friction at the contact.
+    release : Release
+        State at the release.
+    surface : AnySurface
+        The table.
+    dissipation : Dissipation
+        Resistance apart from friction.
+    contact : Contact
+        Law of the contact.
+    roughness : Roughness, optional
+        Roughness of table and edge; by default both are smooth.
+    imperfection : Imperfection, optional
+        Waves of table and edge; by default there are none.
+    air : Air
+        The air and its film under the disk.
+    numerics : Numerics
+        Accuracy and limits of the solution.
+
+    Examples
+    --------
+    >>> from dynamics import Disk, Friction, MotionScene, Release, simulate
+    >>> scene = MotionScene(
+    ...     disk=Disk(radius=0.0375, thickness=0.012, density=7850.0),
+    ...     friction=Friction(mu_static=0.3, mu_dynamic=0.2, arm_nutation=1e-6, arm_pivoting=1e-5),
+    ...     release=Release(inclination_deg=5.0, omega=(0.0, 0.0, 15.0)),
+    ... )
+    >>> scene.surface.kind
+    'rigid'
+    """
+
+    disk: Disk
+    material: Any = None
+    friction: Friction
+    release: Release
+    surface: AnySurface = field(default_factory=Surface)
+    dissipation: Dissipation = field(default_factory=Dissipation)
+    contact: Contact = field(default_factory=Contact)
+    roughness: Roughness | None = None
+    imperfection: Imperfection | None = None
+    air: Air = field(default_factory=Air)
+    numerics: Numerics = field(default_factory=Numerics)
+
+    @property
+    def edge(self) -> Any:
+        """The compliance of the disk as an elastic body at its edge; None if it is not known."""
+        return None

@@ -1,0 +1,38 @@
+"""The sections of a scene that the modes of its disk depend on."""
+
+from dataclasses import dataclass
+
+from dynamics.compliant.law.sections import Contact
+from dynamics.disk import Disk, Release
+from dynamics.solver_settings import Numerics
+from modal.modes import Material, Support
+from sonify.scene import Scene
+
+
+@dataclass(frozen=True, kw_only=True)
+class BodyScene:
+    """The sections that `modal.eigenmodes` reads; `contact` and `release` only of a disk on its
+    contact.
+
+    Two scenes with equal sections have the same modes, so it is the key of every cache of modes.
+    """
+
+    disk: Disk
+    material: Material
+    support: Support
+    numerics: Numerics
+    contact: Contact | None = None
+    release: Release | None = None
+
+
+def body_scene(scene: Scene) -> BodyScene:
+    """Return the sections of a scene that the modes of its disk depend on."""
+    on_contact = scene.support.kind == "contact"
+    return BodyScene(
+        disk=scene.disk,
+        material=scene.material,
+        support=scene.support,
+        numerics=scene.numerics,
+        contact=scene.contact if on_contact else None,
+        release=scene.release if on_contact else None,
+    )
