@@ -1,6 +1,6 @@
 """The sections of a scene that its motion depends on."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from typing import Any
 
 from dynamics.air import Air
@@ -39,7 +39,7 @@ class MotionScene:
     imperfection : Imperfection, optional
         Waves of table and edge; by default there are none.
     air : Air
-        The air and its film under the disk.
+        The air and its film under the disk; by default there is no film.
     numerics : Numerics
         Accuracy and limits of the solution.
 
@@ -64,10 +64,49 @@ class MotionScene:
     contact: Contact = field(default_factory=Contact)
     roughness: Roughness | None = None
     imperfection: Imperfection | None = None
-    air: Air = field(default_factory=Air)
+    air: Air = field(default_factory=lambda: Air(film="none"))
     numerics: Numerics = field(default_factory=Numerics)
 
     @property
     def edge(self) -> Any:
         """The compliance of the disk as an elastic body at its edge; None if it is not known."""
         return None
+
+    def part(self, **sections: Any) -> "MotionScene":
+        """Return the scene of a part of the motion.
+
+        Parameters
+        ----------
+        **sections
+            Sections that replace those of this scene. Contradictions between sections are not
+            checked.
+
+        Returns
+        -------
+        MotionScene
+            The scene of the part, with the body of this scene at its edge.
+        """
+        kept = {section.name: vars(self)[section.name] for section in fields(MotionScene)}
+        return _ScenePart(whole=self, **(kept | sections))
+
+
+def motion_scene(scene: Any) -> MotionScene:
+    """Return a MotionScene unchanged, and any other object with such attributes as a
+    MotionScene."""
+    if isinstance(scene, MotionScene):
+        return scene
+    given = vars(scene)
+    names = [section.name for section in fields(MotionScene) if section.name in given]
+    return MotionScene(**{name: given[name] for name in names})
+
+
+@dataclass(frozen=True, kw_only=True)
+class _ScenePart(MotionScene):
+    """A part of the motion of the scene `whole`."""
+
+    whole: MotionScene
+
+    @property
+    def edge(self) -> Any:
+        """The compliance of the disk at its edge, which is that of the whole scene."""
+        return self.whole.edge

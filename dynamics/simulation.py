@@ -19,7 +19,7 @@ from dynamics.piecewise_polynomial import Pieces
 from dynamics.regime import FLOAT, V1, V2, W1, W3, R, Regime
 from dynamics.rigid_motion import RigidMotion
 from dynamics.rolling import RollingDisk, released
-from dynamics.sections import MotionScene
+from dynamics.sections import MotionScene, motion_scene
 from dynamics.solver_settings import integrator_of
 from dynamics.switching import ImpossibleContactError
 
@@ -64,7 +64,8 @@ def simulate(
     Parameters
     ----------
     scene : MotionScene
-        The scene; it is not changed, and threads may share it.
+        The scene, or any object with some of its attributes; the sections that it lacks have
+        their defaults. It is not changed, and threads may share it.
     watch : callable, optional
         Progress callback `watch(t, inclination, doing)` [s, rad]. It is also called before the
         compiler runs, with a description in `doing`.
@@ -102,6 +103,7 @@ def simulate(
     >>> f"{motion.t_end:.2f} s"
     '19.38 s'
     """
+    scene = motion_scene(scene)
     if scene.surface.action == "sound":
         return _with_given_table(scene, watch, loads, None)
     from dynamics.compliant.two_way_onset import table_modes, table_reaction

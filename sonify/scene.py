@@ -12,7 +12,7 @@ from typing import Annotated, Any, ClassVar
 from annotated_types import Ge, Gt, Le, MaxLen
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from dynamics.air import dry_air_density
+from dynamics.air import Air, dry_air_density
 from dynamics.sections import MotionScene
 from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.modes import Material, Support
@@ -74,6 +74,7 @@ class Scene(MotionScene):
     material: Material
     support: Support = field(default_factory=Support)
     surface: Annotated[AnySurface, Field(discriminator="kind")] = field(default_factory=Surface)
+    air: Air = field(default_factory=Air)
     audio: Audio = field(default_factory=Audio)
     _document: ClassVar[dict | None] = None
 

@@ -8,6 +8,7 @@ Oracle: the import statements of every file, and the modules that a fresh interp
 import ast
 import inspect
 import pydoc
+import re
 import subprocess
 import sys
 import zipfile
@@ -67,6 +68,19 @@ def test_who_imports_whom(file):
         )
     if "matplotlib" in tops:
         assert file.relative_to(ROOT).parts[:2] in {("sonify", "report"), ("benchmarks", "charts")}
+
+
+def test_no_code_asks_what_kind_of_thing_it_has():
+    """A question with a default hides a misspelt name; a scene and a motion have every attribute."""
+    questions = re.compile(r"hasattr\(|getattr\((scene|motion)\b|SimpleNamespace|__dict__ \|=")
+    found = [
+        f"{file.relative_to(ROOT)}:{number}"
+        for package in ("dynamics", "modal", "sonify", "benchmarks")
+        for file in sorted((ROOT / package).rglob("*.py"))
+        for number, line in enumerate(file.read_text("utf-8").splitlines(), 1)
+        if questions.search(line)
+    ]
+    assert found == []
 
 
 def test_every_import_keeps_the_contracts():

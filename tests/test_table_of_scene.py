@@ -4,10 +4,12 @@ run.
 Source: the docstring of `dynamics.simulate`. Oracle: the same scene with the modes that
 `modal.surface_modes` finds; the run of the scene; the motion on a rigid table."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
-from dynamics import OwnLaw, simulate
+from dynamics import MotionScene, OwnLaw, simulate
 from dynamics.compliant.modes_from_scene import HIGHEST_TABLE_MODE, modes_from_numbers
 from dynamics.compliant.switched_motion import SwitchedMotion
 from modal import surface_modes
@@ -71,6 +73,15 @@ def test_modes_in_the_scene_are_those_of_modal(scene):
     theta = 0.4
     closed = np.array([3**-0.5, np.cos(2 * theta) / 4, np.sin(2 * theta) / 4])
     assert ours.at([r * np.cos(theta)], [r * np.sin(theta)])[0] == pytest.approx(closed, abs=1e-4)
+
+
+def test_a_scene_needs_no_more_sections_than_its_motion_reads(scene):
+    """The others have their defaults: a rigid contact, smooth, without a film."""
+    draft = scene.replace("numerics.accuracy=draft")
+    names = ("disk", "friction", "dissipation", "release", "surface", "numerics")
+    sections = {name: vars(draft)[name] for name in names}
+    assert same(simulate(MotionScene(**sections)), simulate(draft))
+    assert same(simulate(SimpleNamespace(**sections)), simulate(draft))
 
 
 @pytest.mark.parametrize("action", ["auto", "motion"])

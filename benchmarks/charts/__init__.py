@@ -22,9 +22,7 @@ CHARTS = {
         "Table mode under the disk: accuracy against speed",
         "relative distance from the closed form",
     ),
-    "campbell": Chart(
-        "Campbell diagram: a disk on one table mode", "relative error of the growth rate"
-    ),
+    "campbell": Chart("Campbell diagram: a disk on one table mode"),
     "end_to_end": Chart("From scene to sound: accuracy against speed"),
     "film": Chart("Air film: accuracy against speed", "relative error of the power"),
     "stability": Chart("Stability: where methods fail"),
@@ -34,6 +32,7 @@ CHARTS = {
 
 The module benchmarks.charts.<name>_chart defines PROBLEM, a description in Markdown; run(quick,
 watch) -> list[Record], which reports its progress by watch(fraction, note); and conclusion(records)
--> list[str], at most five sentences. It may define draw(records, title, path) if its picture is not
-error against seconds, and tables(records) for other tables than those of the methods. The files are
-<name>.csv, .png and .md; the command line writes "-" instead of "_". """
+-> list[str], at most five sentences. A chart without an error label also defines draw(records,
+title, path), since its picture is not error against seconds. It may define tables(records) for
+other tables than those of the methods. The files are <name>.csv, .png and .md; the command line
+writes "-" instead of "_". """

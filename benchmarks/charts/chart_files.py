@@ -36,9 +36,9 @@ def write_chart(
             records = module.run(quick, watch)
             description = environment()
         write_csv(records, table)
-    if hasattr(module, "draw"):
-        module.draw(records, chart.title, picture)
-    else:
+    if chart.error_label:
         draw(records, chart.title, chart.error_label, picture)
+    else:
+        module.draw(records, chart.title, picture)
     write_page(name, chart.title, module, records, description, page)
     return page

@@ -3,8 +3,9 @@ matters.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -22,28 +23,14 @@ from dynamics.motion import (
     Transition,
     read_only,
 )
-from dynamics.sections import MotionScene
+
+if TYPE_CHECKING:
+    from dynamics.sections import MotionScene
 
 
-@dataclass(frozen=True, kw_only=True)
-class ScenePart(MotionScene):
-    """A part of the motion of the scene `whole`, with sections of its own."""
-
-    whole: MotionScene
-
-    @property
-    def edge(self):
-        """The compliance of the disk at its edge, which is that of the whole scene."""
-        return self.whole.edge
-
-
-def scene_part(scene: MotionScene, **sections) -> ScenePart:
-    """Return a part of a scene with some sections replaced."""
-    kept = {section.name: vars(scene)[section.name] for section in fields(MotionScene)}
-    return ScenePart(whole=scene, **(kept | sections))
-
-
-def solve_switched(scene, inclination: float, alone: Callable, watch, modes) -> Motion:
+def solve_switched(
+    scene: "MotionScene", inclination: float, alone: Callable, watch, modes
+) -> Motion:
     """Solve a scene with `alone(scene)` down to an inclination [rad], then with two-way coupling to
     its table.
 
@@ -51,14 +38,13 @@ def solve_switched(scene, inclination: float, alone: Callable, watch, modes) -> 
     elastic at the switch.
     """
     short = replace(scene.numerics, final_inclination=inclination)
-    first = alone(scene_part(scene, numerics=short))
+    first = alone(scene.part(numerics=short))
     if first.outcome is not Outcome.SETTLED:
         return first
     t = float(first.t[-1])
     left = replace(scene.numerics, time_limit=scene.numerics.time_limit - t)
     yields = replace(scene.contact, law="elastic")
-    parts = scene_part(
-        scene,
+    parts = scene.part(
         numerics=left,
         contact=yields,
         roughness=None,  # no effect on a rigid contact; a rough elastic contact does not switch

@@ -310,12 +310,10 @@ class Decline:
     def _scene_of(self, rolling, air, law):
         scene = self.scene
         arms = {
-            arm: law * getattr(scene.friction, arm)
+            arm: law * vars(scene.friction)[arm]
             for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")
         }
-        own = {
-            name: law**power * getattr(scene.dissipation, name) for name, power in FACTORS.items()
-        }
+        own = {name: law**power * vars(scene.dissipation)[name] for name, power in FACTORS.items()}
         return replace(
             scene,
             friction=replace(scene.friction, **arms),

@@ -3,6 +3,7 @@ into them."""
 
 import os
 import pickle
+import sys
 from collections.abc import Callable
 from concurrent.futures import Future
 from functools import lru_cache, partial
@@ -89,7 +90,7 @@ def _of_the_modes(content):
     return painter().draw(*PICTURES["modes"][1:3], partial(pickle.loads, content))
 
 
-if hasattr(os, "register_at_fork"):
+if sys.platform != "win32":
     os.register_at_fork(
         after_in_child=_of_the_modes.cache_clear
     )  # what another process waits for does not come here

@@ -82,7 +82,7 @@ def painter() -> Painter:
     return one
 
 
-if hasattr(os, "register_at_fork"):
+if sys.platform != "win32":
     os.register_at_fork(
         after_in_child=painter.cache_clear
     )  # two processes cannot share one painter
@@ -90,7 +90,7 @@ if hasattr(os, "register_at_fork"):
 
 def serve():
     """Draw what is asked for until nobody asks any more."""
-    if hasattr(os, "nice"):
+    if sys.platform != "win32":
         os.nice(5)  # what is solved goes first
     gc.disable()  # it would look through all of matplotlib some ten times a picture
     for module in MODULES:

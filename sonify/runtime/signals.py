@@ -13,9 +13,11 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from stat import S_ISREG
 
-ENDS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
-"""Ctrl-C; the end that a batch queue sends; the end of the terminal, which Windows does not
-know."""
+ENDS = [signal.SIGINT, signal.SIGTERM]
+"""Signals that end a command: Ctrl-C, the end of a batch job, and, except on Windows, the end of
+the terminal."""
+if sys.platform != "win32":
+    ENDS.append(signal.SIGHUP)
 AGAIN = 0.05
 """So long [s] a signal waits, and again, for the end of an import."""
 LEFT = {errno.EPIPE, errno.EIO, errno.EINVAL}
@@ -65,8 +67,8 @@ def _signals():
 
 
 def _send(thread, number):
-    """Send a signal to a thread, even where that sleeps, which Windows does not know."""
-    if hasattr(signal, "pthread_kill"):
+    """Send a signal to a thread, even a sleeping one; Windows can only raise it in this thread."""
+    if sys.platform != "win32":
         signal.pthread_kill(thread, number)
     else:
         signal.raise_signal(number)
