@@ -11,6 +11,8 @@ from numpy.typing import ArrayLike
 from dynamics.disk import Disk
 
 if TYPE_CHECKING:
+    from pandas import DataFrame
+
     from dynamics.film.wedge import Film
 
 COLUMNS = (
@@ -26,7 +28,11 @@ COLUMNS = (
     "slip_2",
     "dissipated_energy",
 )
-"""Names of the columns of `Motion.state`."""
+"""Names of the columns of `Motion.state`: precession, inclination and spin [rad], x and y of the
+centre [m], angular velocity [rad/s] and slip velocity [m/s] in the precessing frame, and dissipated
+energy [J]."""
+FORCE_COLUMNS = ("friction_1", "friction_2", "normal_force")
+"""Names of the columns of `Motion.force` [N]: friction along a_1 and a_2, and the normal force."""
 
 
 class Outcome(Enum):
@@ -206,6 +212,37 @@ class Motion(Protocol):
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)` from one evaluation."""
 
+    def inclination(self, t: ArrayLike) -> np.ndarray:
+        """Return the inclination (k,) [rad] at times t (k,) [s]."""
+
+    def precession(self, t: ArrayLike) -> np.ndarray:
+        """Return the precession angle (k,) [rad] at times t (k,) [s]."""
+
+    def spin(self, t: ArrayLike) -> np.ndarray:
+        """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
+
+    def to_frame(self, t: ArrayLike | None = None) -> "DataFrame":
+        """Return the motion at times t as a pandas data frame.
+
+        Parameters
+        ----------
+        t : array_like, (k,), optional
+            Times [s]; by default the ends of the pieces of the solution.
+
+        Returns
+        -------
+        pandas.DataFrame, (k, 14)
+            The columns COLUMNS of the state and FORCE_COLUMNS of the contact force, indexed by
+            "t".
+
+        Raises
+        ------
+        ImportError
+            If pandas is not installed.
+        ValueError
+            If a time is outside the motion.
+        """
+
     def normal_load(self, t: ArrayLike) -> np.ndarray:
         """Return the dimensionless normal force Phi of (4.6) at times t (k,) [s] as (k,)."""
 
@@ -260,6 +297,26 @@ class MotionBase:
     def at_and_force(self: Motion, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
         """Return `at(t)` and `force(t)`."""
         return self.at(t), self.force(t)
+
+    def inclination(self: Motion, t: ArrayLike) -> np.ndarray:
+        """Return the inclination (k,) [rad] at times t (k,) [s]."""
+        return self.at(t)[:, COLUMNS.index("inclination")]
+
+    def precession(self: Motion, t: ArrayLike) -> np.ndarray:
+        """Return the precession angle (k,) [rad] at times t (k,) [s]."""
+        return self.at(t)[:, COLUMNS.index("precession")]
+
+    def spin(self: Motion, t: ArrayLike) -> np.ndarray:
+        """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
+        return self.at(t)[:, COLUMNS.index("spin")]
+
+    def to_frame(self: Motion, t: ArrayLike | None = None) -> "DataFrame":
+        """Return the motion at times t (k,) [s] as a pandas data frame, by default at `self.t`."""
+        from pandas import DataFrame, Index
+
+        times = np.atleast_1d(np.asarray(self.t if t is None else t, float))
+        rows = np.column_stack(self.at_and_force(times))
+        return DataFrame(rows, index=Index(times, name="t"), columns=[*COLUMNS, *FORCE_COLUMNS])
 
     def normal_load(self: Motion, t: ArrayLike) -> np.ndarray:
         """Return Phi of (4.6) at times t (k,) [s] as (k,); at rest it is (K + 4)/4."""

@@ -15,6 +15,7 @@ from modal.progress import portion, watched
 from sonify.claims.air import air_findings
 from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
+from sonify.claims.finding import Findings
 from sonify.claims.literature import literature_findings
 from sonify.claims.rigid_motion import all_findings
 from sonify.claims.sound import all_verdicts, hear
@@ -111,7 +112,7 @@ def solve(
         table=table,
         sound=sound,
         heard=heard,
-        findings=findings,
+        findings=Findings(findings),
         checks=checks,
         seconds=stages.seconds,
     )

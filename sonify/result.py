@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from dynamics import Motion
 from modal import Modes, SurfaceModes
 from sonify.claims.checks import Check
-from sonify.claims.finding import Finding
+from sonify.claims.finding import Findings
 from sonify.hearing.recording import Heard
 from sonify.plan.plan import Plan
 from sonify.scene import Scene
@@ -42,7 +42,7 @@ class Result:
     modes: Modes
     sound: Sound
     heard: Heard | None
-    findings: list[Finding]
+    findings: Findings
     checks: list[Check]
     seconds: dict[str, float]
     out: Path | None = None

@@ -142,6 +142,25 @@ class Scene(MotionScene):
             _assign(document, assignment)
         return from_document(document)
 
+    def diff(self, other: "Scene") -> dict[str, tuple[Any, Any]]:
+        """Return the keys in which two scenes differ, each with the value here and that in `other`.
+
+        Keys are paths as in `replace`. A key that only one of the scenes has is None in the other.
+
+        Examples
+        --------
+        >>> from sonify import load_scene
+        >>> scene = load_scene("published")
+        >>> scene.diff(scene.replace("disk.radius=0.04"))
+        {'disk.radius': (0.03755, 0.04)}
+        """
+        here = _flat(asdict(self))
+        there = _flat(asdict(other))
+        keys = dict.fromkeys([*here, *there])
+        return {
+            key: (here.get(key), there.get(key)) for key in keys if here.get(key) != there.get(key)
+        }
+
 
 @cache
 def adapter() -> TypeAdapter:
@@ -229,6 +248,17 @@ def _recorded(record):
 def _given(section):
     """A section without the keys that are None, tuples as lists."""
     return {key: _plain(value) for key, value in section.items() if value is not None}
+
+
+def _flat(section, path=""):
+    """The values of nested sections by their key paths."""
+    flat: dict[str, Any] = {}
+    for key, value in section.items():
+        if isinstance(value, dict):
+            flat |= _flat(value, f"{path}{key}.")
+        else:
+            flat[path + key] = value
+    return flat
 
 
 def _plain(value):

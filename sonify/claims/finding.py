@@ -5,9 +5,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import wraps
 from math import inf, isfinite, isnan
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal, NamedTuple, SupportsIndex, overload
 
 import numpy as np
+
+from sonify.suggestions import did_you_mean
 
 Verdict = Literal["yes", "no", "undecided"]
 """What a finding says about its claim."""
@@ -209,3 +211,21 @@ def median(values, independent: float = 1.0) -> Measured:
     return Measured(
         float(middle), float(2 * 1.25 * sigma / np.sqrt(max(independent * len(values), 1.0)))
     )
+
+
+class Findings(list[Finding]):
+    """The findings of a run in order, also by their keys: `findings["energy_falls"]`."""
+
+    @overload
+    def __getitem__(self, which: str) -> Finding: ...
+    @overload
+    def __getitem__(self, which: SupportsIndex) -> Finding: ...
+    @overload
+    def __getitem__(self, which: slice) -> list[Finding]: ...
+    def __getitem__(self, which):
+        if not isinstance(which, str):
+            return super().__getitem__(which)
+        for finding in self:
+            if finding.key == which:
+                return finding
+        raise KeyError(f"{which}{did_you_mean(which, [finding.key for finding in self])}")
