@@ -1,9 +1,8 @@
-"""Newton-Euler for the disk on the plane, solved for the accelerations, the contact force and the
-resisting moments.
+"""Newton-Euler equations of the disk on the plane, solved for accelerations and contact loads.
 
 Dimensionless as in the paper: m = R = 1, time in units of chi. The formulas are written once, for
-scalars of any kind: floats, numpy arrays, numba floats or heyoka expressions, according to the sine
-and cosine that they are given."""
+every type of scalar: floats, numpy arrays, numba floats or heyoka expressions, depending on the
+given sine and cosine."""
 
 import math
 from typing import NamedTuple
@@ -97,8 +96,7 @@ UNLOADED = Loads()
 
 
 def balance(sin, cos):
-    """Return the solver of the balance laws (4.1), (4.2) for scalars that `sin` and `cos`
-    understand."""
+    """Return the solver of the balance laws (4.1), (4.2) for scalars of `sin` and `cos`."""
 
     def solve(
         beta,
@@ -119,13 +117,13 @@ def balance(sin, cos):
         law,
         loads=UNLOADED,
     ):
-        """Solve for accelerations and contact loads at inclination beta, angular velocity w and
-        slip velocity u.
+        """Return accelerations and contact loads at inclination beta, angular velocity w and slip
+        velocity u.
 
         (c, s) is the slip direction (2.7), used when `sliding`; otherwise the contact rolls. s1..s3
         are the senses (+-1) of omega.a_i, replaced by an unknown multiplier where the surface
-        omega.a_i = 0 is `stuck`. Equal to (4.7) and (5.3) with the errata corrected, which
-        tests/test_equations.py shows."""
+        omega.a_i = 0 is `stuck`. The result equals (4.7) and (5.3) with the errata corrected; see
+        tests/test_equations.py."""
         h = law.h
         K = law.K
         sin_a = cos(beta)
@@ -138,9 +136,8 @@ def balance(sin, cos):
         v1, v2 = centre_velocity((u1, u2), (w1, w2, w3), e, h)
 
         # About e_1: J1 w1' = b1 + e F2 - f Phi - m1, with Phi = weight - e w1^2 + f w1' (4.6) less
-        # the load G3. The
-        # frame turns by (w1, rate sin a, w3): of the angular momentum about e_2 this is what does
-        # not turn with it.
+        # the load G3. The frame turns by (w1, rate sin a, w3); `gyro` is the part of the angular
+        # momentum about e_2 that does not turn with the frame.
         gyro = J2 * w2 - J1 * (rate * sin_a)
         b1 = loads.M1 + gyro * w3
         b2 = loads.M2
@@ -185,8 +182,8 @@ def balance(sin, cos):
         det = A22 * A33 - A23 * A23
         roll2 = -w1 * (w2 * sin_a + w3 * cos_a)
         pivot3 = w1 * (w2 * cos_a - w3 * sin_a)
-        # roll2, pivot3: what the turning of a_2, a_3 adds to n2.(w2', w3') and n3.(w2', w3') in
-        # d(omega.a_i)/dtau
+        # roll2, pivot3: contribution of the rotation of a_2, a_3 to d(omega.a_i)/dtau, in addition
+        # to n2.(w2', w3') and n3.(w2', w3')
         if stuck2 and stuck3:
             domega2 = -roll2 * cos_a - pivot3 * sin_a
             domega3 = roll2 * sin_a - pivot3 * cos_a
@@ -228,8 +225,7 @@ def balance(sin, cos):
 
 
 def separation(beta, w1, w2, w3, law, loads=UNLOADED) -> float:
-    """Return the acceleration with which the lowest point would leave the plane if nothing held it
-    there."""
+    """Return the acceleration of the lowest point off the plane without a contact force."""
     sin_a = math.cos(beta)
     cos_a = math.sin(beta)
     e, f = arms(sin_a, cos_a, law.h)
@@ -240,4 +236,4 @@ def separation(beta, w1, w2, w3, law, loads=UNLOADED) -> float:
 
 
 solve = balance(math.sin, math.cos)
-"""The balance laws for Python floats."""
+"""Solver of the balance laws for Python floats."""

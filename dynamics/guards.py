@@ -1,22 +1,20 @@
-"""The guards: functions of a state that are positive while a regime is valid, and fall through zero
-where it ends."""
+"""Guards: functions of the state, positive while a regime is valid and zero where it ends."""
 
 from collections.abc import Callable
 from enum import Enum
 from typing import Any, NamedTuple
 
 AXES = ("nutation", "rolling", "pivoting")
-"""Names of the turnings omega.a_1, omega.a_2, omega.a_3 that the moments of (3.3) resist."""
+"""Names of the rotations about a_1, a_2, a_3, which the moments (3.3) resist."""
 STOP_SPEED = 1e-9
-"""Slip speed over r at which the rest of a slide is taken in one tangent step; its effect is of the
-second order."""
+"""Slip speed over r at which one step along the tangent ends a slide, with a second-order error."""
 FALLING = 10.0
-"""omega_1 over sqrt(inclination), at most one on the way to rest, above which the disk falls flat
-with energy left; a film of air would stop it."""
+"""Value of omega_1 over sqrt(inclination) above which the disk falls flat with energy left. It is
+at most one for a disk that comes to rest. An air film would stop the fall."""
 
 
 class Kind(Enum):
-    """What follows when a guard has fallen."""
+    """Consequence of a guard that has crossed zero."""
 
     END = "the motion ends"
     JAM = "no normal force solves the balance laws"
@@ -27,11 +25,9 @@ class Kind(Enum):
 
 
 class Where(NamedTuple):
-    """What the equations of the guards read: r, omega_1/r, omega_3/r, what is left of a slip,
-    omega.a_i/r, the contact.
+    """Arguments of the guards: r, omega_1/r, omega_3/r, slip, omega.a_i/r, contact and constants.
 
-    `root` and `cos` are functions of the scalars of the flow.
-    """
+    `root` and `cos` are the square root and the cosine for the scalar type of the flow."""
 
     r: Any
     w1: Any
@@ -47,11 +43,10 @@ class Where(NamedTuple):
 
 
 class Guard(str):
-    """A guard by its name, which users read: its kind, the turning it is about, its equation, and
-    where it acts.
+    """A guard, identified by its name: its kind, its rotation, its equation, and its branches.
 
-    `value(where)` is the equation at `Where`; `acts(branch)` tells whether a branch has it.
-    """
+    `value(where)` evaluates the equation at `Where`; `acts(branch)` is True if the branch has the
+    guard."""
 
     kind: Kind
     axis: int | None
@@ -61,7 +56,7 @@ class Guard(str):
     def __new__(
         cls, name: str, kind: Kind, value, acts=lambda branch: True, axis: int | None = None
     ):
-        """Name a guard."""
+        """Create the guard `name`."""
         guard = super().__new__(cls, name)
         guard.kind = kind
         guard.value = value
@@ -70,13 +65,12 @@ class Guard(str):
         return guard
 
     def __reduce__(self):
-        """Travel between processes by name."""
+        """Pickle the guard by its name."""
         return guard_of, (str(self),)
 
 
 def _reserve(i: int, where: Where):
-    """How far the moment that holds turning i is from what it can hold, the square of arm times
-    normal force (3.3)."""
+    """Return (arm^2 Phi^2 - moment^2)/arm^2, positive while (3.3) can hold rotation i."""
     arm = where.law[4 + i]
     moment = where.contact[8 + i]
     limit = arm * where.contact.Phi
@@ -84,14 +78,14 @@ def _reserve(i: int, where: Where):
 
 
 def _cone(where: Where):
-    """How far friction is from the cone of static friction (3.2)."""
+    """Return the squared limit of static friction minus the squared friction force (3.2)."""
     cone = where.law.mu_static * where.contact.Phi
     contact = where.contact
     return cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2
 
 
 def _turnings(i: int) -> tuple[Guard, Guard]:
-    """Return the guards of turning i, stuck or not."""
+    """Return the two guards of rotation i: one while it sticks, one while it turns."""
     return (
         Guard(
             f"{AXES[i]} unsticks",
@@ -112,8 +106,8 @@ def _turnings(i: int) -> tuple[Guard, Guard]:
 
 FLAT = Guard("flat", Kind.END, lambda at: at.r - at.r_end)
 UPRIGHT = Guard("upright", Kind.END, lambda at: FALLING * at.cos(at.r * at.r))
-"""As large as FALLS, against which Taylor's steps measure their error: so they are as long in air
-as in a vacuum."""
+"""The factor makes it as large as FALLS, relative to which the Taylor integrator measures its
+error. The steps are then equally long in air and in a vacuum."""
 FALLS = Guard(
     "falls", Kind.END, lambda at: FALLING - at.w1, lambda b: not (b.loads and b.loads.carries)
 )
@@ -127,7 +121,7 @@ JAMS = Guard(
 PRECESSION_STOPS = Guard(
     "precession stops",
     Kind.END,
-    lambda at: at.root(at.w3 * at.w3) - STOP_SPEED,  # whose series falls on through zero
+    lambda at: at.root(at.w3 * at.w3) - STOP_SPEED,  # its Taylor series continues through zero
     lambda b: b.loads and b.loads.is_singular,
 )
 GRIP = Guard("grip", Kind.GRIP, lambda at: at.slip, lambda b: b.sliding and b.can_grip)
@@ -147,5 +141,5 @@ _NAMED = {str(guard): guard for guard in ALL}
 
 
 def guard_of(name: str) -> Guard:
-    """Return the guard of a name."""
+    """Return the guard with this name."""
     return _NAMED[name]

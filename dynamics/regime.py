@@ -1,9 +1,9 @@
-"""Regimes of the contact, the flow within one, and the guards that end it.
+"""Contact regimes, the flow within each, and the guards that end it.
 
-The state that is integrated makes the approach to the table regular: r = sqrt(inclination), and the
-angular velocity omega/r and slip velocity u/r, all of which stay of order one while the inclination
-falls through ten decades. The last five entries are quadratures: precession, spin, centre of mass,
-dissipated energy."""
+The state stays regular as the disk approaches the table: it contains r = sqrt(inclination), the
+angular velocity omega/r and the slip velocity u/r, all of order one while the inclination falls by
+ten decades. The last five entries are quadratures: precession, spin, centre of mass, dissipated
+energy."""
 
 import math
 from collections.abc import Callable
@@ -21,15 +21,15 @@ R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
 
 
 class Regime(NamedTuple):
-    """Which branch of each set-valued law holds: rolling or sliding, and for omega.a_i its sense,
-    or sticking."""
+    """Active branch of each set-valued law: rolling or sliding; sign or sticking of each
+    omega.a_i."""
 
     sliding: bool
     stuck: tuple[bool, bool, bool]
     senses: tuple[float, float, float]
 
     def __str__(self) -> str:
-        """'roll' or 'slide', and what sticks: 'roll, nutation sticks'."""
+        """Return 'roll' or 'slide', and the rotations that stick: 'roll, nutation sticks'."""
         return _name(self.sliding, self.stuck)
 
 
@@ -40,8 +40,8 @@ def _name(sliding, stuck):
 
 
 class Branch(NamedTuple):
-    """What of a regime and a scene shapes the flow: everything but numbers that can change from
-    call to call."""
+    """Properties of a regime and a scene that select the formulas of the flow, without
+    constants."""
 
     sliding: bool
     stuck: tuple[bool, bool, bool]
@@ -52,8 +52,10 @@ class Branch(NamedTuple):
 
     @classmethod
     def of(cls, regime: Regime, law: Law, loads: Callable | None) -> "Branch":
-        """Return the branch of `regime` under `law`: no guard for a moment without arm or a cone
-        without edge."""
+        """Return the branch of `regime` under `law`.
+
+        A zero arm, infinite static friction or zero dynamic friction removes the corresponding
+        guard."""
         arms = (law.k1 > 0, law.k2 > 0, law.k3 > 0)
         return cls(
             regime.sliding,
@@ -78,18 +80,17 @@ def turnings(y) -> tuple[float, float, float]:
 
 
 def describe(y) -> str:
-    """Return a state in words, for messages."""
+    """Return a description of a state for messages."""
     r = y[R]
     omega = ", ".join(f"{r * y[i]:.6g}" for i in (W1, W2, W3))
     return f"inclination {r * r:.6g} rad, dimensionless omega ({omega}), slip ({r * y[V1]:.6g}, {r * y[V2]:.6g})"
 
 
 class Flow:
-    """The flow of every branch, for the kind of scalar that `sin`, `cos`, `sqrt`, `power` act
-    on."""
+    """The flow of every branch, for the scalar type of `sin`, `cos`, `sqrt` and `power`."""
 
     FUNCTIONS, SIZE = ("sin", "cos", "sqrt", "pow"), DISSIPATED + 1
-    """What the flow is made with, and the length of a state."""
+    """Functions from which the flow is built, and the number of state components."""
 
     def __init__(self, sin, cos, sqrt, power):
         self.sin = sin
@@ -103,7 +104,7 @@ class Flow:
         return self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
 
     def grip(self, y):
-        """Return the guard of a slide that comes to rest."""
+        """Return the guard of a slide that comes to rest: slip speed over r minus STOP_SPEED."""
         return self.speed(y) - STOP_SPEED
 
     def contact(self, y, branch: Branch, senses, law: Law) -> Contact:
@@ -132,7 +133,7 @@ class Flow:
         )
 
     def rates(self, y, contact: Contact, branch: Branch, law: Law):
-        """Return dy/dtau from the solved contact: (4.7) or (5.3), (2.3), (2.5) and the dissipated
+        """Return dy/dtau from the contact: (4.7) or (5.3), (2.3), (2.5) and the dissipated
         power."""
         r = y[R]
         w1 = y[W1]
@@ -172,8 +173,7 @@ class Flow:
     def guards(
         self, y, contact: Contact, branch: Branch, senses, law: Law, r_end
     ) -> dict[Guard, Any]:
-        """Return the guards of a branch by name: each is positive while the regime is valid and
-        falls through zero."""
+        """Return the guards of a branch with their values, positive while the regime is valid."""
         turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
         slip = self.grip(y) if branch.sliding and branch.can_grip else None
         where = Where(

@@ -28,11 +28,10 @@ from dynamics.switching import GRAZING, ImpossibleContactError, at_rest, follow,
 
 @dataclass(frozen=True)
 class RollingDisk:
-    """Law and loads of a scene, the sqrt(inclination) at which the motion counts as over, and the
-    integrator to use.
+    """Law and loads of a scene, sqrt(inclination) at which the motion ends, and the integrator.
 
-    `announce(what)` is called before each slide so slow that the compiler may be asked for its
-    flow."""
+    `announce(what)` is called before each slow slide, because its flow may have to be compiled
+    first."""
 
     law: Law
     loads: OwnLaw | Resistance | None
@@ -55,11 +54,10 @@ class RollingDisk:
         return start
 
     def advance(self, y, regime: Regime, span: float) -> Arc:
-        """Integrate within `regime`; precession and quadratures restart near zero so that they keep
-        their digits.
+        """Integrate within `regime`; precession and quadratures restart near zero to keep their
+        digits.
 
-        Raises StalledError where steps of no reasonable length suffice.
-        """
+        Raises StalledError if all steps are too short."""
         local, offset = restarted(y)
         within = (local, regime, self.law, self.loads, self.r_end, span)
         arc = None
@@ -80,8 +78,8 @@ class RollingDisk:
         return shifted(arc, offset)
 
     def _graze(self, y, nu, regime) -> Arc | None:
-        """Integrate a slide from rest along nu, with hardly a push; only its first step where it is
-        not stiff."""
+        """Integrate a slide from rest along nu, almost without push; one step if it is not
+        stiff."""
         from dynamics.integrators.slow_slides import MOST_STEPS, graze  # numba loads slowly
 
         local, offset = restarted(y)
@@ -97,19 +95,18 @@ class RollingDisk:
 
     @property
     def _is_grazing(self) -> bool:
-        """Whether slides begin so gently that collocation.py is asked first, which itself looks
-        whether one is slow."""
+        """True if slides begin so gently that slow_slides.py is tried before other methods."""
         return self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic
 
     def _contact(self, y, regime):
         return FLOAT.contact(y, Branch.of(regime, self.law, self.loads), regime.senses, self.law)
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
-        """Decide what follows when `guard` has fallen through zero."""
+        """Select the next regime after `guard` has fallen through zero."""
         guard = guard_of(guard)
         held = {i for i, holds in enumerate((not regime.sliding, *regime.stuck)) if holds}
         match guard.kind:
-            case Kind.REVERSES | Kind.UNSTICKS:  # by far the most
+            case Kind.REVERSES | Kind.UNSTICKS:  # by far the most frequent
                 fired = {guard.axis + 1} if guard.kind is Kind.UNSTICKS else ()
                 return self._follow(
                     at_rest(y, guard.axis), {*held, guard.axis + 1}, fired, regime.senses
@@ -126,7 +123,7 @@ class RollingDisk:
                 return self._stop(y, regime, held)
 
     def _stop(self, y, regime, held) -> Switch:
-        """Bring a slide to rest and decide what follows, or let it pass by rest."""
+        """Bring a slide to rest and select the next regime, or let the slide pass rest."""
         last, stops = slide_to_rest(y, regime, self.law, self.loads)
         if not stops:
             return Switch(regime, last.end, (last,))
@@ -148,8 +145,9 @@ class RollingDisk:
         )
 
     def _through(self, step, at_zero) -> Switch:
-        """Take the first step of a slide, up to a turning that reverses within it: its guard would
-        be below zero."""
+        """Take the first step of a slide, and shorten it if a rotation reverses within it.
+
+        Beyond the reversal, the guard of this rotation would start below zero."""
         _, stuck, senses = step.regime
         arms = (self.law.k1, self.law.k2, self.law.k3)
 
@@ -163,7 +161,7 @@ class RollingDisk:
         step = step._replace(duration=end)
         if (
             self._contact(step.end, step.regime).Phi <= 0
-        ):  # the guard is lost below zero: it could not fall any more
+        ):  # a guard that starts below zero cannot fall
             return self._lifts_off(step)
         y = step.end
         if axis is None:
@@ -177,8 +175,7 @@ class RollingDisk:
         return then._replace(steps=(step, *then.steps))
 
     def _lifts_off(self, step: Step) -> Switch:
-        """End the motion within a step after which the normal force is negative, where it is
-        zero."""
+        """End the motion at the instant within a step when the normal force reaches zero."""
         from scipy.optimize import brentq  # loads slowly
 
         def load(t):
@@ -193,9 +190,8 @@ class RollingDisk:
 def first_fall(step: Step, guards: Callable, checks: int = 4):
     """Return the time and the name of the first of the guards(y) that falls to zero in a step.
 
-    Without one they are the duration of the step and None. The guards are evaluated at `checks`
-    equidistant times. A guard that is not positive at the start cannot fall.
-    """
+    If none falls, return the duration of the step and None. The guards are evaluated at `checks`
+    equidistant times. A guard that is not positive at the start cannot fall."""
     before = guards(step.at(0.0))
     start = 0.0
     for look in (k * step.duration / checks for k in range(1, checks + 1)):
@@ -216,14 +212,14 @@ def first_fall(step: Step, guards: Callable, checks: int = 4):
 
 
 def restarted(y):
-    """Return state y with precession and quadratures near zero, and the offset removed."""
+    """Return y with precession within half a turn and zero quadratures, and the offset removed."""
     turned = math.remainder(y[PRECESSION], 2 * math.pi)
     lost = [*[0.0] * PRECESSION, y[PRECESSION] - turned, *y[SPIN:]]
     return [*y[:PRECESSION], turned, *[0.0] * 4], lost
 
 
 def shifted(arc, origin):
-    """Return an arc whose precession and quadratures start at `origin`."""
+    """Return an arc with precession and quadratures shifted to start at `origin`."""
     end = [*arc.end[:PRECESSION], *map(add, arc.end[PRECESSION:], origin[PRECESSION:])]
     return Arc(arc.times, arc.coefficients, end, arc.guard, arc.passed, origin)
 

@@ -1,9 +1,9 @@
-"""Which regime follows: the set-valued laws (3.2), (3.3) decided at an instant, and the two ends of
-a slide made exact.
+"""Selection of the next regime by the set-valued laws (3.2), (3.3), and the first and last steps of
+a slide.
 
-sign() at zero is any number in [-1, 1] (Filippov): among rolling and sliding, and for each
-omega.a_i = 0 among sticking and the two senses, exactly the choices whose own accelerations and
-loads agree with them can follow."""
+At zero, sign() is any number in [-1, 1] (Filippov). The contact can roll or slide, and each
+omega.a_i = 0 can stick or take either sign. A combination can follow if its own accelerations and
+loads agree with it."""
 
 import math
 from functools import lru_cache
@@ -20,15 +20,15 @@ from dynamics.regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, descri
 ROUND_OFF = 1e-12
 """Relative tolerance for rounding errors in the consistency of a regime."""
 START = 3e-6
-"""What changes at most in the first step of a slide, and its length in units of r: its error is
-START cubed, below round-off."""
+"""Length of the first step of a slide in units of r, and bound of the relative change of the state
+within it; the error, START cubed, is below round-off."""
 PASSING = 0.01
-"""Part of the time in which friction could stop a slip, for a step that leaves behind the guard
-that has fallen."""
+"""Length of the step past a guard that has fallen, as a fraction of the time in which friction
+could stop the slip."""
 
 GRAZING = 0.05
-"""A slide whose first acceleration is less than this part of friction starts with the long step of
-collocation.py."""
+"""A slide with an initial acceleration below this fraction of friction starts with the long steps
+of slow_slides.py."""
 
 
 class ImpossibleContactError(ValueError):
@@ -45,13 +45,13 @@ class ImpossibleContactError(ValueError):
 
 
 def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, Step | Arc | None]:
-    """Return the regime that can follow from state y, and the first step, or more, where it leaves
-    rest.
+    """Return the regime that follows from state y, and the first step or arc if it leaves rest.
 
-    `at_zero` names what is zero now: 0 the slip, i the surface omega.a_i; `fired` which of these
-    can no longer stay so. `graze(y, nu, regime)` integrates a slide that leaves rest along nu more
-    gently than GRAZING, or is None. Both are None where the disk leaves the plane. Raises
-    ImpossibleContactError where it presses on it, but no regime is consistent."""
+    `at_zero` contains the quantities that are zero: 0 for the slip, i for omega.a_i. `fired`
+    contains those that can no longer stay zero. `graze(y, nu, regime)` integrates a slide that
+    leaves rest along nu more gently than GRAZING, or returns None. Both results are None if the
+    disk leaves the plane. Raises ImpossibleContactError if the disk presses on the plane, but no
+    regime is consistent."""
     for leaving in (fired, frozenset()) if fired else (fired,):
         for regime in _candidates(y, law, at_zero, leaving, senses):
             branch = Branch.of(regime, law, loads)
@@ -72,8 +72,9 @@ def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, S
 
 
 def reversal(y, regime, branch, guard, law: Law) -> tuple[list, Regime] | None:
-    """Return state and regime behind a turning of a rolling disk that reverses and changes nothing
-    else, which is what `follow` tries first; None for all other changes."""
+    """Return state and regime after a rotation of a rolling disk reverses, or None otherwise.
+
+    `follow` would try the same regime first."""
     if guard.kind is not Kind.REVERSES or regime.sliding or any(regime.stuck):
         return None
     y = at_rest(y, guard.axis)
@@ -108,8 +109,10 @@ def _separates(y, law, loads) -> bool:
 
 
 def _candidates(y, law, at_zero, leaving, senses):
-    """Return the regimes to try: rolling before sliding; of a turning at zero the reversal,
-    sticking, the old sense."""
+    """Return the regimes to try, in order.
+
+    Rolling precedes sliding. For a rotation at zero the order is reversal, sticking, the old
+    sense."""
     turn1, turn2, turn3 = turnings(y)
     turning = (
         0.0 if 1 in at_zero else math.copysign(1.0, turn1),
@@ -122,7 +125,7 @@ def _candidates(y, law, at_zero, leaving, senses):
 
 @lru_cache(1024)
 def _choices(turning, senses, resisted, can_slip, at_rest, leaving):
-    """Return the regimes to try for the sign of each turning, 0 at rest, and its sense before."""
+    """Return the regimes to try, for the sign of each rotation (0 at rest) and its old sense."""
     contact = [False] if not can_slip else [True] if not at_rest or 0 in leaving else [False, True]
     surfaces = []
     for i, sign in enumerate(turning):
@@ -181,10 +184,10 @@ def _along(y, angle, regime, branch, law):
 
 
 def _slip_directions(y, regime, branch, law):
-    """Yield the angles nu with udot(nu) x s = 0 and udot(nu) . s not negative.
+    """Yield the angles nu [rad] with udot(nu) x s = 0 and udot(nu) . s not negative.
 
-    The first is next to the friction that holds no longer; only where that one will not do are the
-    others looked for, on the whole circle and fastest first."""
+    The first is close to the direction in which static friction fails. If the caller rejects it,
+    all others on the circle follow, in descending order of acceleration."""
     push = slip_push(y, branch, regime.senses, law)
     if push.is_solvable:
         held = FLOAT.contact(y, branch._replace(sliding=False), regime.senses, law)
@@ -198,8 +201,7 @@ def _slip_directions(y, regime, branch, law):
 
 
 def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | None:
-    """Take the first step of a slide in the limit of no start-up speed, or None where `regime`
-    contradicts itself."""
+    """Take the first step of a slide from rest, or return None if `regime` is inconsistent."""
     for nu in _slip_directions(y, regime, branch, law):
         first = _along(y, nu, regime, branch, law)
         if _consistent(y, first, regime, law, at_zero):
@@ -214,11 +216,11 @@ def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | Non
 
 
 def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
-    """Take one implicit trapezoidal step of START r, whose unknown is the slip direction at its
-    end.
+    """Take one implicit trapezoidal step of length START r; the unknown is the slip direction at
+    its end.
 
-    That direction is the direction of the mean slip acceleration. Raises StalledError where none is
-    within a radian."""
+    This is the direction of the mean slip acceleration. Raises StalledError if there is none within
+    1 rad."""
     slope = FLOAT.rates(y, first, branch, law)
     dt = _short(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
@@ -232,14 +234,13 @@ def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
 
 
 def _short(y, slope) -> float:
-    """Return the length of a step of START r, or of less where a state y changes faster at its
-    rates `slope`."""
+    """Return the length of a step: START r, or less if y changes faster at its rates `slope`."""
     return START / max(1 / y[R], *(abs(b) / (1 + abs(a)) for a, b in zip(y, slope, strict=True)))
 
 
 def _step_off(y, first, regime, branch, law, length=None) -> Step:
-    """Take one step of Heun: a turning that stops sticking starts at its guard's zero, without
-    push."""
+    """Take one step of Heun's method; a rotation that stops sticking starts at the zero of its
+    guard, without push."""
     slope = FLOAT.rates(y, first, branch, law)
     dt = length or _short(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
@@ -256,12 +257,11 @@ def _parabola(regime, dt, y, slope, after) -> Step:
 
 
 def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
-    """Take the last step of a slide: to rest under the friction, of a direction in between, that
-    stops it exactly.
+    """Return the last step of a slide, and True if it ends at rest.
 
-    So the balance laws hold for the whole step, and what it leaves out is of the second order in
-    the slip speed. Where none of the accelerations points against the slip it passes by rest, by a
-    small step that is returned with False."""
+    The friction takes the intermediate direction that stops the slip exactly, so the balance laws
+    hold for the whole step; the error is of second order in the slip speed. If no acceleration
+    opposes the slip, the slide passes rest by a small step, and the second result is False."""
     branch = Branch.of(regime, law, loads)
     speed = math.hypot(y[V1], y[V2])
     along = math.atan2(y[V2], y[V1])

@@ -1,5 +1,4 @@
-"""The flow by heyoka's adaptive Taylor integrator: steps of high order, and every root of every
-guard within a step."""
+"""The flow by heyoka's adaptive Taylor integrator, with every root of every guard in a step."""
 
 from concurrent.futures import ThreadPoolExecutor
 from copy import deepcopy
@@ -20,28 +19,27 @@ from dynamics.switching import reversal
 
 SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
 STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
-# it writes warnings to standard output, which is for results; the checks judge a run
+# warnings would go to standard output, which is for results; the checks assess each run
 heyoka.set_logger_level_error()
 SUCCESS, NOT_FINITE = heyoka.taylor_outcome.success, heyoka.taylor_outcome.err_nf_state
 MOST_STEPS = 1000
 MOST_COMPILED = 64
-"""Branches that are kept compiled; a scene has a tenth of that."""
+"""Number of branches kept in compiled form; one scene needs about a tenth of them."""
 SHORT = 1e-11
-"""Tolerance down to which a series has at most 14 terms."""
+"""Smallest tolerance at which a Taylor series has at most 14 terms."""
 LIFT = 1e-300
-"""Added to every guard: of one that is exactly zero where a step starts, heyoka finds that root and
-misses the next."""
+"""Offset added to every guard: if a guard is exactly zero at the start of a step, heyoka finds this
+root and misses the next one."""
 
 
 class Compiled:
-    """The integrator of one branch. It holds the state of a run, so that each run borrows a copy of
-    its own.
+    """The compiled integrator of one branch; each run borrows a copy to hold its state.
 
-    heyoka keeps what it has compiled on disk, so the branches in which most motions spend their
-    time, rolling in a vacuum and all in a film of air, are compiled for speed. Slides in a vacuum,
-    branches in which something sticks and those which another law alone resists are compiled in
-    compact mode, ready six times sooner and half as fast; but slides not where the tolerance is not
-    below SHORT: series of few terms are soon ready."""
+    heyoka caches compiled code on disk, so the most frequent branches are compiled for speed:
+    rolling in a vacuum, and all branches in an air film. Compact mode compiles six times faster,
+    but the code runs at half the speed. It is used for branches in which a rotation sticks, for
+    branches with other loads, and for slides in a vacuum at tolerances below SHORT; series of few
+    terms compile quickly."""
 
     def __init__(self, branch: Branch, tolerance: float):
         y = heyoka.make_vars(*STATE)
@@ -59,13 +57,12 @@ class Compiled:
             compact_mode=any(branch.stuck)
             or not is_common(branch.loads)
             or (branch.sliding and not branch.loads and tolerance < SHORT),
-            opt_level=1,  # the same instructions as of level 2, a sixth sooner
+            opt_level=1,  # same instructions as level 2, in 5/6 of the time
             t_events=[heyoka.t_event(g + LIFT, direction=falling) for g in guards.values()],
         )
 
     def borrow(self):
-        """Return an integrator that nobody else uses, with views of its parameters, state and last
-        Taylor series."""
+        """Return an idle integrator, with views of its parameters, state and last Taylor series."""
         try:
             return self._idle.pop()
         except IndexError:
@@ -73,18 +70,17 @@ class Compiled:
             return own, own.pars, own.state, own.tc
 
     def guard(self, outcome) -> Guard | None:
-        """Return the guard that ended a run: heyoka tells number i as -i - 1, all else by numbers
-        up to a success."""
+        """Return the guard that ended a run, or None; heyoka encodes guard i as -i - 1, above its
+        code for success."""
         return self.guards[-int(outcome) - 1] if int(outcome) > int(SUCCESS) else None
 
     def give_back(self, borrowed) -> None:
-        """Take back what `borrow` gave."""
+        """Take back an integrator returned by `borrow`."""
         self._idle.append(borrowed)
 
 
 def is_common(loads) -> bool:
-    """Return whether most motions have such loads: none, or a film of air, alone or beside a
-    scene's own resistance."""
+    """Return True if the loads are none, or an air film with or without a Resistance."""
     laws = getattr(loads, "laws", (loads,))
     return loads is None or (
         bool(find_film(loads)) and all(isinstance(law, Film | Resistance) for law in laws)
@@ -96,13 +92,13 @@ _compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")
 
 @lru_cache(MOST_COMPILED)
 def compiled(branch: Branch, tolerance: float):
-    """Return the future of a `Compiled`: heyoka compiles beside other work, for it lets go of
-    Python's lock."""
+    """Return the future of a `Compiled`; heyoka compiles in the background, without Python's
+    lock."""
     return _compilers.submit(Compiled, branch, tolerance)
 
 
 def compile_in_background(regime: Regime, law: Law, loads, tolerance: float) -> None:
-    """Begin to compile the flow of a regime."""
+    """Start to compile the flow of a regime."""
     compiled(shape(regime, law, loads), tolerance)
 
 
@@ -110,9 +106,9 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     """Integrate from y within `regime` until a guard falls through zero, for `span`, or for
     MOST_STEPS steps.
 
-    While the disk rolls it goes on through turnings that only reverse. Where a law is not analytic,
-    as a power of a precession that rests, the steps are those of DOP853. Safe to call from several
-    threads at once. Raises StalledError where those are too short."""
+    Rolling continues through rotations that only reverse. DOP853 integrates the arc if a law is not
+    analytic, such as a power of the precession at rest. Safe to call from several threads at once.
+    Raises StalledError if the steps of DOP853 are too short."""
     future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
     flow = future.result()
     integrator, pars, state, series = borrowed = flow.borrow()
@@ -135,7 +131,7 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         since = t
         t = integrator.time
         times.append(t)
-        kept.append(series.tobytes())  # faster than into an array
+        kept.append(series.tobytes())  # faster than a copy into an array
         if outcome == SUCCESS:
             continue
         guard = flow.guard(outcome)
@@ -143,7 +139,7 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         if not after:
             break
         y, now = after
-        state[:], origin = restarted(y)  # what has grown large would make the steps longer
+        state[:], origin = restarted(y)  # large components would make the steps longer
         lost.append(origin)
         pars[:] = prepared(compiled, now, law, loads, r_end, tolerance)[1]
         integrator.reset_cooldowns()

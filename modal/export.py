@@ -1,4 +1,4 @@
-"""Modes as files that other programs read."""
+"""Export of modes to file formats of other programs."""
 
 from math import degrees, pi
 from pathlib import Path
@@ -9,11 +9,10 @@ from modal.modes import Modes
 
 
 def as_json(modes: Modes) -> dict:
-    """The content of modes.json: how the modes were computed, and for each mode its numbers and its
-    rim shape.
+    """Return the content of modes.json: the method, and properties and rim shape of each mode.
 
-    The rim shape is given as the radial, tangential and axial displacement [kg^-1/2] of the bottom
-    edge at `rim_angle`."""
+    The rim shape is the radial, tangential and axial displacement [kg^-1/2] of the bottom edge at
+    `rim_angle`."""
     return {
         "method": modes.method,
         "unknowns": modes.unknowns,
@@ -24,7 +23,7 @@ def as_json(modes: Modes) -> dict:
 
 
 def one(modes: Modes, i):
-    """What modes.json says of mode i; a time or quality that is infinite is null."""
+    """Return the entry of mode i in modes.json; an infinite time or quality is null."""
     finite = modes.decay_rate[i] > 0
     return {
         "frequency": float(modes.frequency[i]),
@@ -43,8 +42,9 @@ def one(modes: Modes, i):
 
 
 def write_vtu(modes: Modes, path: str | Path) -> None:
-    """Write the whole disk [m] with one array of displacement vectors [kg^-1/2] per mode, quadratic
-    cells kept."""
+    """Write the whole disk [m] with one array of displacement vectors [kg^-1/2] per mode.
+
+    Quadratic cells remain quadratic."""
     import meshio
 
     body = modes.body
@@ -57,8 +57,7 @@ def write_vtu(modes: Modes, path: str | Path) -> None:
 
 
 def write_uff(modes: Modes, path: str | Path) -> None:
-    """Write the nodes (dataset 15) and one dataset 55, normal modes, per mode; needs the optional
-    package pyuff."""
+    """Write nodes (dataset 15) and normal modes (dataset 55); needs the optional package pyuff."""
     try:
         import pyuff
     except ModuleNotFoundError:
@@ -86,8 +85,7 @@ def write_uff(modes: Modes, path: str | Path) -> None:
 
 
 def dataset_55(modes: Modes, i, number, u):
-    """Dataset 55 of mode i: structural, normal mode, three translations per node, displacement,
-    real."""
+    """Return dataset 55 of mode i: structural, normal mode, three real displacements per node."""
     damping = modes.decay_rate[i] / (2 * np.pi * modes.frequency[i])
     kind = {
         "type": 55,
@@ -112,16 +110,16 @@ def dataset_55(modes: Modes, i, number, u):
 
 
 STRIKE_PEAK = 0.9
-"""The greatest sample of a Faust program after a unit strike, one sample of 1."""
+"""Greatest output of a Faust program after a unit strike, which is one sample of 1."""
 OPPOSITE = pi
-"""Angle [rad] of the rim opposite the contact, where a disk moves however it is held."""
+"""Angle [rad] of the rim opposite the contact, at which the disk can move on every support."""
 
 
 def as_faust(modes: Modes, angle: float = OPPOSITE, name: str = "disk") -> str:
-    """Return a Faust program that rings as a disk struck at one point of its bottom edge.
+    """Return a Faust program that sounds like a disk struck at one point of its bottom edge.
 
-    It is the function of `as_faust_library` with sliders for what it is scaled by. Parameters and
-    errors are those of `as_faust_library`."""
+    It contains the function of `as_faust_library` and a slider for each of its arguments.
+    Parameters and errors are those of `as_faust_library`."""
     return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
 
 
@@ -131,18 +129,18 @@ def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") 
 
     The disk is struck along its axis at the bottom edge; the velocity is that of the struck point
     along the axis. A sample of x is a strike by an impulse of x. Each mode then moves the point at
-    g exp(-d t) (cos v t - d/v sin v t), v^2 = w^2 - d^2, exactly: g is the share of the mode in the
-    first sample, and all of them add up to STRIKE_PEAK, which no later sample exceeds. The file
-    states the velocity that this stands for.
+    the velocity g exp(-d t) (cos v t - d/v sin v t), v^2 = w^2 - d^2, exactly. g is the share of
+    the mode in the first sample. The shares add up to STRIKE_PEAK, which no later sample exceeds.
+    The file states the corresponding velocity in m/s.
 
     Parameters
     ----------
     modes : Modes
-        The modes; frequencies v are multiplied by frequency_scale, and a mode beyond half the
-        sample rate is silent; the decay times 1/d are multiplied by t60_scale.
+        The modes. The function multiplies their frequencies v by frequency_scale and their decay
+        times 1/d by t60_scale; a mode above half the sample rate is silent.
     angle : float
-        Where the disk is struck and heard [rad], from the middle of the patch; the opposite rim
-        unless given.
+        Angle [rad] at which the disk is struck and heard, from the middle of the patch; by default
+        the opposite rim.
     name : str
         Name of the function.
 
@@ -154,8 +152,7 @@ def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") 
     Raises
     ------
     ValueError
-        If there is no mode, if a mode is overdamped, d >= w, which has no v, or if the disk is held
-        at this angle.
+        If there is no mode, if a mode is overdamped (d >= w), or if the disk is held at this angle.
     """
     if not len(modes):
         raise ValueError("there is no mode to write")
@@ -181,11 +178,11 @@ def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") 
 
 
 def strike_shares(modes: Modes, angle: float) -> tuple[np.ndarray, float]:
-    """Return the shares (m,) of the modes in the velocity of a point that is struck, and that
-    velocity [m/s] per N s.
+    """Return the shares (m,) of the modes in the velocity of a struck point, and that velocity
+    [m/s] per N s.
 
-    The point lies on the bottom edge at an angle [rad]; of modal mass 1, a mode of axial shape phi
-    moves it at phi^2. Raises ValueError where the disk is held."""
+    The point is on the bottom edge at an angle [rad]. A mode of modal mass 1 and axial shape phi
+    moves it at phi^2. Raises ValueError if the disk is held at this point."""
     if not np.isfinite(angle):
         raise ValueError(f"strike at {angle} degrees: must be a finite angle")
     mobility = modes.at_rim(angle)[:, 0, 2] ** 2
@@ -196,7 +193,7 @@ def strike_shares(modes: Modes, angle: float) -> tuple[np.ndarray, float]:
             f"move"
         )
     share = mobility / mobility.sum()
-    share[share < np.finfo(float).eps] = 0.0  # nodes of a mode, which round-off makes move
+    share[share < np.finfo(float).eps] = 0.0  # round-off moves the nodes of a mode
     return share, float(mobility.sum())
 
 

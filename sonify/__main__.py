@@ -14,9 +14,7 @@ from sonify import __version__
 from sonify.chart_command import CHART_NAMES, load_chart_files
 from sonify.runtime.signals import BrokenOffError, well_behaved
 
-os.environ.setdefault(
-    "OPENBLAS_NUM_THREADS", "1"
-)  # the matrices are small: more threads only wait for each other
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for small matrices more threads are slower
 
 FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
 REFUSED = {
@@ -33,10 +31,10 @@ ACCURACIES = ("draft", "standard", "reference")
 
 
 class FullHelp(click.Group):
-    """Lists every command with the whole of its summary, in lines of the width of the terminal."""
+    """Command group that lists every command with its full summary, wrapped to the terminal."""
 
     def format_commands(self, context, formatter):
-        """Write the commands and their summaries, however long these are."""
+        """Write the commands with their full summaries."""
         commands = {name: self.get_command(context, name) for name in self.list_commands(context)}
         summaries = [(name, " ".join(one.help.split())) for name, one in commands.items()]
         with formatter.section("Commands"):
@@ -44,18 +42,24 @@ class FullHelp(click.Group):
 
 
 class OneLine(FullHelp):
-    """Turns what is expected to go wrong into one line on standard error and the exit status of the
-    contract."""
+    """Command group that reports expected errors as one line on standard error.
+
+    `invoke` defines the exit status.
+    """
 
     def main(self, *arguments, **options):
-        """Run the command line; a reader who leaves early, as `head` does, changes neither files
-        nor exit status."""
+        """Run the command line.
+
+        A reader that exits early, such as `head`, changes neither the files nor the exit status.
+        """
         with well_behaved():
             return super().main(*arguments, **options)
 
     def invoke(self, context):
-        """Run the command. Exit status: 1 full disk, broken off, 2 wrong input or output, 128 +
-        number of a signal."""
+        """Run the command and convert expected errors to an exit status.
+
+        1: full disk, or work broken off; 2: invalid input or output; 128 + n: signal n.
+        """
         from sonify.runtime.files import OutputError
         from sonify.scene_errors import InputError
 
@@ -77,15 +81,15 @@ class OneLine(FullHelp):
 
 
 class WithAssignments(click.Command):
-    """Takes several assignments after one --set, as in `--set a=1 b=2`."""
+    """Command that accepts several assignments after one --set, as in `--set a=1 b=2`."""
 
     def parse_args(self, context, arguments):
-        """Parse the arguments, with --set before each assignment that follows another."""
+        """Parse the arguments after inserting --set before each further assignment."""
         return super().parse_args(context, list(_set_before_each(arguments)))
 
 
 def _set_before_each(arguments):
-    """Yield the arguments, with --set before each assignment that follows another one."""
+    """Yield the arguments, with --set before each assignment that follows another assignment."""
     role = "other"
     for argument in arguments:
         if role == "option":
@@ -102,14 +106,16 @@ def _set_before_each(arguments):
 
 
 class Given(click.ParamType):
-    """A text that says something: an empty one, as of a variable that is not set, is not taken for
-    the default."""
+    """Parameter type for text that must not be empty.
+
+    An empty value, e.g. from an unset shell variable, does not select the default.
+    """
 
     def __init__(self, name):
         self.name = name
 
     def convert(self, value, parameter, context):
-        """Return the text. Raises InputError where there is none."""
+        """Return the text. Raises InputError if it is empty."""
         from sonify.scene_errors import InputError
 
         if not value:
@@ -377,8 +383,10 @@ def draw(table, x, y, of, out):
 
 
 def start(name="sonify"):
-    """Run the command line as a program, which, once it has failed, waits for no thread that still
-    compiles."""
+    """Run the command line as a program.
+
+    If the exit status exceeds 1, exit without waiting for threads that still compile.
+    """
     try:
         main(prog_name=name)
     except SystemExit as end:

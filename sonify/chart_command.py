@@ -1,5 +1,7 @@
-"""`sonify chart`: find the charts, which are in the folder `benchmarks/` of a source checkout and
-not in the wheel."""
+"""`sonify chart`: load the charts from the folder `benchmarks/` of a source checkout.
+
+The wheel does not contain them.
+"""
 
 import sys
 from importlib import import_module
@@ -19,17 +21,18 @@ CHART_NAMES = (
     "film",
     "stability",
 )
-"""Names on the command line, in the order of `chart all`."""
+"""Chart names on the command line, in the order of `chart all`."""
 
 INSTALLATION = Path(__file__).parents[1]
 """Folder that holds the package: the root of the checkout after an editable installation."""
 
 
 def load_chart_files() -> ModuleType:
-    """Return `benchmarks.charts.chart_files` of the checkout that holds this package.
+    """Import `benchmarks.charts.chart_files` from the checkout that contains this package.
 
-    Raises InputError if the package is not part of a checkout, as in the site-packages of an
-    installed wheel."""
+    Raises InputError if the package is not part of a checkout, e.g. if it was installed from a
+    wheel.
+    """
     is_checkout = (INSTALLATION / "pyproject.toml").is_file() and (
         INSTALLATION / "benchmarks" / "charts"
     ).is_dir()

@@ -1,4 +1,4 @@
-"""Progress on standard error, results on standard output."""
+"""Print progress on standard error and results on standard output."""
 
 from contextlib import AbstractContextManager, contextmanager
 from threading import Event, Lock, Thread
@@ -17,9 +17,9 @@ if TYPE_CHECKING:
 
 
 class Console(Stages, AbstractContextManager):
-    """Shows the stages on standard error: progress while they run, then a line with their time.
+    """Show the stages on standard error: progress while they run, then a line with their time.
 
-    In a terminal each has a bar; elsewhere one line tells of all of them every `interval` [s].
+    In a terminal each stage has a bar; elsewhere one line lists all of them every `interval` [s].
     """
 
     def __init__(self, interval: float = 10.0):
@@ -45,20 +45,20 @@ class Console(Stages, AbstractContextManager):
         return self
 
     def __exit__(self, *_):
-        self._shown = False  # a thread that still works prints nothing more
+        self._shown = False  # threads that still run print nothing more
         self._ended.set()
         if self._bars.live.is_started:
             self._bars.stop()
 
     def progress_line(self) -> str:
-        """Return how far each stage is that runs now; empty if none does."""
+        """Return the progress of all running stages on one line; empty if none runs."""
         now = perf_counter()
         with self._lock:
             return "; ".join(stage.line(now) for stage in self._running.values())
 
     @contextmanager
     def stage(self, name: str):
-        """Time the block as stage `name`, show how far it is and then how long it took."""
+        """Time the block as stage `name`; show its progress, then its duration."""
         self._bars.start()
         task = self._bars.add_task(name, total=None)
         progress = StageProgress(name, perf_counter())
@@ -84,8 +84,8 @@ class Console(Stages, AbstractContextManager):
         self._console.print(line, markup=False, soft_wrap=True)
 
     def answer(self, result: "Result"):
-        """Print checks and findings; the files follow."""
-        from sonify.claims.details import unit_and_details  # loads with the claims
+        """Print checks, findings and notes, before the files are written."""
+        from sonify.claims.details import unit_and_details  # deferred: imports the claims
 
         self._bars.stop()
         for c in result.checks:
@@ -99,17 +99,17 @@ class Console(Stages, AbstractContextManager):
             click.echo(f"note    {line}")
 
     def _repeat(self, show, period):
-        """Call `show` in even intervals until the context ends."""
+        """Call `show` every `period` [s] until the context ends."""
         while not self._ended.wait(period):
             show()
 
     def _print_progress(self):
-        """Print one line on all running stages."""
+        """Print one line about all running stages."""
         if line := self.progress_line():
             self.notice(line)
 
     def _redraw(self):
-        """Bring the bars of the terminal up to date."""
+        """Update the bars in the terminal."""
         now = perf_counter()
         with self._lock:
             for task, stage in self._running.items():

@@ -1,5 +1,4 @@
-"""The doors of the program: while a compiler makes the flows that a scene needs, the rest of the
-program is loaded."""
+"""Entry points of the program: they load it while a background thread compiles the flows."""
 
 from contextlib import suppress
 from pathlib import Path
@@ -20,18 +19,43 @@ def run(
     accuracy: str | None = None,
     stages: Stages | None = None,
 ) -> "Result":
-    """As `sonify.pipeline.run`: solve `scene`, or what `load_scene` takes, and write the result
-    into `out`."""
+    """Solve a scene and write the result into `out`, as `sonify.pipeline.run` does.
+
+    Parameters
+    ----------
+    scene : Scene, str or Path
+        A scene, or a name or path that `load_scene` accepts.
+    out : str or Path, optional
+        Output folder; outputs/<scene name> by default.
+    accuracy : str, optional
+        "draft", "standard" or "reference"; replaces the accuracy of the scene.
+    stages : Stages, optional
+        Receives the progress of the run.
+
+    Returns
+    -------
+    Result
+        The result, with the folder of its files in `out`.
+
+    Raises
+    ------
+    SceneError
+        If the scene is invalid or cannot be solved.
+    OutputError
+        If `out` cannot be written.
+    """
     scene = begun(scene, accuracy)
     painter()
-    from sonify import pipeline  # loads slowly
+    from sonify import pipeline  # slow to import
 
     return pipeline.run(scene, out, stages=stages)
 
 
 def begun(scene: Scene | str | Path, accuracy: str | None) -> Scene:
-    """Return the scene with that accuracy, its flows being compiled; what is wrong with it the
-    pipeline will say."""
+    """Return the scene with that accuracy and start to compile its flows.
+
+    A ValueError of the compilation is ignored here; the pipeline reports the fault.
+    """
     scene = scene_of(scene, accuracy)
     with suppress(ValueError):
         compile_in_background(scene)

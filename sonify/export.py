@@ -1,4 +1,4 @@
-"""SCENE -> FILE: the elastic modes for other programs."""
+"""SCENE -> FILE: export the elastic modes to other programs."""
 
 from math import isfinite, radians
 from pathlib import Path
@@ -10,9 +10,9 @@ from sonify.scene import Scene
 from sonify.scene_errors import InputError
 
 SUFFIXES = {"faust": "dsp", "uff": "uff", "vtu": "vtu"}
-"""Form -> the suffix of its files."""
+"""File format -> suffix of its files."""
 OPPOSITE_DEG = 180.0
-"""Angle [degrees] of the rim opposite the contact, where a disk is struck unless told otherwise."""
+"""Angle of the rim point opposite the contact, the default strike position [degrees]."""
 
 
 def export_modes(
@@ -21,29 +21,29 @@ def export_modes(
     out: str | Path | None = None,
     strike_deg: float | None = None,
 ) -> Path:
-    """Write the modes that a run of the scene has, with the same damping, for another program.
+    """Write the modes of a scene to a file, with the same damping as in a run.
 
     Parameters
     ----------
     scene : Scene, str or Path
-        A scene, a shipped name or a file.
+        Scene, shipped name or scene file.
     form : str
-        One of SUFFIXES.
+        File format, one of SUFFIXES.
     out : str or Path, optional
-        The file; <scene name>.<suffix> unless given.
+        Path of the file (default: <scene name>.<suffix>).
     strike_deg : float, optional
-        Where the Faust program is struck, from the middle of the contact [degrees]; OPPOSITE_DEG
-        unless given.
+        Strike angle of the Faust program, from the middle of the contact [degrees] (default:
+        OPPOSITE_DEG).
 
     Returns
     -------
     Path
-        The file.
+        Path of the file.
 
     Raises
     ------
     InputError
-        If the scene cannot be solved or has no modes, if the form needs a missing package, or if
+        If the scene cannot be solved or has no modes, if the format needs a missing package, or if
         the disk cannot be struck at this angle.
     """
     scene = solvable(scene, None)
@@ -59,8 +59,7 @@ def export_modes(
 
 
 def _check_strike(scene: Scene, form: str, strike_deg: float | None):
-    """Raise InputError unless a disk that is held as in the scene can be struck at an angle
-    [degrees]."""
+    """Raise InputError unless the supported disk can be struck at this angle [degrees]."""
     if strike_deg is None:
         return
     if form != "faust":

@@ -1,5 +1,4 @@
-"""SCENE -> PLAN -> MODES and MOTION -> SOUND -> FINDINGS -> FILES: the whole program on one
-screen."""
+"""SCENE -> PLAN -> MODES and MOTION -> SOUND -> FINDINGS -> FILES: the stages of a run."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -43,9 +42,9 @@ from sonify.sound.render import sound_of
 from sonify.sound.wav import write_sound
 
 MOST_KEPT = 2
-"""So many disks are remembered with their modes, which may take a hundred megabytes."""
+"""Number of disks with cached modes; the modes may take 100 MB."""
 RECORDS = ("run.json", "report.html")
-"""What speaks of the other files; that of an earlier run goes before the first of them is
+"""Files that describe the other files; those of an earlier run are deleted before any file is
 replaced."""
 
 
@@ -57,12 +56,31 @@ def solve(
     eigenmodes: Callable[..., Modes] = eigenmodes,
     begin: Callable = lambda found: None,
 ) -> Result:
-    """Return everything that a run of a scene, or of what `load_scene` takes, finds; no file is
-    written.
+    """Solve a scene and return the result without writing files.
 
-    `accuracy` (draft, standard, reference) replaces the scene's; `eigenmodes` finds the modes;
-    `begin(found)` is called after the motion and after the sound with what is known by then,
-    attributes that a Result has. Raises SceneError where the scene cannot be solved."""
+    Parameters
+    ----------
+    scene : Scene, str or Path
+        A scene, or a name or path that `load_scene` accepts.
+    accuracy : str, optional
+        "draft", "standard" or "reference"; replaces the accuracy of the scene.
+    stages : Stages, optional
+        Receives the progress of the run.
+    eigenmodes : callable
+        Computes the modes of the disk; `modal.eigenmodes` by default.
+    begin : callable
+        Called as begin(solved) with a SolvedMotion, after the motion and again after the sound.
+
+    Returns
+    -------
+    Result
+        The result, with `out` None.
+
+    Raises
+    ------
+    SceneError
+        If the scene is invalid or cannot be solved.
+    """
     scene = solvable(scene, accuracy)
     stages = stages or Stages()
     compile_in_background(scene)
@@ -74,15 +92,13 @@ def solve(
             note = doing or f"t = {t:.2f} s, inclination {inclination:.2g} rad"
             watch(progress.share(t, inclination), note)
             if elastic.done():
-                elastic.result()  # says what is wrong with the modes
+                elastic.result()  # raises if the modes failed
 
         motion = solve_motion(scene, show, elastic.result()[2] if takes_modes(scene) else None)
         plan, modes, table = elastic.result()
     solved = SolvedMotion(scene=scene, plan=plan, modes=modes, table=table, motion=motion)
     begin(solved)
-    halt = beside(
-        halt_findings, scene, motion
-    )  # solves the end of a motion on a table that acts back anew
+    halt = beside(halt_findings, scene, motion)  # may repeat the two-way motion
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
     begin(replace(solved, sound=sound))
@@ -121,7 +137,7 @@ def solve(
 def _elastic(
     scene: Scene, eigenmodes: Callable[..., Modes], stages: Stages
 ) -> tuple[Plan, Modes, SurfaceModes | None]:
-    """What is to be computed, the modes of the disk and those of the table."""
+    """Return the plan, the modes of the disk and the modes of the table (None if it has none)."""
     of_the_disk = 1.0 if scene.surface.kind == "rigid" else 0.5
     with stages.stage("modes") as watch, watched(watch):
         with portion(0.0, of_the_disk):
@@ -140,11 +156,31 @@ def write(
     stages: Stages | None = None,
     pictures: Pictures | None = None,
 ) -> Result:
-    """Write sound, pictures and report into `out` (default outputs/<scene name>), return the result
-    that knows it; `pictures` have been begun.
+    """Write the sound, pictures and report of a result; no file is ever left incomplete.
 
-    Raises OutputError when `out` cannot be written, and OSError when the disk is full. No file is
-    ever left half written."""
+    Parameters
+    ----------
+    result : Result
+        The result of `solve`.
+    out : str or Path, optional
+        Output folder; outputs/<scene name> by default.
+    stages : Stages, optional
+        Receives the progress of the run.
+    pictures : Pictures, optional
+        Pictures already in progress.
+
+    Returns
+    -------
+    Result
+        The result with its folder in `out`.
+
+    Raises
+    ------
+    OutputError
+        If `out` cannot be written.
+    OSError
+        If the disk is full.
+    """
     stages = stages or Stages(dict(result.seconds))
     with claimed(out or Path("outputs") / result.scene.name) as folder:
         for stale in RECORDS:
@@ -166,10 +202,34 @@ def run(
     accuracy: str | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Solve `scene` and write the result into `out`, which is known to be writable before any work:
-    `solve`, `write`.
+    """Solve a scene and write the result into `out`, by `solve` and `write`.
 
-    Raises what these do.
+    The folder is checked for write access before any computation.
+
+    Parameters
+    ----------
+    scene : Scene, str or Path
+        A scene, or a name or path that `load_scene` accepts.
+    out : str or Path, optional
+        Output folder; outputs/<scene name> by default.
+    accuracy : str, optional
+        "draft", "standard" or "reference"; replaces the accuracy of the scene.
+    stages : Stages, optional
+        Receives the progress of the run.
+
+    Returns
+    -------
+    Result
+        The result with its folder in `out`.
+
+    Raises
+    ------
+    SceneError
+        If the scene is invalid or cannot be solved.
+    OutputError
+        If `out` cannot be written.
+    OSError
+        If the disk is full.
     """
     scene = solvable(scene, accuracy)
     stages = stages or Stages()
@@ -185,7 +245,7 @@ def run(
 
 
 def _known_modes(scene: Scene, below: float) -> Modes:
-    """Return the modes of the disk of a scene, solved once for scenes with the same disk."""
+    """Return the modes of the disk below a frequency [Hz], cached for scenes with the same disk."""
     return _modes_of(body_scene(scene), below)
 
 

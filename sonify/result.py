@@ -1,4 +1,4 @@
-"""RESULT: what a run found, in memory, on a line, in a notebook."""
+"""RESULT: the results of a run in memory, with displays for a terminal and a notebook."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class SolvedMotion:
-    """What a run knows once the motion is solved, and later its sound."""
+    """Intermediate results of a run: the motion, then also its `sound`."""
 
     scene: Scene
     plan: Plan
@@ -31,9 +31,32 @@ class SolvedMotion:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Result:
-    """What a run found, `seconds` by stage. Its files are in `out`, where they have been written.
+    """The results of a run.
 
-    `table` are the modes of the table that sound, None of a rigid one.
+    Parameters
+    ----------
+    scene : Scene
+        Input of the run.
+    plan : Plan
+        Decisions, omissions and predicted errors.
+    motion : Motion
+        Motion of the disk.
+    modes : Modes
+        Elastic modes of the disk.
+    sound : Sound
+        Sound pressure at the listeners.
+    heard : Heard or None
+        Analysis of the sound.
+    findings : Findings
+        Claims with their verdicts.
+    checks : list of Check
+        Self-checks.
+    seconds : dict of str to float
+        Computing time of each stage [s].
+    out : Path or None
+        Folder of the files; None before they are written.
+    table : SurfaceModes or None
+        Modes of the table that sound; None for a rigid or infinite table.
     """
 
     scene: Scene
@@ -50,13 +73,15 @@ class Result:
 
     @property
     def passed(self) -> bool:
-        """Whether every self-check passed."""
+        """True if every self-check passed."""
         return all(check.passed for check in self.checks)
 
     def plot(self, name: str = "spectrogram") -> "Image":
-        """Return the picture of that name (spectrogram, stems, motion, modes), which a notebook
-        shows; a PIL image."""
-        from sonify.report.pictures import picture  # drawing loads slowly
+        """Return a picture of the result as a PIL image, which a notebook displays.
+
+        `name` is spectrogram, stems, motion or modes. Raises ValueError for any other name.
+        """
+        from sonify.report.pictures import picture  # slow to import
 
         return picture(self, name)
 

@@ -116,14 +116,12 @@ class Scene(MotionScene):
 
     @property
     def document(self) -> dict:
-        """The TOML document that this scene came from, or would come from, as nested plain values
-        (a copy)."""
+        """A copy of the TOML document of this scene, as nested plain values."""
         return deepcopy(self._document) if self._document else _document(asdict(self))
 
     @cached_property
     def edge(self) -> Any:
-        """What the disk yields as a body at its edge (`modal.Edge`); None for a shell, of which it
-        is not known."""
+        """Elastic flexibility of the disk at its edge (`modal.Edge`); None for a shell."""
         if self.disk.shape != "solid":
             return None
         from modal import yielding_edge
@@ -132,10 +130,28 @@ class Scene(MotionScene):
         return yielding_edge(free_plate(self))
 
     def replace(self, *assignments: str) -> "Scene":
-        """Return this scene with `section.key=value` applied in turn; values are TOML, a bare word
-        is a string.
+        """Return a copy of this scene with `section.key=value` assignments applied in order.
 
-        Raises SceneError as `load_scene` does. Shown by tests/test_scene.py.
+        Parameters
+        ----------
+        *assignments : str
+            Key path and value; the value is TOML, and a bare word is a string.
+
+        Returns
+        -------
+        Scene
+            The new scene.
+
+        Raises
+        ------
+        SceneError
+            If an assignment is malformed, or a key or value is not allowed.
+
+        Examples
+        --------
+        >>> from sonify import load_scene
+        >>> load_scene("published").replace("disk.radius=0.04").disk.radius
+        0.04
         """
         document = self.document
         for assignment in assignments:
@@ -143,9 +159,9 @@ class Scene(MotionScene):
         return from_document(document)
 
     def diff(self, other: "Scene") -> dict[str, tuple[Any, Any]]:
-        """Return the keys in which two scenes differ, each with the value here and that in `other`.
+        """Return the keys that differ between two scenes, with their values here and in `other`.
 
-        Keys are paths as in `replace`. A key that only one of the scenes has is None in the other.
+        Keys are paths as in `replace`. The value of a missing key is None.
 
         Examples
         --------
@@ -164,14 +180,14 @@ class Scene(MotionScene):
 
 @cache
 def adapter() -> TypeAdapter:
-    """Return what validates a scene, and knows its keys."""
+    """Return the pydantic adapter that validates a scene and generates its schema."""
     return TypeAdapter(Scene)
 
 
 def from_document(document: dict) -> Scene:
     """Return the scene of a TOML document given as nested plain values.
 
-    Raises SceneError, and its subclass ContradictionError where only the combination of values is
+    Raises SceneError, or its subclass ContradictionError if only the combination of values is
     impossible.
     """
     _refuse_non_finite(document)
@@ -188,10 +204,24 @@ def from_document(document: dict) -> Scene:
 
 
 def load_scene(source: str | Path = "published") -> Scene:
-    """Return the scene of a shipped name, of a TOML file, or of the run.json of an earlier run.
+    """Load a scene.
 
-    Raises SceneError if there is no such scene, if the file cannot be read or is not TOML, and if a
-    key is unknown or missing or has a value that is not allowed."""
+    Parameters
+    ----------
+    source : str or Path
+        Name of a shipped scene, or path of a TOML file or of the run.json of an earlier run.
+
+    Returns
+    -------
+    Scene
+        The validated scene.
+
+    Raises
+    ------
+    SceneError
+        If there is no such scene, if the file cannot be read or parsed, or if a key is unknown,
+        missing or has an invalid value.
+    """
     file = named(source, SCENES, "scene", SceneError)
     document = read(file, SceneError)
     if file.suffix == ".json":
@@ -203,7 +233,7 @@ def load_scene(source: str | Path = "published") -> Scene:
 
 
 def _with_mesh(document, folder):
-    """The document with the path of a mesh that lies beside it."""
+    """Return the document with its mesh file resolved against `folder` if the file is there."""
     surface = document.get("surface")
     file = surface.get("file") if isinstance(surface, dict) else None
     if isinstance(file, str) and (folder / file).is_file():
@@ -212,21 +242,19 @@ def _with_mesh(document, folder):
 
 
 def scene_of(scene: Scene | str | Path, accuracy: str | None = None) -> Scene:
-    """Return a scene, or what `load_scene` makes of its name or path, with that accuracy where one
-    is given."""
+    """Return a scene, loaded if given by name or path, with `accuracy` if one is given."""
     scene = scene if isinstance(scene, Scene) else load_scene(scene)
     return scene.replace(f"numerics.accuracy={accuracy}") if accuracy else scene
 
 
 def shipped_scenes() -> dict[str, str]:
-    """Name and first comment line of every scene that comes with the program."""
+    """Return the name and first comment line of every shipped scene."""
     texts = {name: (SCENES / f"{name}.toml").read_text("utf-8") for name in shipped(SCENES)}
     return {name: text.splitlines()[0].removeprefix("#").strip() for name, text in texts.items()}
 
 
 def _document(sections):
-    """The document of a scene that was not read from one but is given by its sections: every key
-    that has a value."""
+    """Return the document of a scene from its sections, without the keys that are None."""
     document = _given(sections)
     if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
@@ -237,7 +265,7 @@ def _document(sections):
 
 
 def _recorded(record):
-    """The document of the scene in a run.json, where infinity is a string: JSON has none."""
+    """Return the document of the scene in a run.json, which stores infinity as a string."""
     document = _document(record["scene"])
     for section, key in (path.split(".") for path in MAY_BE_INFINITE):
         if document[section][key] == "inf":
@@ -246,12 +274,12 @@ def _recorded(record):
 
 
 def _given(section):
-    """A section without the keys that are None, tuples as lists."""
+    """Return a section without the keys that are None and with tuples as lists."""
     return {key: _plain(value) for key, value in section.items() if value is not None}
 
 
 def _flat(section, path=""):
-    """The values of nested sections by their key paths."""
+    """Return the values of nested sections by their key paths."""
     flat: dict[str, Any] = {}
     for key, value in section.items():
         if isinstance(value, dict):
@@ -280,8 +308,7 @@ def _assign(document, assignment):
 
 
 def _value(path, text):
-    """The value that a TOML text gives; text that is neither TOML nor means to be is a bare
-    word."""
+    """Return the value of a TOML text; other text is a bare word, unless it looks like TOML."""
     try:
         value, *more = tomllib.loads(f"value = {text}").values()
     except (ValueError, RecursionError) as error:

@@ -1,4 +1,4 @@
-"""What is wrong with a scene, said in one line."""
+"""VALIDATION ERROR -> one line that states the fault of a scene."""
 
 from copy import deepcopy
 from dataclasses import fields, is_dataclass
@@ -30,33 +30,32 @@ SENTENCES = {
     "less_than": "must be less than {lt:g}",
     "less_than_equal": "must be less than or equal to {le:g}",
 }
-"""What is said of each kind of fault that pydantic finds in a scene; tests/test_scene.py seeks all
-that there are."""
+"""Message for each type of pydantic error in a scene; tests/test_scene.py checks all types."""
 
 
 class InputError(ValueError):
-    """What the user gave is wrong; the message is one line."""
+    """Invalid user input; the message is one line."""
 
 
 class SceneError(InputError):
-    """The scene is wrong; the message is one line naming the key, its value and what is allowed."""
+    """Invalid scene; the message names the key, its value and the allowed values in one line."""
 
 
 class ContradictionError(SceneError):
-    """Two keys of a scene contradict each other, though each has an allowed value."""
+    """Two keys of a scene contradict each other, although each value is allowed."""
 
 
 def is_contradiction(error) -> bool:
-    """Return True if a pydantic ValidationError has no fault but values that exclude each other."""
+    """Return True if a pydantic ValidationError contains only values that exclude each other."""
     return all(fault["type"] == "value_error" for fault in error.errors(include_url=False))
 
 
 def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
-    """Return a copy of a document with 44.1e3 as 44100 where a key is to be whole; None if none is.
+    """Return a copy of a document with floats such as 44.1e3 as integers where keys require them.
 
-    `error` is the ValidationError of the document.
+    `error` is the ValidationError of the document. Returns None if no value changes.
     """
-    exact = 2.0**53  # beyond, not every whole number is a float
+    exact = 2.0**53  # floats do not represent all larger integers
     given = deepcopy(document)
     changed = False
     for fault in error.errors(include_url=False):
@@ -73,8 +72,10 @@ def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
 
 
 def explain(error, schema: type) -> str:
-    """Return one line on the first fault of a pydantic ValidationError; an unknown key comes before
-    what it caused."""
+    """Return one line on the first fault of a pydantic ValidationError.
+
+    Unknown keys come first, because they may cause the other faults.
+    """
     faults = sorted(error.errors(include_url=False), key=lambda fault: fault["type"] not in UNKNOWN)
     fault = faults[0]
     context = faults[0].get("ctx", {})
@@ -96,10 +97,10 @@ def explain(error, schema: type) -> str:
 
 
 def _meant_key(path, siblings, schema):
-    """The question whether a similar key, or one of that name in another section, was meant."""
+    """Return a question that suggests a key of the same name elsewhere, or a similar key."""
     keys = key_paths(schema)
     section, _, name = path.rpartition(".")
-    if path in keys:  # of a section of another kind
+    if path in keys:  # valid in a section of another kind
         return ""
     if namesakes := [key for key in keys if key.rpartition(".")[2] == name]:
         return question(namesakes[:3])
@@ -108,7 +109,7 @@ def _meant_key(path, siblings, schema):
 
 
 def _meant_name(name, keys):
-    """The question whether a key was meant whose last word is similar, in whatever section."""
+    """Return a question that suggests a key with a similar last word in any section."""
     by_name = {key.rpartition(".")[2]: key for key in reversed(keys)}
     closest = get_close_matches(name, by_name, n=1)
     return question([by_name[found] for found in closest])
@@ -128,8 +129,7 @@ def key_paths(schema: type) -> list[str]:
 
 
 def _walked(schema, location):
-    """The steps of a location without the tags of sections of several kinds, and the types that
-    they lead to."""
+    """Return the steps of an error location without union tags, and the type at each step."""
     steps = []
     kinds = [schema]
     for step in location:
@@ -147,7 +147,7 @@ def _walked(schema, location):
 
 
 def sections_of(kind):
-    """The dataclasses in `Section`, `Section | None`, `Annotated[A | B, ...]`, `list[Section]`."""
+    """Return the dataclasses of `Section | None`, `Annotated[A | B, ...]` or `list[Section]`."""
     if get_origin(kind) is Annotated:
         return sections_of(get_args(kind)[0])
     inside = get_args(kind) if get_origin(kind) in (UnionType, list, tuple) else (kind,)

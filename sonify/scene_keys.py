@@ -1,5 +1,4 @@
-"""Every key of a scene: its unit, range, default and meaning, as the types of the sections have
-them."""
+"""SCENE TYPES -> KEYS: unit, range, default and meaning of every key of a scene."""
 
 import json
 import re
@@ -14,7 +13,7 @@ KINDS = {"number": "number", "integer": "whole number", "string": "text", "boole
 
 
 class Key(NamedTuple):
-    """A key of a scene file, in words."""
+    """Description of one key of a scene file."""
 
     name: str
     unit: str
@@ -24,8 +23,7 @@ class Key(NamedTuple):
 
 
 def schema() -> dict:
-    """Return the JSON schema of a scene, with which editors complete and check a scene file while
-    it is written."""
+    """Return the JSON schema of a scene; editors use it to complete and check scene files."""
     whole = {"$schema": DIALECT} | adapter().json_schema()
     for section in (whole, *whole["$defs"].values()):
         section["additionalProperties"] = False
@@ -44,14 +42,14 @@ def as_json() -> str:
 
 
 def as_table() -> str:
-    """Return the keys as a table of text, one line each under a line of headings."""
+    """Return the keys as a text table with a header and one line per key."""
     rows = [Key._fields, *keys()]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
 
 
 def as_lines(width: int) -> str:
-    """Return the keys in lines of at most `width` characters, the meaning below the range."""
+    """Return the keys in lines of at most `width` characters, with the meaning below the range."""
     lines = []
     for key in keys():
         unit = "" if key.unit == "-" else f" [{key.unit}]"
@@ -82,7 +80,7 @@ def _keys(section, sections, path):
 
 
 def _of_all_kinds(sections):
-    """The keys of a section, or of all its kinds: each once, with the kinds that have it."""
+    """Return the keys of all kinds of a section, each once and with the kinds that have it."""
     if len(sections) == 1:
         return sections[0]
     kinds = [kind.range for kind, *_ in sections]
@@ -102,13 +100,13 @@ def _of_all_kinds(sections):
 
 
 def _apart(description):
-    """Meaning and unit of a description, which names the unit in brackets."""
+    """Return the meaning and the unit of a description with the unit in brackets."""
     unit = re.search(r" \[([^]]*)\]", description)
     return (description.replace(unit[0], "", 1), unit[1]) if unit else (description, "-")
 
 
 def _range(key):
-    """What is allowed, in words, by a type of JSON schema."""
+    """Return the allowed values of a JSON schema type in words."""
     if "enum" in key or "const" in key:
         return ", ".join(map(str, key.get("enum", [key.get("const")])))
     if "$ref" in key:

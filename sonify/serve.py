@@ -1,4 +1,4 @@
-"""FINISHED RUNS -> BROWSER: a list of them, the page of each, two of them side by side."""
+"""FINISHED RUNS -> BROWSER: list the runs, show the page of each, and compare two runs."""
 
 import json
 import re
@@ -22,35 +22,35 @@ from sonify.scene_errors import InputError
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
 LAST_PORT = 65535
 CONTENT_SECURITY_POLICY = {
-    "default-src": "'none'",  # nothing that is not named below, and nothing from other servers
-    "script-src": "'unsafe-inline' 'wasm-unsafe-eval' data:",  # a stretcher of sound: data: module
-    "worker-src": "data:",  # its audio worklet
-    "connect-src": "data:",  # its machine code
+    "default-src": "'none'",  # forbid everything that is not listed below
+    "script-src": "'unsafe-inline' 'wasm-unsafe-eval' data:",  # audio stretching module
+    "worker-src": "data:",  # audio worklet of that module
+    "connect-src": "data:",  # WebAssembly code of that module
     "style-src": "'unsafe-inline'",
     "img-src": "'self' data:",
     "media-src": "'self' data:",
-    "form-action": "'self'",  # the form that compares two runs
+    "form-action": "'self'",  # form for the comparison of two runs
     "base-uri": "'none'",
     "frame-ancestors": "'none'",
 }
-"""What a page may load; the page of a run holds its scripts, styles and pictures itself."""
+"""Content that a page may load; the page of a run embeds its scripts, styles and pictures."""
 HEADERS = {
     "Content-Security-Policy": "; ".join(map(" ".join, CONTENT_SECURITY_POLICY.items())),
     "X-Content-Type-Options": "nosniff",
     "Referrer-Policy": "no-referrer",
 }
-"""Headers of every response."""
+"""HTTP headers of every response."""
 RUN = re.compile(r'<script type="application/json" class="run">(.*?)</script>', re.DOTALL)
-"""The numbers of a run in its page."""
+"""Pattern for the JSON data that the page of a run embeds."""
 DEEPEST = 4
-"""Runs are sought so many folders down."""
+"""Number of folder levels that are searched for runs."""
 
 
 def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=print):
-    """Serve the runs in `folder` until interrupted; `note(address)` is told where. A port of 0 is
-    any that is free.
+    """Serve the runs in `folder` until interrupted; pass the address to `note`.
 
-    Raises InputError if there is no such folder or the port cannot be had.
+    Port 0 selects any free port. Raises InputError if the folder does not exist, or if the address
+    or the port is invalid or unavailable.
     """
     if not Path(folder).is_dir():
         raise InputError(
@@ -78,8 +78,10 @@ def serve(folder: str | Path, host: str = "127.0.0.1", port: int = 8000, note=pr
 
 
 def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
-    """Return the web application that shows the runs in `folder`; on loopback it answers to no
-    other name."""
+    """Return the web application for the runs in `folder`.
+
+    If `host` is a loopback address, requests with another host name are rejected.
+    """
     root = Path(folder).resolve()
 
     def index(request: Request) -> Response:
@@ -109,27 +111,29 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
 
 
 def inside(root: Path, name: str) -> Path:
-    """Return the path of that name in `root`; whatever lies elsewhere, by dots or by links, does
-    not exist: 404."""
+    """Return the path of `name` in `root`.
+
+    Hidden files, and paths that leave `root` through dots or links, give status 404.
+    """
     try:
         path = (root / name).resolve()
         hidden = any(part.startswith(".") for part in Path(name).parts)
         if path.is_relative_to(root) and path.exists() and not hidden:
             return path
-    except (OSError, ValueError):  # a name that is too long, or has a zero in it
+    except (OSError, ValueError):  # the name is too long or contains a null character
         pass
     raise HTTPException(404, "no such file")
 
 
 def found(root: Path) -> list[dict]:
-    """Return what the list tells of every finished run in `root`, the newest first."""
+    """Return the list entry of every finished run in `root`, newest first."""
     records = [path for depth in range(DEEPEST) for path in root.glob("*/" * depth + "run.json")]
     records = sorted(records, key=lambda path: path.stat().st_mtime, reverse=True)
     return [run for run in (_told(root, path) for path in records) if run]
 
 
 def _told(root, path):
-    """What a run.json tells, or nothing if it cannot be read or is that of another program."""
+    """Return the list entry of a run.json, or None if it is unreadable or of another program."""
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
         claims = [finding["holds"] for finding in record["findings"]]
@@ -147,7 +151,7 @@ def _told(root, path):
 
 
 def _failed(checks):
-    """What is wrong with a run, a sentence for each self-check that failed."""
+    """Return one line for each failed self-check of a run."""
     failed = []
     for record in checks:
         if not record["passed"]:
@@ -159,8 +163,10 @@ def _failed(checks):
 
 
 def numbers(page: Path) -> str:
-    """Return the numbers in the page of a run, JSON; 404 if there is no such page or it holds
-    none."""
+    """Return the JSON data embedded in the page of a run.
+
+    The status is 404 if the page does not exist or contains no data.
+    """
     held = RUN.search(page.read_text(encoding="utf-8")) if page.is_file() else None
     if not held:
         raise HTTPException(404, "no such run, or one whose sound is too long for a page")

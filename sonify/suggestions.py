@@ -1,4 +1,4 @@
-"""MISSPELT NAME -> the known name that was meant, for the end of a message."""
+"""MISSPELT NAME -> the closest known names, as a question at the end of a message."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -7,7 +7,7 @@ from difflib import get_close_matches
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """Return "; did you mean toy?" for the known name closest to `word`, or "" if none is close.
 
-    Case, "-" and "_" make no difference.
+    Case, "-" and "_" are ignored.
     """
     spelt = {_plain(name): name for name in known}
     closest = get_close_matches(_plain(word), spelt, n=1)
@@ -15,7 +15,7 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
 
 
 def question(names: list[str]) -> str:
-    """Return "; did you mean a or b?", or "" without names."""
+    """Return "; did you mean a or b?", or "" if `names` is empty."""
     return f"; did you mean {' or '.join(names)}?" if names else ""
 
 

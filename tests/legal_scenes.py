@@ -1,4 +1,4 @@
-"""Random legal scenes of every section, as TOML documents; and what a run of one must come to."""
+"""Random legal scenes with every section as TOML documents, and the outcomes allowed for a run."""
 
 import time
 import warnings
@@ -10,16 +10,19 @@ from sonify import SceneError, solve
 from sonify.scene import from_document
 
 MOST_SECONDS = 120.0
-"""Of one processor for one scene. The mean is 4; several listeners, or hundreds of modes, take up to 85."""
+"""Processor time limit [s] for one scene.
+
+The mean is 4 s; several listeners or hundreds of modes take up to 85 s.
+"""
 
 
 def decades(random, low, high):
-    """Draw a number whose logarithm is uniform."""
+    """Draw a number with a uniformly distributed logarithm."""
     return exp(random.uniform(log(low), log(high)))
 
 
 def odd(random, usual, corner, share=0.05):
-    """Draw from the usual range [low, high] of a positive quantity, at times from a wider one."""
+    """Draw a positive quantity from its usual range [low, high], sometimes from a wider one."""
     return decades(random, *(corner if random.random() < share else usual))
 
 
@@ -37,7 +40,7 @@ def any_disk(random):
 
 
 def any_material(random):
-    """Draw what the disk is made of, from rubber to diamond and beyond."""
+    """Draw the material of the disk, from rubber to diamond and beyond."""
     material = {
         "young": odd(random, (1e9, 4e11), (1e4, 1e14)),
         "poisson": random.uniform(-0.9, 0.499)
@@ -51,7 +54,7 @@ def any_material(random):
 
 
 def any_friction(random, radius):
-    """Draw coefficients, at times equal ones, none or infinite ones; and arms of the resisting
+    """Draw friction coefficients, sometimes equal, zero or very large, and arms of the resisting
     moments."""
     mu = random.choice([decades(random, 0.02, 1)] * 8 + [0.0, 5.0])
     ratio = random.choice([1.0, 1.01, random.uniform(1, 2), random.uniform(1, 2)])
@@ -63,7 +66,7 @@ def any_friction(random, radius):
 
 
 def any_release(random, radius, friction):
-    """Draw a release near a steady motion, or anyhow."""
+    """Draw a release, near a steady motion or at random."""
     inclination_deg = odd(random, (2, 60), (1e-3, 89))
     beta = radians(inclination_deg)
     steady = sqrt(4 * 9.81 / (radius * sin(beta)))
@@ -76,7 +79,7 @@ def any_release(random, radius, friction):
 
 
 def any_support(random, disk):
-    """Draw how the modes are held."""
+    """Draw the support used for the modes."""
     kind = "free" if disk.get("shape") == "shell" else random.choice(["patch", "free", "contact"])
     support = {"kind": kind}
     if kind == "patch":
@@ -93,7 +96,7 @@ def any_support(random, disk):
 
 
 def any_plate_material(random):
-    """Draw what a table is made of."""
+    """Draw the material of a table."""
     return {
         "young": odd(random, (1e9, 2e11), (1e6, 1e13)),
         "poisson": random.uniform(0.0, 0.45),
@@ -103,7 +106,7 @@ def any_plate_material(random):
 
 
 def any_surface(random, radius):
-    """Draw a table, or None for a rigid one by default."""
+    """Draw a table, or None for the default, a rigid one."""
     kind = random.choice([None, "rigid", "plate", "plate", "modes", "modes", "infinite"])
     if kind in (None, "rigid"):
         return kind and {"kind": kind}
@@ -143,7 +146,7 @@ def any_surface(random, radius):
 
 
 def any_contact(random, disk):
-    """Draw an elastic or a rigid contact."""
+    """Draw a contact, elastic or rigid."""
     contact = {"law": random.choice(["elastic", "elastic", "elastic", "rigid"])}
     if random.random() < 0.6:
         contact["fillet"] = min(disk["thickness"] / 2, disk["radius"]) * odd(
@@ -160,7 +163,7 @@ def any_contact(random, disk):
 
 
 def any_roughness(random, radius):
-    """Draw the heights of table and edge."""
+    """Draw the roughness of table and edge."""
     roughness = {
         "rms": odd(random, (1e-9, 3e-7), (1e-12, 1e-5)),
         "loss": random.choice(["own", "fitted"]),
@@ -176,7 +179,7 @@ def any_roughness(random, radius):
 
 
 def any_dissipation(random, disk):
-    """Draw one or two further laws of dissipation, as strong as matters to the disk."""
+    """Draw one or two further laws of dissipation of a strength that affects the disk."""
     mass = disk.get("mass") or disk["density"] * 3 * disk["radius"] ** 2 * disk["thickness"]
     chi = sqrt(disk["radius"] / 8)
     strength = decades(random, 1e-7, 1e-1)
@@ -211,7 +214,7 @@ def any_air(random):
 
 
 def any_audio(random, radius):
-    """Draw the file and the listeners."""
+    """Draw the settings of the sound file and the listeners."""
     audio = {
         "sample_rate": random.choice([48000, 48000, 44100, 22050, 8000, 96000]),
         "distance": max(0.5, 1.5 * radius) * odd(random, (1, 4), (0.7, 500)),
@@ -229,7 +232,7 @@ def any_audio(random, radius):
 
 
 def any_numerics(random, radius):
-    """Draw how exactly to solve: a draft of a part of the motion, at times more."""
+    """Draw the numerical settings: mostly a draft of a part of the motion."""
     numerics = {
         "accuracy": random.choice(["draft"] * 9 + ["standard"]),
         "time_limit": min(random.choice([0.05, 0.5, 2.0]), 60 * sqrt(radius / 8)),
@@ -256,7 +259,7 @@ def documents(draw):
 
 
 def any_document(random):
-    """Draw the document of a scene; one in ten or so is not legal."""
+    """Draw the document of a scene; about one in ten is not legal."""
     disk = any_disk(random)
     radius = disk["radius"]
     friction = any_friction(random, disk["radius"])
@@ -288,16 +291,17 @@ def any_document(random):
 
 
 def faults_of(document) -> tuple[str, list[str]]:
-    """Run a scene; return how it ended, and what is wrong with that.
+    """Run a scene; return its ending and a list of its faults.
 
-    A scene ends in a named outcome or in one line of a SceneError. Wrong are another exception, a
-    warning, a failed self-check, a finding whose value is no number, and a run of more than
-    MOST_SECONDS of one processor."""
+    A scene ends in a named outcome or in one line of a SceneError. Faults are any other exception,
+    a warning, a failed self-check, a finding with a non-finite value, and a run of more than
+    MOST_SECONDS of processor time.
+    """
     began = time.process_time()
     result = None
     with warnings.catch_warnings(record=True) as told:
         warnings.simplefilter("always")
-        warnings.simplefilter("ignore", DeprecationWarning)  # of libraries among each other
+        warnings.simplefilter("ignore", DeprecationWarning)  # between third-party libraries
         try:
             result = solve(from_document(document))
             ending = result.motion.outcome.name
@@ -323,7 +327,7 @@ def faults_of(document) -> tuple[str, list[str]]:
 
 
 def place_of(error) -> str:
-    """Return the last line of this project that an exception came through."""
+    """Return the last source line of this project in the traceback of an exception."""
     frame = error.__traceback__
     place = ""
     while frame:

@@ -1,4 +1,4 @@
-"""What every picture must be: its axes named, its legends and titles beside the data."""
+"""Requirements on every picture: labelled axes, and legends and titles clear of the data."""
 
 from itertools import pairwise
 
@@ -8,7 +8,7 @@ from sonify.report import figure
 
 
 def figures(monkeypatch) -> list[Figure]:
-    """Return a list that gets every figure that is drawn from now on."""
+    """Return a list that collects every figure created from now on."""
     made = []
 
     class Kept(Figure):
@@ -21,8 +21,8 @@ def figures(monkeypatch) -> list[Figure]:
 
 
 def assert_readable(one):
-    """Every panel has named axes, and its legend and title are on no data and not on one
-    another."""
+    """Assert that every panel has labelled axes and that its legend and title overlap neither data
+    nor each other."""
     for panel in one.axes:
         bar = panel.get_label() == "<colorbar>"
         assert panel.get_ylabel()

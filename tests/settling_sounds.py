@@ -1,4 +1,4 @@
-"""Synthetic sounds of known law for the tests of the detector: settling disks, and sounds that only
+"""Synthetic sounds of known law for the tests of the detector: settling disks and sounds that only
 resemble them."""
 
 from dataclasses import dataclass
@@ -12,8 +12,7 @@ RATE = 48000
 
 @dataclass(frozen=True)
 class Take:
-    """A sound, and the law by which its disk settles: exponent, end [s], rate one second before the
-    end [Hz]."""
+    """A sound and the law of its disk: exponent, end [s], rate one second before the end [Hz]."""
 
     samples: np.ndarray
     exponent: float
@@ -23,7 +22,7 @@ class Take:
 
 
 def clicks(times, levels, length, rng, decay=None, tonal=None):
-    """Return a sound of `length` seconds: decaying bursts of noise, or of a few tones, at times
+    """Return a sound of `length` seconds with decaying bursts of noise, or of a few tones, at times
     [s]."""
     decay = rng.uniform(0.002, 0.008) if decay is None else decay
     tonal = rng.random() < 0.5 if tonal is None else tonal
@@ -44,7 +43,7 @@ def clicks(times, levels, length, rng, decay=None, tonal=None):
 
 
 def with_noise(sound, snr_db, rng):
-    """Return a sound with white noise, `snr_db` below its mean power where it sounds."""
+    """Return a sound with white noise, `snr_db` below the mean power of its audible part."""
     loud = np.abs(sound) > 1e-3 * np.abs(sound).max()
     power = np.mean(np.square(sound[loud]))
     noisy = sound + rng.normal(size=len(sound)) * np.sqrt(power * 10 ** (-snr_db / 10))
@@ -52,8 +51,10 @@ def with_noise(sound, snr_db, rng):
 
 
 def times_of_phase(phase_of_time, first, last, jitter, rng):
-    """Return the times between two at which a rising phase passes whole numbers, with a jitter in
-    turns."""
+    """Return the times between `first` and `last` at which a rising phase passes whole numbers.
+
+    Each has a random jitter, in turns.
+    """
     grid = np.linspace(first, last, 40000)
     phase = phase_of_time(grid)
     count = int(phase[-1] - phase[0])
@@ -62,7 +63,7 @@ def times_of_phase(phase_of_time, first, last, jitter, rng):
 
 
 def settling_phase(t, exponent, t_end, rate_at_1s):
-    """Return the number of turns since long ago for a rate `rate_at_1s` (t_end - t)^-exponent."""
+    """Return the turns, up to a constant, for a rate `rate_at_1s` (t_end - t)^-exponent."""
     left = np.maximum(t_end - t, 1e-4)
     if abs(exponent - 1) < 1e-6:
         return -rate_at_1s * np.log(left)
@@ -70,7 +71,7 @@ def settling_phase(t, exponent, t_end, rate_at_1s):
 
 
 def settling_take(seed, exponents=(1 / 6, 1.0), snr_db=(15, 40)):
-    """Return a take of a disk whose bursts follow a power law up to its end, drawn by `seed`."""
+    """Return a take of a disk with bursts that follow a random power law up to the end."""
     rng = np.random.default_rng(seed)
     exponent = rng.uniform(*exponents)
     rate = rng.uniform(12, 30)
@@ -92,7 +93,7 @@ def settling_take(seed, exponents=(1 / 6, 1.0), snr_db=(15, 40)):
 
 
 def tonal_take(seed):
-    """Return a take of a disk whose tone itself follows a power law, with harmonics, over noise."""
+    """Return a take of a disk with a harmonic tone that follows a power law, in noise."""
     rng = np.random.default_rng(seed)
     exponent = rng.uniform(1 / 6, 1.0)
     rate = rng.uniform(25, 60)
@@ -105,8 +106,7 @@ def tonal_take(seed):
 
 
 def compressed_take(seed):
-    """Return a take that a lossy codec spoilt: above 4 to 12 kHz silenced, the rest in steps of its
-    spectrum."""
+    """Return a take degraded by a lossy codec: silent above 4 to 12 kHz, spectrum quantised."""
     take = settling_take(seed)
     rng = np.random.default_rng(seed)
     frame = 1152
@@ -133,7 +133,8 @@ def simulated_take(seed):
 
 
 def train(rate_of_time, duration, rng, lead=0.6, tail=0.8, level_of_time=None, jitter=0.02):
-    """Return a train of clicks of a given rate [Hz] over time [s] that stops suddenly."""
+    """Return a train of clicks with a given rate [Hz] as a function of time [s], which stops
+    suddenly."""
     grid = np.linspace(0, duration, 20000)
     phase = np.concatenate([[0], np.cumsum(rate_of_time(grid[:-1]) * np.diff(grid))])
     count = int(phase[-1])
@@ -145,14 +146,14 @@ def train(rate_of_time, duration, rng, lead=0.6, tail=0.8, level_of_time=None, j
 
 
 def metronome(seed):
-    """Return clicks of a constant rate."""
+    """Return clicks at a constant rate."""
     rng = np.random.default_rng(seed)
     rate = rng.uniform(6, 40)
     return train(lambda t: np.full_like(t, rate), rng.uniform(1, 3), rng)
 
 
 def linear_train(seed):
-    """Return clicks whose rate rises linearly."""
+    """Return clicks at a linearly rising rate."""
     rng = np.random.default_rng(seed)
     duration = rng.uniform(1, 3)
     low = rng.uniform(6, 12)
@@ -161,7 +162,7 @@ def linear_train(seed):
 
 
 def exponential_train(seed):
-    """Return clicks whose rate rises exponentially."""
+    """Return clicks at an exponentially rising rate."""
     rng = np.random.default_rng(seed)
     duration = rng.uniform(1, 3)
     low = rng.uniform(6, 12)
@@ -170,8 +171,7 @@ def exponential_train(seed):
 
 
 def slowing_train(seed):
-    """Return clicks whose rate falls: a wheel that runs down, or a settling disk played
-    backwards."""
+    """Return clicks at a falling rate: a wheel running down or a settling disk in reverse."""
     rng = np.random.default_rng(seed)
     duration = rng.uniform(1, 3)
     if seed % 2:
@@ -183,8 +183,7 @@ def slowing_train(seed):
 
 
 def bouncing_ball(seed):
-    """Return the knocks of a ball of constant restitution: intervals and speeds fall
-    geometrically."""
+    """Return the knocks of a bouncing ball: intervals and speeds fall geometrically."""
     rng = np.random.default_rng(seed)
     restitution = rng.uniform(0.75, 0.95)
     first = rng.uniform(0.2, 0.6)
@@ -208,8 +207,8 @@ def random_clicks(seed):
 
 
 def engine(seed):
-    """Return a motor that revs up and is switched off: harmonics of a rate that saturates, in
-    modulated noise."""
+    """Return the sound of a motor that revs up and is switched off: harmonics of a saturating rate,
+    in modulated noise."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(4 * RATE)) / RATE
     rate = rng.uniform(15, 30) + rng.uniform(10, 60) * (1 - np.exp(-t / rng.uniform(0.3, 2)))
@@ -221,8 +220,8 @@ def engine(seed):
 
 
 def glissando(seed):
-    """Return a harmonic tone that glides up, linearly or exponentially, and stops: the sweeps of
-    audio tests."""
+    """Return a harmonic tone that glides up, linearly or exponentially, and stops, as in audio test
+    sweeps."""
     rng = np.random.default_rng(seed)
     duration = rng.uniform(1, 4)
     t = np.arange(int(5.5 * RATE)) / RATE
@@ -255,4 +254,4 @@ IMITATIONS = {
     "glissando": glissando,
     "modulated noise": modulated_noise,
 }
-"""Sounds without a disk, by name; each takes a seed."""
+"""Sounds without a disk, by name; each is a function of a seed."""

@@ -1,8 +1,9 @@
-"""Claim: air takes of a sound on its way what the standard says, by a filter that shifts nothing,
-where that is heard.
+"""Claim: the atmosphere absorbs sound as the standard requires; the filter shifts no phase and runs
+only where the absorption is audible.
 
-Source: ISO 9613-1, 20 degrees and 50 % humidity. Oracle: its table 1; the same sound without the
-filter, convolved."""
+Source: ISO 9613-1, 20 degrees Celsius and 50 % relative humidity. Oracle: table 1 of the standard;
+the unfiltered sound, convolved with the filter.
+"""
 
 import numpy as np
 import pytest
@@ -26,7 +27,7 @@ def test_what_is_taken_at_8_khz(distance, taken):
 @pytest.mark.parametrize("distance", [2.0, 10.0, 100.0])
 @pytest.mark.parametrize("frequency", [125.0, 1000.0, 4000.0, 8000.0, 16000.0])
 def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
-    """Within a hundredth of itself and 0.02 dB, also over the border of two blocks."""
+    """The attenuation is correct to 1 % plus 0.02 dB, also across the boundary of two blocks."""
     n = np.arange(8000)
     wave = np.exp(2j * np.pi * frequency / RATE * n)
     advance = absorbing(Air(), distance, RATE)
@@ -50,7 +51,7 @@ def test_near_by_nothing_is_filtered_and_the_plan_says_how_much_that_is():
 
 
 def test_a_listener_afar_hears_the_same_instant_through_more_air(monkeypatch):
-    """What is rendered is what had been, through the filter, sample by sample."""
+    """The rendered sound equals the unfiltered one convolved with the filter, sample by sample."""
     scene = load_scene("published").replace(
         "audio.distance=10", "numerics.time_limit=0.5", "numerics.accuracy=draft"
     )
@@ -69,7 +70,7 @@ def test_a_listener_afar_hears_the_same_instant_through_more_air(monkeypatch):
 
 
 def absorbing_taps(scene):
-    """The answer of the filter to one sample."""
+    """Return the impulse response of the absorption filter."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(absorption, "MIN_AUDIBLE_ABSORPTION_DB", 0.0)
         one = np.zeros((6 * FILTER_HALF_LENGTH + 1, 1))

@@ -1,7 +1,9 @@
-"""Claim: one air carries the sound and slows the disk; what cannot be is said in one line.
+"""Claim: one description of the air serves both the sound and the drag on the disk; impossible
+values are rejected with a one-line message.
 
-Source: the ideal gas; kinetic theory for the mean free path. Oracle: tabled values of dry air at 20
-degrees."""
+Source: the ideal gas law; kinetic theory for the mean free path. Oracle: tabulated values of dry
+air at 20 degrees Celsius.
+"""
 
 import pytest
 
@@ -52,5 +54,5 @@ def test_an_air_that_cannot_be_is_refused_in_one_line(changes, told):
     ("frequency", "lost"), [(1000, 4.66), (2000, 9.89), (4000, 29.7), (8000, 105.0)]
 )
 def test_what_air_takes_of_a_sound_is_that_of_the_standard(frequency, lost):
-    """dB/km at 20 degrees and 50 % humidity, ISO 9613-1, table 1."""
+    """Attenuation [dB/km] at 20 degrees Celsius and 50 % relative humidity, ISO 9613-1, table 1."""
     assert 1000 * Air().absorption(frequency) == pytest.approx(lost, rel=0.01)

@@ -1,9 +1,10 @@
-"""Claim: a run says from when its air counts, what ends it and which friction it takes; the answers
-can be no.
+"""Claim: a run reports when its air becomes important, which mechanism ends it and which friction
+it assumes; each finding can be negative.
 
-Source: measurements of disks (2026): an exponent of 0.31(3); rolling friction and air of a steel
-disk on glass cross near 0.03 rad by their authors' laws. Oracle: motions whose answers are known;
-those laws, written out in a scene."""
+Source: measurements of disks (2026): an exponent of 0.31(3); the rolling friction and the air drag
+of a steel disk on glass are equal near 0.03 rad by the authors' laws. Oracle: motions for which the
+findings are known; the authors' laws, entered in a scene.
+"""
 
 import numpy as np
 import pytest
@@ -44,7 +45,7 @@ def in_air(thorne):
 
 
 def test_film_and_contour_take_what_the_disk_on_glass_loses(thorne, in_air):
-    """All but the work of a few short slides."""
+    """The film and contour friction dissipate all energy except the work of a few short slides."""
     power = film_powers(thorne.disk, film_under(thorne.disk, thorne.air), in_air.state).sum(axis=0)
     power += thorne.dissipation.contour_moment * np.abs(precession_rate(in_air.state))
     assert np.trapezoid(power, in_air.t) == pytest.approx(in_air.state[-1, 10], rel=0.03)
@@ -69,10 +70,10 @@ def test_air_ends_the_disk_on_glass(thorne, in_air):
 
 
 def falling_film_share(motion, air):
-    """Lift of the falling film over contact force and lift, written out: 1.75 M_1/R of Reynolds'
-    equation.
+    """Return the greatest ratio of the falling film's lift to the sum of lift and contact force.
 
-    Where the contact vibrates, omega_1 is the slope of the inclination over 5 ms.
+    The lift is 1.75 M_1/R of Reynolds' equation, written out. The contact may vibrate, therefore
+    omega_1 is the slope of the inclination over 5 ms.
     """
     t = np.linspace(0.01, motion.t[-1] - 0.01, 20001)
     slope = (motion.at(t - 2.5e-3)[:, 1] - motion.at(t + 2.5e-3)[:, 1]) / 5e-3
@@ -129,7 +130,7 @@ def test_early_in_a_motion_in_a_vacuum_air_may_be_neglected():
     assert motion.outcome is Outcome.TIME_LIMIT
     assert "what_ends" not in {
         finding.key for finding in motion_findings(scene, motion)
-    }  # nothing has ended it
+    }  # no mechanism has ended it
 
 
 @pytest.mark.parametrize(
@@ -142,11 +143,12 @@ def test_the_exponent_that_a_friction_gives(name, exponent, as_measured):
 
 
 def test_a_pressure_of_a_tenth_hardly_changes_the_film_but_the_law_of_its_authors(thorne, in_air):
-    """Viscosity does not depend on pressure, so that a thin film does not: 1.02. Boundary layers
-    do, as its root: 1.33.
+    """One tenth of the pressure prolongs the run by 2 % with the film, 33 % with boundary layers.
 
-    By those authors' laws, contour friction and Bildsten's, 8.05 s and 10.70 s from 0.12 rad,
-    crossing at 0.03(1) rad."""
+    Viscosity, and hence a thin film, does not depend on pressure; boundary layers depend on its
+    square root. The authors' laws, contour friction and Bildsten's, give 8.05 s and 10.70 s from
+    0.12 rad, and are equal at 0.03(1) rad.
+    """
     thin = simulate(thorne.replace("air.pressure=10132.5", "air.density=0.118"))
     assert thin.t[-1] / in_air.t[-1] == pytest.approx(1.02, abs=0.01)
     times = []
@@ -161,7 +163,10 @@ def test_a_pressure_of_a_tenth_hardly_changes_the_film_but_the_law_of_its_author
 
 
 def test_the_film_crosses_the_friction_of_the_disk_on_glass(in_air, thorne):
-    """At 0.019 rad, its authors' laws at 0.03(1) rad: their law of air is twice as strong there."""
+    """The powers are equal at 0.019 rad.
+
+    The authors' laws give 0.03(1) rad, because their air drag is twice as strong there.
+    """
     late = in_air.state[:, 1] < 0.05
     film = film_powers(thorne.disk, film_under(thorne.disk, thorne.air), in_air.state).sum(axis=0)
     rate = np.abs(precession_rate(in_air.state))
@@ -170,8 +175,10 @@ def test_the_film_crosses_the_friction_of_the_disk_on_glass(in_air, thorne):
 
 
 def test_the_law_of_boundary_layers_crosses_the_friction_where_its_authors_say(thorne):
-    """At 0.03(1) rad, where the gap is 2.8 times as deep as one of the layers that this law takes
-    to be thin."""
+    """The powers are equal at 0.03(1) rad.
+
+    The gap is only 2.8 boundary layers deep there, although the law assumes thin layers.
+    """
     disk = thorne.disk
     air = thorne.air
     law = Dissipation(boundary_layer_viscosity=air.viscosity / air.density, air_density=air.density)
@@ -189,8 +196,10 @@ def test_the_law_of_boundary_layers_crosses_the_friction_where_its_authors_say(t
     ("name", "shares"), [("moffatt", (0.4, 0.6)), ("boundary_layer", (0.9, 1.1))]
 )
 def test_the_plan_says_how_far_a_papers_law_is_from_the_film(name, shares):
-    """At 0.01 rad, of the published disk; both are far off at 0.1 rad, the one too small, the other
-    too large."""
+    """The shares hold for the published disk at 0.01 rad.
+
+    At 0.1 rad one law is far too small, the other far too large.
+    """
     (told,) = papers_law(load_scene(name))
     shares_told = [float(part.split()[-1]) for part in told.split(" at ")[:3]]
     assert shares[0] < shares_told[1] < shares[1]
@@ -198,9 +207,11 @@ def test_the_plan_says_how_far_a_papers_law_is_from_the_film(name, shares):
 
 
 def test_a_fillet_weakens_the_film_and_does_not_explain_the_law_of_boundary_layers(thorne):
-    """The face ends 1.6 mm before the rim, and there is the higher by what the disk stands on its
-    fillet: the film takes 13 to 15 % less from 0.03 to 0.12 rad, where its authors' law of air
-    takes two to four times more."""
+    """The fillet reduces the power of the film by 13 to 15 % between 0.03 and 0.12 rad.
+
+    The face ends 1.6 mm inside the rim, and the fillet raises its edge there. The authors' law of
+    air drag gives two to four times more power than the film.
+    """
     radius = 1e3 * thorne.disk.radius
     fillet = 1.6
     for beta, left in ((0.03, 0.87), (0.12, 0.85)):

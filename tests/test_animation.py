@@ -1,9 +1,10 @@
-"""Claim: the film shows the solved motion, standing on the table, in step with its sound, in a
+"""Claim: the film shows the solved motion of the disk on the table, in step with its sound and in a
 common format.
 
 Source: the geometry of a cylinder on a plane, (2.1) to (2.3); H.264 in yuv420p with AAC. Oracle:
-the contact as the lowest point of the rim and at rest while the disk rolls; the film decoded again,
-its sound compared with sound.wav."""
+the contact is the lowest point of the rim and is at rest while the disk rolls; the film is decoded
+and its sound compared with sound.wav.
+"""
 
 import signal
 import subprocess
@@ -57,7 +58,7 @@ def test_the_disk_stands_on_the_table_where_the_contact_is(scene, motion):
 
 
 def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, motion):
-    """v = 0 at the contact, from the drawn points of the body a moment before and after."""
+    """The velocity at the contact is zero, from central differences of the drawn points."""
     t = np.array([1.0, 3.0, 6.0])
     h = 1e-6
     assert all(name.startswith("roll") for name in motion.regime(t))
@@ -89,7 +90,7 @@ def late(scene, motion):
 
 
 def test_the_disk_stays_in_the_picture(result, late):
-    """At its greatest inclination and at the end; the margin is table and nothing else."""
+    """The frame contains the disk at its steepest and at the end; the margin shows the table."""
     for clip in (clip_of(result), clip_of(late)):
         camera = camera_of(clip)
         disk = clip.result.scene.disk
@@ -145,7 +146,7 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
 
 
 def test_a_full_disk_leaves_no_half_film(result, monkeypatch):
-    """A limit on the size of files stands for the full disk."""
+    """A limit on the file size simulates the full storage device."""
     pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
     resource = pytest.importorskip("resource", reason="this system cannot limit the size of files")
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)

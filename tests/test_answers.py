@@ -1,8 +1,8 @@
-"""Claim: the table of surfaces in the README is made of the findings of shipped scenes, and of
-nothing else.
+"""Claim: the table of surfaces in the README contains only findings of shipped scenes.
 
-Source: sonify/claims/surface_summary.py. Oracle: findings whose values and answers are given; the
-scenes solved anew."""
+Source: sonify/claims/surface_summary.py. Oracle: findings with given values and answers; new
+solutions of the scenes.
+"""
 
 import re
 from dataclasses import replace
@@ -31,7 +31,7 @@ def finding(key, value, holds):
 
 @pytest.mark.parametrize("value", [1.99, 2.01])
 def test_an_answer_whose_margin_reaches_across_its_threshold_is_undecided(value):
-    """So the table is the same where other arithmetic has the value on the other side."""
+    """Rounding may move the value across the threshold, but does not change the table."""
     others = [
         finding(next(iter(words)), 0.25, True)
         for question, words in ANSWERS.items()
@@ -71,7 +71,7 @@ def test_the_table_says_which_motions_are_in_a_vacuum(name):
 
 @pytest.mark.parametrize("rank", [0, 1])
 def test_the_first_finding_that_there_is_answers(rank):
-    """With every finding, and with the second of each alone; in the words of yes and of no."""
+    """Checked with all findings and each second one alone, in positive and negative wording."""
     keys = [list(words)[rank] for words in ANSWERS.values()]
     for holds in (True, False):
         told = answers([finding(key, 0.25, holds) for key in keys])
@@ -88,7 +88,7 @@ def test_the_first_finding_that_there_is_answers(rank):
 
 @pytest.mark.parametrize("holds", [True, False])
 def test_contact_that_is_lost_to_the_air_is_told_beside_what_vibrations_do(holds):
-    """In the words of the run alone: where the film is left out, the disk keeps its contact."""
+    """The answer depends on the run alone: without the film, the disk keeps its contact."""
     key = (
         "contact_is_lost" if holds else "contact_kept"
     )  # the second does not hold where the air carries the disk
@@ -103,7 +103,7 @@ def test_contact_that_is_lost_to_the_air_is_told_beside_what_vibrations_do(holds
 
 
 def shown(text):
-    """Words, and numbers, of the rows of the table in a text."""
+    """Return the rows of the table in a text with numbers masked, and the numbers separately."""
     head, *_ = answer_table({}).splitlines()
     rows = text[text.index(head) :].partition("\n\n")[0]
     return re.sub(NUMBER, "0", rows), [float(number) for number in re.findall(NUMBER, rows)]
@@ -111,7 +111,7 @@ def shown(text):
 
 @pytest.mark.slow
 def test_the_readme_shows_what_the_scenes_find():
-    """The words are the same; a number differs by a unit of its last digit, or by a tenth."""
+    """The words are equal; numbers agree within one unit of the last digit or 10 %."""
     readme = shown((Path(__file__).parents[1] / "README.md").read_text("utf-8"))
     made = shown(surfaces.main())
     assert readme[0] == made[0]

@@ -1,8 +1,8 @@
-"""Claim: the packages keep their order, the oracles stay apart from what they judge, and starting
-up costs nothing.
+"""Claim: the packages keep their order of imports, the oracles are independent of the code that
+they test, and start-up loads nothing heavy.
 
-Source: the tree itself: scene -> motion -> modes -> force -> sound -> findings.
-Oracle: the import statements of every file, and the modules that a fresh interpreter has loaded.
+Source: the source tree: scene -> motion -> modes -> force -> sound -> findings. Oracle: the import
+statements of every file; the modules loaded by a fresh interpreter.
 """
 
 import ast
@@ -35,8 +35,7 @@ FILES = sorted(f for package in (*PACKAGES, "benchmarks") for f in (ROOT / packa
 
 
 def imported(file):
-    """Return the names of the modules that a file imports, with its own package put before relative
-    ones."""
+    """Return the names of the modules that a file imports, with relative imports made absolute."""
     package = file.relative_to(ROOT).parts[0]
     names = set()
     for node in ast.walk(ast.parse(file.read_text("utf-8"))):
@@ -71,7 +70,7 @@ def test_who_imports_whom(file):
 
 
 def test_no_code_asks_what_kind_of_thing_it_has():
-    """A question with a default hides a misspelt name; a scene and a motion have every attribute."""
+    """A default for a missing attribute hides misspelt names; scenes and motions have them all."""
     questions = re.compile(r"hasattr\(|getattr\((scene|motion)\b|SimpleNamespace|__dict__ \|=")
     found = [
         f"{file.relative_to(ROOT)}:{number}"
@@ -84,8 +83,7 @@ def test_no_code_asks_what_kind_of_thing_it_has():
 
 
 def test_every_import_keeps_the_contracts():
-    """They stand in pyproject.toml: the order of packages, of stages in `sonify` and `modal`, no
-    circles."""
+    """The contracts in pyproject.toml fix the order of packages and stages, and forbid cycles."""
     assert lint_imports(str(ROOT / "pyproject.toml"), no_cache=True) == 0
 
 
@@ -112,7 +110,7 @@ def test_help_loads_nothing_heavy(command):
 
 
 def test_flows_are_compiled_before_anything_heavy_is_loaded():
-    """The compiler lets go of Python's lock, imports do not: it is at work while they go on."""
+    """The compiler releases Python's global lock, so that it runs in parallel with the imports."""
     code = (
         "import sys; from sonify.entry_points import begun; begun('published', None)\n"
         "print(sorted({'scipy', 'matplotlib', 'numba', 'skfem', 'soundfile', 'meshio'} & "
@@ -127,7 +125,7 @@ def test_flows_are_compiled_before_anything_heavy_is_loaded():
 
 @pytest.mark.parametrize("package", [dynamics, modal, sonify], ids=lambda package: package.__name__)
 def test_what_a_package_offers_is_listed_typed_and_explained(package):
-    """Completion, `help` and type checkers see what is imported only when it is asked for."""
+    """Completion, `help` and type checkers see the names that are imported on first use."""
     stub = ast.parse((ROOT / package.__name__ / "__init__.pyi").read_text("utf-8"))
     listed = {
         alias.asname
@@ -164,8 +162,7 @@ def test_every_stage_of_a_run_says_what_it_takes_and_gives():
 
 
 def bare(things):
-    """The names of the functions among things by name of which a parameter or what they return is
-    not annotated."""
+    """Return the names of the functions without a complete annotation of parameters and result."""
     signatures = {
         name: inspect.signature(thing)
         for name, thing in things.items()
@@ -182,7 +179,7 @@ def bare(things):
 
 
 def plain(attribute):
-    """The function behind a property, as it stands in the body of a class."""
+    """Return the function behind a property or cached property."""
     return getattr(attribute, "fget", None) or getattr(attribute, "func", attribute)
 
 

@@ -1,9 +1,10 @@
-"""Claim: the eigenvalues of a disk that turns over one mode of a table say where its steady motion
-is left.
+"""Claim: the eigenvalues of a disk that turns on one mode of a table predict where its steady
+motion becomes unstable.
 
-Source: the docstring of campbell.py. Oracle: the limits of a heavy table, the crossing of the wave
-that runs against the contact with the nutation, and the steps of the two-way motion, which know
-nothing of eigenvalues."""
+Source: the docstring of campbell.py. Oracle: the limit of a heavy table; the crossing of the
+nutation with the wave that runs against the contact; the time steps of the two-way motion, which do
+not use eigenvalues.
+"""
 
 import numpy as np
 import pytest
@@ -39,8 +40,10 @@ def mode(n, mass, zeta, frequency=600.0):
 
 
 def nutation(disk):
-    """Return that of a smooth disk on a rigid table over its precession: (3 J/(J + m R^2))^0.5, J
-    by hand."""
+    """Return the ratio of nutation to precession of a smooth disk on a rigid table.
+
+    It is (3 J/(J + m R^2))^0.5, with the moment of inertia J written out.
+    """
     J = 1 / 4 + disk.aspect**2 / 3
     return (3 * J / (J + 1)) ** 0.5
 
@@ -80,7 +83,7 @@ def test_divergence_below_the_resonance_and_flutter_of_the_nutation_above(disk, 
 
 
 def test_the_steps_flutter_as_the_eigenvalues_say():
-    """The precession drifts by 1 % in that time, and the growth by as much of the highest."""
+    """The precession drifts by 1 % during the test, and the growth rate by 1 % of its maximum."""
     for x in (FLUTTER_SPEED, 1.05 * FLUTTER_SPEED):
         assert growth_by_steps(MODE, x, 2e5).real == pytest.approx(
             expected_growth(MODE, x), abs=0.03 * expected_growth(MODE, FLUTTER_SPEED)

@@ -1,8 +1,9 @@
-"""Claim: carriers are told with their drift, with errors that hold the truth, and apart from their
-sidebands.
+"""Claim: spectral lines are found with their drift, with error estimates that contain the truth,
+and are distinguished from their sidebands.
 
-Source: least squares and the jackknife over parts. Oracle: tones and bands of noise of known
-course, and an amplitude that is modulated ever faster."""
+Source: least squares and the jackknife over segments. Oracle: synthetic tones and noise bands of
+known drift; a tone with amplitude modulation of increasing rate.
+"""
 
 import numpy as np
 import pytest
@@ -17,8 +18,7 @@ TIME = np.arange(int(LENGTH * RATE)) / RATE
 
 
 def made(seed, drift, bandwidth):
-    """A carrier by chance, with noise: samples, its frequency in the middle [Hz] and its drift
-    [cents/s]."""
+    """Return samples of a random line in noise, its centre [Hz] and its drift [cents/s]."""
     random = np.random.default_rng(seed)
     middle = random.uniform(900, 5000)
     drift = drift * random.uniform(-1, 1)
@@ -33,8 +33,7 @@ def made(seed, drift, bandwidth):
 
 @pytest.mark.parametrize(("drift", "bandwidth"), [(0.0, 0.0), (25.0, 0.0), (25.0, 8.0)])
 def test_twice_the_errors_hold_the_truth(drift, bandwidth):
-    """In 95 % of the cases for a normal error; of 30, fewer than 25 would have a chance below 2
-    %."""
+    """Twice a normal error covers 95 %; fewer than 25 of 30 has a probability below 2 %."""
     inside = []
     for seed in range(30):
         samples, middle, rate = made(seed, drift, bandwidth)
@@ -58,7 +57,7 @@ def test_a_carrier_that_moves_is_not_called_steady(drift, course):
 
 
 def test_sidebands_are_told_from_carriers():
-    """A tone of 1500 Hz, modulated 60 to 96 times a second, and another of 2500 Hz that is not."""
+    """A tone of 1500 Hz, modulated at 60 to 96 Hz, and an unmodulated tone of 2500 Hz."""
     swing = 1 + 0.5 * np.cos(2 * np.pi * 60 * TIME * (1 + TIME / 40))
     noise = 0.01 * np.random.default_rng(0).standard_normal(len(TIME))
     found = carriers(
@@ -71,15 +70,17 @@ def test_sidebands_are_told_from_carriers():
 
 
 def pair(low, high, seed=0):
-    """Two tones of such courses (n,) [Hz], in noise."""
+    """Return two tones with given frequencies (n,) [Hz] in noise."""
     sound = sum(np.cos(2 * np.pi * np.cumsum(course) / RATE) for course in (low, high))
     return sound + 0.03 * np.random.default_rng(seed).standard_normal(len(TIME))
 
 
 @pytest.mark.parametrize("exponent", [0.3, 0.5, 1.0])
 def test_a_silent_carrier_is_told_by_its_sidebands(exponent):
-    """As of a shape that is odd about the contact: its factor swings about zero. At last it rings
-    by itself."""
+    """A mode shape that is odd about the contact has a drive factor that oscillates about zero.
+
+    In the last 3 s the mode rings freely.
+    """
     swing = 120 * (LENGTH - TIME + 1) ** -exponent
     rolls = TIME < LENGTH - 3
     ringing = np.cos(2 * np.pi * 2261 * TIME)
@@ -95,7 +96,7 @@ def test_a_silent_carrier_is_told_by_its_sidebands(exponent):
 
 @pytest.mark.parametrize("falling", [0.0, -1.0, -3.0, -12.0])
 def test_two_carriers_that_do_not_mirror_each_other_stay_two(falling):
-    """One rises by 6 Hz a second; it would be a sideband if the other fell by as much."""
+    """One line rises by 6 Hz/s; the two would be sidebands only if the other fell by 6 Hz/s."""
     found = carriers(pair(2200 + falling * TIME, 2300 + 6 * TIME), RATE)
     middles = [2200 + falling * LENGTH / 2, 2300 + 6 * LENGTH / 2]
     assert sorted(one.frequency for one in found) == pytest.approx(middles, abs=2.0)
@@ -105,15 +106,16 @@ def test_two_carriers_that_do_not_mirror_each_other_stay_two(falling):
 
 
 def test_of_many_peaks_as_speech_has_only_near_ones_are_compared():
-    """Of an hour's, all pairs would take hours: so near the work grows with their number, not with
-    its square."""
+    """The work is linear in the number of peaks; all pairs of an hour would take hours."""
     few, many = (np.array([[0] * n, 60.0 * np.arange(n), [20] * n]) for n in (1000, 2000))
     assert 1900 < _pairs(many).shape[1] - _pairs(few).shape[1] <= 1000 * 2 * APART[1] / 60
 
 
 def band(drift, seed):
-    """Noise half of whose power is within some 80 cents of 1800 Hz, which drifts [cents/s], in
-    white noise."""
+    """Return a drifting noise band [cents/s] in white noise.
+
+    Half the power of the band is within about 80 cents of 1800 Hz.
+    """
     rng = np.random.default_rng(seed)
     keeps = np.exp(-2 * np.pi * 1800 * (2 ** (80 / 1200) - 1) / RATE)
     turns = np.cumsum(1800 * 2 ** (drift * (TIME - LENGTH / 2) / 1200)) / RATE
@@ -129,7 +131,7 @@ def band(drift, seed):
 
 @pytest.mark.parametrize("drift", [-40.0, 0.0, 20.0, 60.0])
 def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
-    """Its peaks are no lines, however long one lasts; a line beside it is one."""
+    """No peak of the band is a spectral line, even if it lasts long; a separate line is one."""
     missed = []
     for seed in range(4):
         sound = band(drift, seed) + np.cos(2 * np.pi * 4000 * TIME)
@@ -146,7 +148,7 @@ def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
         missed += [
             x / (1200 / np.log(2) * one.error / 1800) for x, one in zip(away, bands, strict=True)
         ]
-    assert np.sqrt(np.mean(np.square(missed))) < 2  # of errors that seven degrees of freedom tell
+    assert np.sqrt(np.mean(np.square(missed))) < 2  # errors estimated with seven degrees of freedom
     assert np.max(np.abs(missed)) < 6
 
 
@@ -155,8 +157,10 @@ def test_noise_has_no_carriers():
 
 
 def test_carriers_are_matched_to_modes_and_contact():
-    """The toy on granite: its first free mode lies at 10.6 kHz, its contact passes 2 kHz; 5.04 kHz,
-    recorded, is neither's."""
+    """The toy on granite has a free mode at 10.6 kHz; its contact resonance passes 2 kHz.
+
+    The recorded line at 5.04 kHz matches neither.
+    """
     known = resonances(load_scene("granite"))
     rate = 44100
     t = np.arange(4 * rate) / rate

@@ -1,8 +1,9 @@
 """Claim: `sonify chart` runs every chart of a checkout; an installed package without a checkout
-says where they are.
+names the place where the charts are.
 
-Source: the public command line; the folder benchmarks/ is not part of the wheel. Oracle: the charts
-that benchmarks/ defines, and a folder without benchmarks/ in place of the checkout."""
+Source: the public command line; the wheel does not contain the folder benchmarks/. Oracle: the
+charts defined in benchmarks/; an empty folder in place of the checkout.
+"""
 
 import pytest
 from click.testing import CliRunner

@@ -1,8 +1,9 @@
-"""Claim: the chart of the elastic contact compares methods that solve the same problem, and shows
-where each ends.
+"""Claim: the chart of the elastic contact compares methods that solve the same problem and shows
+where each one fails.
 
-Source: the closed forms of the impact; the filter and the full model of dynamics/coupled. Oracle:
-each other."""
+Source: the closed forms of the impact; the filter and the full model of dynamics/compliant. Oracle:
+the methods, compared with each other.
+"""
 
 import numpy as np
 import pytest
@@ -23,7 +24,7 @@ def test_every_way_through_the_impact_tends_to_its_closed_form():
     depth, kept = contact_case.full_model_impact(8e5).values
     half_step = (
         contact_case.IMPACT_SPEED / 8e5 / 2 / contact_case.hertz_impact()[1]
-    )  # the deepest row is no further from the depth
+    )  # error of the deepest row
     assert depth == pytest.approx(1, abs=0.625 * half_step**2)
     assert kept == pytest.approx(1, abs=1e-12)
 

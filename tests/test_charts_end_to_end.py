@@ -1,5 +1,5 @@
-"""Claim: the accuracies are points on a curve of audible error against seconds, and the plan
-foresees them.
+"""Claim: the accuracy levels are points on a curve of audible error against computing time, and the
+plan predicts both.
 
 Source: benchmarks/charts/end_to_end_chart.py. Oracle: the rendering at accuracy "reference".
 """

@@ -1,8 +1,9 @@
 """Claim: uniform meshes do not resolve the edge of a patch, and linear tetrahedra lock; the methods
-of `modal` do not.
+of `modal` avoid both errors.
 
-Source: the edge of a held patch is singular, u ~ r^(1/2). Oracle: frequencies by a different
-method, and by Ritz."""
+Source: the singularity u ~ r^(1/2) at the edge of a clamped patch. Oracle: frequencies from an
+independent method; Ritz's method.
+"""
 
 import math
 

@@ -1,9 +1,10 @@
-"""Claim: the ways in which simpler methods fail on the rolling disk are real, and our own method
-shows none of them.
+"""Claim: simpler methods really fail on the rolling disk as the chart shows, and our method has
+none of these failures.
 
-Source: Kessler & O'Reilly (2002), section 6.2, for the slip tolerance; (3.3) read as Filippov's
-inclusion. Oracle: quadruple precision (published case), 80-bit arithmetic (sticking case). Speed is
-never asserted."""
+Source: Kessler & O'Reilly (2002), section 6.2, for the slip tolerance; (3.3) as Filippov's
+differential inclusion. Oracle: quadruple precision (published case); 80-bit arithmetic (sticking
+case). No test depends on speed.
+"""
 
 import csv
 import json
@@ -143,7 +144,7 @@ PAGE = SimpleNamespace(PROBLEM="Solve $x = 1$.", conclusion=lambda records: ["On
 
 
 def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(monkeypatch):
-    """By a clock of our own, which goes on in the calls alone."""
+    """The test replaces the clock with one that advances only in the calls."""
     now = 0.0
     calls = []
 
@@ -159,7 +160,8 @@ def test_runs_take_turns_and_a_short_one_is_called_as_often_as_the_clock_needs(m
         Work("f", a, "s", "c", partial(call, a, lasting[a]), lambda values: 0.0) for a in lasting
     ]
     short, long = measured(works)
-    assert "".join(calls) == "ab" + "aaaaab" + 3 * "aaaaa"  # of each turn the first is not timed
+    # The first call of each turn is not timed.
+    assert "".join(calls) == "ab" + "aaaaab" + 3 * "aaaaa"
     assert (short.repeats, long.repeats) == (5, 2)
     assert (short.seconds, long.seconds) == pytest.approx(tuple(lasting.values()))
     calls.clear()
@@ -193,7 +195,7 @@ def test_a_page_names_its_command_and_says_none_where_nothing_failed(tmp_path):
 def test_the_shown_chart_is_what_its_records_make_and_says_the_problem_and_five_sentences_at_most(
     name, tmp_path
 ):
-    """Drawn again from its table; nothing is measured."""
+    """The chart is redrawn from its table, without new measurements."""
     for suffix in ("csv", "md"):
         shutil.copy(SHOWN / f"{name}.{suffix}", tmp_path)
     write_chart(name, False, tmp_path, None, redraw=True)

@@ -1,9 +1,10 @@
-"""Claim: physics engines solve the same rolling disk, in steps of first order; with slides they
-solve another one.
+"""Claim: physics engines solve the same rolling disk with first-order accuracy; with sliding they
+solve a different problem.
 
-Source: (2.5) and (3.3) for the start and the moments given to them. Oracle: the exact solution of
-the rolling disk by hypergeometric functions, and quadruple precision for the published case.
-Engines that are not installed are skipped."""
+Source: (2.5) and (3.3) for the initial state and the applied moments. Oracle: the exact
+hypergeometric solution of the rolling disk; quadruple precision for the published case. Engines
+that are not installed are skipped.
+"""
 
 from importlib.util import find_spec
 from math import acos, pi, sin, sqrt
@@ -33,7 +34,7 @@ POINT_CONTACT = [
 
 
 def error(method, case, which):
-    """At the setting of that index, or at a step of that length."""
+    """Return the error of a method at a setting, given by its index, or at a step size."""
     peer = (engines.METHODS | engines.METHODS_WITHOUT_MOMENTS)[method]
     if not find_spec(peer.package):
         pytest.skip(f"{engines.ENGINES[peer.package]} is not installed")
@@ -115,7 +116,7 @@ def test_engines_converge_to_the_exact_motion(method):
 
 @pytest.mark.parametrize("method", engines.METHODS)
 def test_engines_are_of_first_order(method):
-    """The slope of error over step, both as logarithms, is 1 within a tenth."""
+    """The logarithmic slope of error against step size is 1 within 0.1."""
     steps = (2e-3, 1e-3, 5e-4, 2e-4)
     errors = [error(method, conservative(1.0), step) for step in steps]
     assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(1, abs=0.1)
@@ -136,7 +137,7 @@ def test_engines_with_one_coefficient_of_friction_slide_another_way(method):
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 @pytest.mark.parametrize("case", [conservative(), published(5.0)], ids=lambda case: case.name)
 def test_ours_does_neither(case):
-    """Neither span is long enough to amplify the roundings of its steps."""
+    """Both time spans are too short for the motion to amplify rounding errors."""
     found = ours(case, "taylor", 1e-16)
     assert case.error(found.values) < gamma(20 * found.steps)
 

@@ -1,8 +1,9 @@
-"""Claim: textbook integrators detune, blow up or miss the jumps of the force at audio rate; our
-exact steps do not.
+"""Claim: at audio rate, textbook integrators detune, become unstable or miss the jumps of the
+force; our exact steps do not.
 
-Source: the closed form of driven oscillators. Oracle: that closed form, which shares no formula
-with the steps."""
+Source: the closed form of driven oscillators. Oracle: the same closed form, which shares no formula
+with the steps.
+"""
 
 import csv
 from itertools import pairwise

@@ -1,10 +1,12 @@
-"""Claim: the map of failures is as drawn: each failure is there, and our default methods show none
-of them.
+"""Claim: the failure map is correct: each failure occurs where it is drawn, and our default methods
+have none.
 
-Source: Filippov's reading of (3.3); the stability limits of the textbook integrators; locking and
-shifts as in Hughes, The Finite Element Method; a held square of size a has the stiffness ~ a for
-translations, ~ a^3 for rotations. Oracle: 80-bit arithmetic for motions, closed forms for
-oscillators and thin plates. tests/test_modal_failures.py has more of the modal ones."""
+Source: (3.3) as Filippov's differential inclusion; the stability limits of the textbook
+integrators; locking and frequency shifts as in Hughes, The Finite Element Method; a clamped square
+of side a has a stiffness ~ a for translation and ~ a^3 for rotation. Oracle: 80-bit arithmetic for
+motions; closed forms for oscillators and thin plates. tests/test_modal_failures.py has further
+tests of the modal failures.
+"""
 
 import re
 from importlib.util import find_spec

@@ -1,8 +1,9 @@
-"""Claim: the findings on an elastic contact come from the sound alone, hold where they should, and
-can say no.
+"""Claim: the findings on an elastic contact depend on the sound alone, hold where they should, and
+can be negative.
 
-Source: noise bands drawn here; the linear contact of the scene. Oracle: their own frequencies,
-another stiffness, the force stepped in time, proportionality."""
+Source: noise bands generated here; the linearised contact of the scene. Oracle: the given
+frequencies of the bands; another stiffness; the force from time stepping; proportionality.
+"""
 
 from types import SimpleNamespace
 
@@ -99,7 +100,7 @@ def still_motion(contact_losses=(), solves_contact=False):
 
 
 def test_contact_is_lost_as_a_gaussian_vibration_loses_it_and_where_it_is_solved():
-    """At 3.09 standard deviations once in a thousand."""
+    """A Gaussian vibration exceeds 3.09 standard deviations with a probability of 1e-3."""
     weight = TABLE.law.disk.weight
     kept = still_motion()
     assert contact_is_lost(kept, still(weight / 3.0902)).value == pytest.approx(1e-3, rel=1e-3)
@@ -123,8 +124,7 @@ def test_several_contacts_are_marked_from_when_on():
 
 
 def test_the_power_that_roughness_takes_is_force_times_rise():
-    """Stepped in time over a table alone, in steady motion; the mean of N' z' against its
-    spectrum."""
+    """The time mean of N' z' on a rough table in steady motion equals the spectral result."""
     rough = Roughness(rms=1e-8, rms_edge=0.0)
     rate = 192e3
     seconds = 6.0
@@ -150,8 +150,7 @@ def test_the_power_that_roughness_takes_is_force_times_rise():
 
 
 class Resounding:
-    """A disk whose air is loud at 3.6 kHz alone, on a contact whose force, solved, has two
-    bands."""
+    """A disk with loud air radiation at 3.6 kHz only, and a contact force with two noise bands."""
 
     disk, t, solves_contact, contact_losses = TABLE.law.disk, np.array([0.0, 8.0]), True, ()
     steady_load = staticmethod(lambda t: TABLE.law.disk.weight + 0 * t)
@@ -184,8 +183,7 @@ class Resounding:
 
 @pytest.mark.parametrize(("hertz", "moved"), [(3600.0, True), (1850.0, False)])
 def test_a_band_that_the_air_moves_is_told_from_the_contacts(monkeypatch, hertz, moved):
-    """Loud air on the second harmonic of a force: 26 dB there, of 10 that the force has less, make
-    it the band."""
+    """The air amplifies the second harmonic by 26 dB; the force is 10 dB weaker there."""
     monkeypatch.setattr(contact, "VibratingDisk", Resounding)
     scene = load_scene("granite")
     motion = Resounding()
@@ -200,8 +198,7 @@ def test_a_band_that_the_air_moves_is_told_from_the_contacts(monkeypatch, hertz,
 
 @pytest.mark.slow
 def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_table():
-    """Three surfaces, over the run of `granite`, each within 2 %; held against a softer table the
-    answer is no."""
+    """Three surfaces agree within 2 % over the run of `granite`; a softer table does not."""
     for seed in range(3):
         scene = load_scene("granite").replace(f"roughness.seed={seed}", "numerics.accuracy=draft")
         plan, modes = planned(scene)

@@ -1,7 +1,8 @@
-"""Claim: the command line keeps its contract: exit status 0, 1, 2, one line for what is wrong,
-nothing written then.
+"""Claim: the command line keeps its contract: the exit status is 0, 1 or 2; an error gives one line
+of explanation and writes no file.
 
-Source: the README's table of commands. Oracle: the files that exist afterwards, and the streams.
+Source: the table of commands in the README. Oracle: the files that exist afterwards; the output
+streams.
 """
 
 import errno
@@ -63,7 +64,7 @@ def test_scenes_are_listed_one_a_line():
 
 
 def test_help_gives_the_summary_of_every_command_in_full():
-    """click cuts a long summary and ends it with dots."""
+    """click shortens a long summary and appends an ellipsis."""
     told = ask("--help").stdout
     listed = " ".join(told.split("Commands:")[1].split())
     assert "..." not in listed
@@ -257,7 +258,7 @@ QUESTIONS = ["what you hear", "does the pitch rise", "is contact lost", "what en
 
 
 def test_a_run_ends_with_its_files_and_answers_and_tells_what_it_replaces(tmp_path):
-    """The second run is the same as the first; the third has another name and one other key."""
+    """The second run repeats the first; the third differs in its name and in one key."""
     short = ("--out", str(tmp_path), "--accuracy", "draft", "--set", "numerics.time_limit=0.1")
     first = ask("run", "published", *short)
     again = ask("run", "published", *short)
@@ -327,7 +328,7 @@ def test_a_file_is_whole_or_as_it_was(tmp_path, fault):
 
 
 def test_no_command_writes_unasked_over_what_the_checkout_keeps():
-    """Every default folder is outputs/<something else than shown>."""
+    """Every default folder is outputs/<a name other than shown>."""
     if not (ROOT / ".git").exists():
         pytest.skip("not a checkout")
     asked = subprocess.run(

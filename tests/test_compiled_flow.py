@@ -1,9 +1,10 @@
-"""Claim: the machine code of the portable integrator computes what the formulas say, in steps of
-DOP853, to its events.
+"""Claim: the compiled portable integrator evaluates the given formulas, takes DOP853 steps and
+locates events.
 
 Source: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, sections II.5, II.6.
-Oracle: the same formulas in 30 digits; scipy's DOP853 and its dense output; the order of the
-method. What rounding may do to them is derived from the formulas themselves: arithmetic.py."""
+Oracle: the same formulas in 30 digits; SciPy's DOP853 and its dense output; the order of the
+method. The formulas themselves give the bounds on rounding errors (arithmetic.py).
+"""
 
 import arithmetic
 import numpy as np
@@ -40,8 +41,7 @@ def flow_of(sliding, stuck=(False,) * 3, loads=None):
 
 
 def by_formula(y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT, number=float):
-    """Return the rates (11,) and the guards by name at y (11,), in numbers of a kind and the flow
-    for them."""
+    """Return rates (11,) and guards by name at y (11,), for a number type and its flow."""
     y = [number(x) for x in y]
     law = Law(*map(number, LAW))
     senses = [number(sense) for sense in SENSES]
@@ -53,8 +53,10 @@ def by_formula(y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT, number=fl
 
 
 def bounded_step(y, h, sliding):
-    """Return the end (k,) of a step and its Taylor coefficients (8, k) on [0, 1], in bounded
-    arithmetic."""
+    """Return the end (k,) of a step and its Taylor coefficients (8, k), in bounded arithmetic.
+
+    The interval of the coefficients is [0, 1].
+    """
     states = [rounded(y)]
     rates = np.empty((16, len(y)), dtype=object)
     for i in range(16):
@@ -66,7 +68,7 @@ def bounded_step(y, h, sliding):
 
 
 def ask(flow, y, numbers, rates, guards):
-    """Call a flow, which only machine code can."""
+    """Call a flow from machine code, as Python cannot call it directly."""
     flow(y, numbers, rates, guards)
 
 
@@ -134,7 +136,7 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
 
 
 def test_it_stops_where_a_guard_falls_through_zero():
-    """The nutation reverses: omega_1 is a guard, and zero where the integration stops."""
+    """The nutation reverses: its guard is omega_1, which is zero where the integration stops."""
     flow, names, numbers = flow_of(sliding=False)
     times, coefficients, end, fired = machine(integrate, STEPS)(
         flow, STATE, numbers, len(names), 10.0, 1e-13

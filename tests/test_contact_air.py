@@ -1,9 +1,10 @@
-"""Claim: on an elastic contact the film of air acts as on a rigid one, and fitted friction counts
-roughness once.
+"""Claim: the air film acts on a disk with an elastic contact as on a rigid disk, and fitted
+friction does not count the roughness twice.
 
-Source: Reynolds' equation on the wedge (dynamics/film/wedge.py); the balance of energy. Oracle: the
-event-driven motion in the same air; the power of the film written out; the same motion on a smooth
-table."""
+Source: Reynolds' equation on the wedge (dynamics/film/wedge.py); the energy balance. Oracle: the
+event-driven motion in the same air; the explicit formula for the power of the film; the same motion
+on a smooth table.
+"""
 
 import numpy as np
 import pytest
@@ -23,7 +24,7 @@ LOW = (
 FULL = "contact.law=elastic", "numerics.contact=full", "numerics.contact_rate=2e5"
 
 STIFF = "contact.young=60e11", "material.young=195e11", "numerics.contact_rate=1.5e6"
-"""A hundredfold, of table and disk: the springs are some twenty times as stiff."""
+"""Table and disk 100 times as stiff: the contact springs become about 20 times as stiff."""
 
 
 @pytest.fixture(scope="module")
@@ -33,7 +34,7 @@ def carried():
 
 
 def test_the_air_carries_the_disk_when_it_carries_the_rigid_one(carried):
-    """The difference, which creep makes, falls as the contact stiffens."""
+    """Creep makes the difference, which falls as the contact stiffens."""
     rigid, *elastic = carried
     assert {motion.outcome.name for motion in carried} == {"AIRBORNE"}
     off = [abs(motion.t[-1] / rigid.t[-1] - 1) for motion in elastic]
@@ -63,8 +64,7 @@ def test_the_film_takes_its_power(carried):
 
 @pytest.mark.parametrize("pressure", [101.325, 1013.25])
 def test_squeezed_air_gives_no_more_than_it_holds(pressure):
-    """Where the waves of a light table throw the disk: what is lost to any cause never falls, and
-    energy adds up."""
+    """The waves of a light table throw the disk; no loss decreases, and the energy balances."""
     mode = "{order=4, frequency=180.0, damping_ratio=0.02, modal_mass=M}"
     mode = f"surface={{kind='modes', action='motion', modes=[{mode}]}}"
     low = (
@@ -85,8 +85,10 @@ def test_squeezed_air_gives_no_more_than_it_holds(pressure):
 
 
 def test_fitted_friction_counts_roughness_once():
-    """On 0.1 um the contact takes a tenth of what contour friction does: beside it, or as a part of
-    it."""
+    """With a roughness of 0.1 um the contact dissipates one tenth of the power of contour friction.
+
+    This loss is an addition to the friction or a part of it, as the scene requires.
+    """
     short = (
         "numerics.time_limit=0.5",
         "air.film=none",

@@ -1,9 +1,10 @@
-"""Claim: the model of an elastic contact follows from what the scene lets expect, before anything
-is solved.
+"""Claim: the program selects the model of an elastic contact from the scene, before it solves
+anything.
 
-Source: contact is lost from an rms of N' of 0.3 of the weight on; the filter errs most in slides.
-Oracle: the force that the event-driven motion has at its release; the proportionality of a linear
-contact to its roughness."""
+Source: the disk loses contact when the rms of N' exceeds 0.3 of the weight; the errors of the
+filter are largest in slides. Oracle: the contact force of the event-driven motion at release; the
+response of a linear contact, which is proportional to its roughness.
+"""
 
 import numpy as np
 import pytest
@@ -28,8 +29,7 @@ def elastic():
 
 @pytest.mark.parametrize("scene", ["published", "hoop", "viscous"])
 def test_first_force_is_that_of_the_rigid_motion(scene):
-    """Also where the disk slides at once, but for the first short step of a slide, after which it
-    is read."""
+    """The second case slides at once; its force is read after the first short step of the slide."""
     read = load_scene(scene)
     for given, error in (
         (read, 1e-9),
@@ -55,8 +55,7 @@ def test_rough_scenes_are_solved_in_full_from_where_contact_is_lost(elastic):
 
 
 def test_a_disk_that_the_air_carries_does_not_break_its_contact_below(elastic):
-    """The inclination is that where the solved motion is AIRBORNE; on the way down to it the filter
-    is enough."""
+    """The predicted inclination is that of AIRBORNE; down to it the filter is adequate."""
     fine = elastic.replace(
         *GENTLE,
         "release.inclination_deg=12",
@@ -87,11 +86,11 @@ def test_slides_and_what_is_asked_for(elastic):
 
 
 def test_what_roughness_takes_besides_friction_acts_on_the_motion(elastic):
-    """Of a disk that hardly anything else slows; a friction that was fitted to such a surface holds
-    it.
+    """Roughness slows a disk with hardly any other dissipation; fitted friction includes this loss.
 
-    The power goes with the square of the heights: the odds of roughness against friction do at
-    every inclination."""
+    The power of roughness is proportional to the square of the heights at every inclination, and so
+    is its share.
+    """
     free = (
         "friction.arm_rolling=0",
         "friction.arm_pivoting=0",

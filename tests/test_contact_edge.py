@@ -1,9 +1,10 @@
-"""Claim: a disk that bends lowers the carrier of its contact, and filter and full motion have it as
-its modes do.
+"""Claim: the bending of the disk lowers its contact resonance, and the filter and the full model
+predict the same resonance as the modes.
 
-Source: series of the springs of the contact and of the disk at the frequency of the carrier.
-Oracle: the modes of the elastic disk on its contact, which know no such series
-(modal/spring_supported.py); a rigid disk."""
+Source: the springs of the contact and of the disk in series at the contact resonance. Oracle: the
+modes of the elastic disk on its contact, which do not use the series (modal/spring_supported.py); a
+rigid disk.
+"""
 
 import numpy as np
 import pytest
@@ -20,8 +21,7 @@ INCLINATIONS = 0.57, 0.1, 0.01, 1e-3, 1e-4
 
 
 def ringing(scene, beta):
-    """Return frequency [Hz] and loss factor of the mode below the first free one that rings
-    longest."""
+    """Return frequency [Hz] and loss factor of the least damped mode below the first free one."""
     table = law_table(scene)
     modes = contact_modes(free_plate(scene), suspension(table.law, beta), beta, 24e3, "standard")
     loss = 2 * modes.decay_rate / np.hypot(2 * np.pi * modes.frequency, modes.decay_rate)
@@ -34,8 +34,7 @@ def ringing(scene, beta):
     ("name", "angles"), [("granite", INCLINATIONS), ("coin", INCLINATIONS[:3])]
 )
 def test_the_filter_rings_as_the_elastic_disk_does(name, angles):
-    """The series is exact at the carrier without losses: what is left is the order of the square of
-    its loss factor."""
+    """The series is exact without losses; its error is of second order in the loss factor."""
     scene = load_scene(name)
     table = law_table(scene)
     for beta in angles:
@@ -44,7 +43,7 @@ def test_the_filter_rings_as_the_elastic_disk_does(name, angles):
         assert found.frequency[0] == pytest.approx(frequency, rel=1e-3 + loss**2 / 8)
         energy = (
             2 * np.pi * frequency
-        ) ** 2 / table.edge.squared.min()  # of its body in motion, which a spring lacks
+        ) ** 2 / table.edge.squared.min()  # kinetic energy of the body, which a spring lacks
         assert found.loss_factor[0] == pytest.approx(loss, rel=0.02 + energy / 2)
 
 
@@ -54,7 +53,7 @@ def test_the_filter_rings_as_the_elastic_disk_does(name, angles):
 def test_the_springs_of_the_full_motion_have_the_carrier_but_for_what_couples_them(
     name, angles, off
 ):
-    """What is left out is the flexibility between a_2 and a_3."""
+    """The springs of the full motion neglect the flexibility that couples a_2 and a_3."""
     scene = load_scene(name)
     for beta in angles:
         speed = steady_speed(scene.disk, beta)
@@ -81,8 +80,10 @@ def test_a_rigid_body_and_a_shell_have_hertz_springs_alone():
 
 
 def test_a_sharp_edge_bends_the_disk_as_a_round_one_does():
-    """Its softer springs yield more, the body the same: its part of the whole falls as they do. The
-    polynomials through the thickness would not resolve a strip of 0.05 mm."""
+    """A sharp edge has softer springs on the same body, so the body's share is smaller.
+
+    The polynomials through the thickness would not resolve a strip of 0.05 mm.
+    """
     shares = []
     stiffness = []
     for fillet in (1.6e-3, 5e-5):

@@ -1,8 +1,10 @@
-"""Claim: the filter steps the linearised contact exactly, along any slowly varying motion, and
-forecasts its own rms.
+"""Claim: the filter steps the linearised contact exactly along any slowly varying motion, and
+predicts its own rms.
 
-Source: linear systems; the spectrum of a filtered stationary process. Oracle: the sum of the
-responses to each wave of the profile, an integrator of differential equations, a prototype."""
+Source: linear systems theory; the spectrum of a filtered stationary process. Oracle: the sum of the
+responses to the waves of the profile; an integrator of differential equations; an independent
+prototype.
+"""
 
 import numpy as np
 import pytest
@@ -79,11 +81,11 @@ def test_table_interpolates_the_law():
 
 @pytest.mark.parametrize("beta", [0.3, 0.003])
 def test_a_wave_at_a_time(beta):
-    """On a periodic edge the force is the sum of the responses to its waves; between samples
-    heights are straight.
+    """On a periodic edge the force is the sum of the responses to its waves.
 
-    Straight pieces lower a wave of p radians a step by sinc^2(p/2) and add aliases of its size
-    times (p/2 pi)^2."""
+    The heights are linear between samples. This multiplies a wave of p radians per step by
+    sinc^2(p/2) and adds aliases of relative size (p/2 pi)^2.
+    """
     rough = Roughness(rms=1e-8, shortest=5e-4)
     edge = edge_profile(rough, RADIUS)
     rate = 384e3
@@ -117,8 +119,10 @@ def test_a_wave_at_a_time(beta):
 
 
 def test_along_a_motion_that_changes():
-    """A fall from 0.3 to 0.25 rad in 5 ms under a load that swings: an integrator of high order
-    agrees, to order 2."""
+    """The error against a high-order integrator is of order 2.
+
+    The disk falls from 0.3 to 0.25 rad in 5 ms under an oscillating load.
+    """
     rough = table_profile(Roughness(rms=1e-8, shortest=1e-3))
 
     def state(t):
@@ -158,8 +162,7 @@ def test_along_a_motion_that_changes():
 
 
 def test_a_jump_rings():
-    """The elastic force cannot jump: what is added starts at minus the jump and rings away at the
-    carrier."""
+    """The elastic force is continuous: the response starts at minus the jump, then rings."""
     rate = 4e5
     beta = 0.1
     block = next(steady(beta, rate, 0.05))
@@ -183,11 +186,12 @@ def test_blocks_change_nothing():
 
 
 def test_predicted_rms():
-    """The rms of simulated force scatters with the few waves that a resonance takes: three seeds,
-    above 200 Hz.
+    """The predicted rms above 200 Hz agrees with simulations and with the prototype.
 
-    The prototype's closed form has its springs and its loss, and a k^-2 spectrum: theirs agree to 1
-    %."""
+    The simulated rms scatters, because a resonance selects few waves; the test averages three
+    seeds. With the prototype's springs, loss and k^-2 spectrum, the prediction agrees with its
+    closed form to 1 %.
+    """
     beta = 0.1
     rate = 192e3
     found = []
@@ -222,8 +226,7 @@ def test_predicted_rms():
 
 
 def test_the_carrier_is_in_the_force_and_rises(motion):
-    """Over the run the force of three surfaces has the carrier expected along the motion within 2
-    %, and it rises."""
+    """The force on three surfaces has the predicted contact resonance within 2 %, and it rises."""
     rate = 96e3
     rough = [Roughness(rms=1e-8, seed=seed) for seed in range(3)]
     peaks = []
@@ -250,7 +253,7 @@ def test_the_carrier_is_in_the_force_and_rises(motion):
 
 
 def middle(f, power):
-    """Return the mean frequency [Hz] of what lies above a third of the peak beyond 800 Hz."""
+    """Return the mean frequency [Hz] above 800 Hz, where the power exceeds 1/3 of its peak."""
     high = (f > 800) & (power > power[f > 800].max() / 3)
     return np.average(f[high], weights=power[high])
 
@@ -261,7 +264,7 @@ def test_too_stiff_for_the_rate():
 
 
 def test_a_motion_is_followed_while_its_contact_is_an_ellipse(motion):
-    """At 96 kHz down to 5e-8 rad, but for the last knot before it, and every force is a number."""
+    """At 96 kHz the blocks reach 5e-8 rad, one knot before the limit, and every force is finite."""
     *_, last = motion_blocks(motion, 96e3, 19.2)
     assert 5e-8 <= last.inclination[-1] < 1e-5
     assert all(
@@ -271,7 +274,7 @@ def test_a_motion_is_followed_while_its_contact_is_an_ellipse(motion):
 
 
 def test_paths_of_a_motion(motion):
-    """The paths advance at the speeds that the state gives, and jumps are those of the motion."""
+    """The paths advance at the speeds of the state, and the jumps equal those of the motion."""
     blocks = list(motion_blocks(motion, 48e3, 0.2, 0.4))
     path, edge, t = (
         np.concatenate([getattr(b, name)[:-1] for b in blocks]) for name in ("path", "edge", "t")

@@ -1,8 +1,8 @@
-"""Claim: the compliant motion keeps or loses energy exactly as its causes say, and meets the closed
-forms it has.
+"""Claim: the compliant motion conserves or dissipates energy exactly as its loss mechanisms
+require, and agrees with the available closed forms.
 
 Source: the docstrings of normal.py and tangential.py; Hertz's impact; Hunt and Crossley (1975).
-Oracle: energies of the states, closed forms, the rigid motion, spectra of linear systems, symmetry.
+Oracle: energies of the states; closed forms; the rigid motion; spectra of linear systems; symmetry.
 """
 
 from functools import cache
@@ -48,12 +48,11 @@ SLIPPERY, FRICTIONLESS = (
 )
 BOTH_SMOOTH = SMOOTH, SMOOTH
 ENERGY = 60
-"""Operations on terms of the size of the energy: in a step, and in what adds the energy up."""
+"""Operations on terms of the size of the energy, in one step and in the sum of the energy."""
 
 
 def table(stiffer=1.0, creeps=True, damping=None):
-    """Return the law with every spring `stiffer` times as stiff at a given load, with creep or
-    without."""
+    """Return the law with all springs stiffer by a factor, with or without creep."""
     out = LawTable(law=LAW, damping=damping)
     scale = np.ones(7)
     scale[[HERTZ_STIFFNESS, STIFFNESS_1, STIFFNESS_2, LOSS_COEFFICIENT]] = (
@@ -68,14 +67,13 @@ def table(stiffer=1.0, creeps=True, damping=None):
 
 
 def steady(beta, nutation=0.0):
-    """Return the columns of a steady motion with a fixed centre, with a nutation velocity [rad/s]
-    added."""
+    """Return the columns of a steady motion with a fixed centre and a nutation rate [rad/s]."""
     w3 = steady_rate(LAW.disk, beta) * np.sin(beta)
     return np.array([0.0, beta, 0, 0, 0, nutation, LAW.disk.aspect * w3, w3, 0, 0, 0])
 
 
 def run(model, y, every, stop, **more):
-    """Return times, states, forces, losses and slips of a run, and why it stopped."""
+    """Return times, states, forces, losses, slips and the reason for stopping of a run."""
     pieces = list(model.run(y.copy(), every, stop, **more))
     t, state, force = (
         np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state", "force")
@@ -93,7 +91,7 @@ def rough(rms):
 
 
 def rise(model, y):
-    """Return the velocity [m/s] with which the lowest point of the disk rises."""
+    """Return the vertical velocity [m/s] of the lowest point of the disk."""
     beta = inclination(y[None])[0]
     disk = LAW.disk
     lever = disk.radius * np.cos(beta) - disk.thickness / 2 * np.sin(beta)
@@ -102,11 +100,10 @@ def rise(model, y):
 
 @pytest.mark.parametrize("loss", [0.0, 8.0])
 def test_impact(loss):
-    """Straight down at 0.02 m/s, without gravity and friction: Hertz's approach and duration, Hunt
-    and Crossley's loss.
+    """A vertical impact at 0.02 m/s without gravity and friction follows Hertz and Hunt-Crossley.
 
-    With v dv/(1 + c v) = -(K/m) d^1.5 dd the greatest approach and the rebound follow, at an
-    inclination that stands; here it turns by 3e-4 rad meanwhile. Hertz's impact lasts 2.9432 d/v.
+    At constant inclination, v dv/(1 + c v) = -(K/m) d^1.5 dd gives the greatest approach and the
+    rebound; here the inclination changes by 3e-4 rad. Hertz's impact lasts 2.9432 d/v.
     """
     beta = 0.3
     v = 0.02
@@ -137,8 +134,7 @@ def test_impact(loss):
 
 
 def test_explicit_steps_gain_what_these_keep():
-    """Beside it the explicit leap-frog of the same one-dimensional impact: 1e-5 of its energy, at
-    100 kHz as here."""
+    """An explicit leap-frog at 100 kHz changes the energy of the same impact by 1e-5."""
     model = CompliantModel(table=table(damping=0.0), friction=FRICTIONLESS, rate=1e5)
     y = released_state(model, steady(0.3))
     y[5] -= 0.02
@@ -162,8 +158,7 @@ def test_explicit_steps_gain_what_these_keep():
 
 @pytest.mark.parametrize("profiles", [BOTH_SMOOTH, rough(1e-7)], ids=["smooth", "rough"])
 def test_energy_never_rises_and_every_loss_has_its_cause(profiles):
-    """Slips, creep, flights, moments and a table that yields, at steps so long that a resonance
-    turns by 0.15 rad."""
+    """Slips, creep, flights, moments and a yielding table, at 0.15 rad of phase per step."""
     friction = Friction(
         mu_static=0.06, mu_dynamic=0.03, arm_nutation=1e-5, arm_rolling=3e-5, arm_pivoting=3e-4
     )
@@ -182,8 +177,7 @@ def test_energy_never_rises_and_every_loss_has_its_cause(profiles):
 
 
 def test_steady_precession_is_kept():
-    """Without creep and loss the energy stays for 2 s; halving the step quarters the error of a
-    nutation."""
+    """Without losses the energy is constant for 2 s; nutation has an error of second order."""
     model = CompliantModel(table=table(creeps=False, damping=0.0), friction=GRIPS, rate=1e5)
     y = released_state(model, steady(0.1))
     _, state, _, _, _, _ = run(model, y, 50, 2.0)
@@ -215,8 +209,7 @@ def test_rigid_limit(scene, motion):
 
 
 def test_first_slip_is_that_of_the_rigid_disk(scene, motion):
-    """Without creep the elastic contact of granite slips and grips again within 0.1 ms of the rigid
-    one."""
+    """Without creep, granite slips and grips again within 0.1 ms of the rigid contact."""
     model = CompliantModel(table=table(creeps=False), friction=scene.friction)
     y = released_state(model, motion.at([0.0])[0], motion.force([0.0])[0])
     _, _, _, _, slips, _ = run(model, y, 400, 0.4)
@@ -230,10 +223,9 @@ def test_first_slip_is_that_of_the_rigid_disk(scene, motion):
 
 @pytest.mark.parametrize("beta", [0.4, 0.02])
 def test_filter_and_full_model_agree_wave_by_wave(beta):
-    """In steady precession on 10 nm both read the same heights, and give the same force to a tenth
-    of it.
+    """In steady precession on the same heights of 10 nm rms, both forces agree to 10 %.
 
-    A row of the full model is the mean of 10 us, as is the mean of two samples of the filter.
+    A row of the full model is a mean over 10 us, as is the mean of two samples of the filter.
     """
     profiles = rough(1e-8)
     model = CompliantModel(table=table(), friction=GRIPS, profiles=profiles)
@@ -254,8 +246,7 @@ def test_filter_and_full_model_agree_wave_by_wave(beta):
 @pytest.mark.slow
 @pytest.mark.parametrize("beta", [0.4, 0.02])
 def test_steady_rough_precession(beta):
-    """Above 200 Hz the force has the sum over the waves of table and edge of |gain|^2, here within
-    6 %."""
+    """Above 200 Hz the force power equals the sum of |gain|^2 over all waves within 6 %."""
     profiles = rough(1e-9)
     model = CompliantModel(table=table(), friction=GRIPS, profiles=profiles, rate=2e5)
     _, _, force, losses, _, _ = run(model, released_state(model, steady(beta)), 4, 0.6)
@@ -284,7 +275,7 @@ def test_steady_rough_precession(beta):
 
 
 def waves(profile, length, step, start):
-    """Return wave numbers and amplitudes of the stretch of a profile that is run over."""
+    """Return wave numbers and amplitudes of the part of a profile that the contact covers."""
     n = int(length / step)
     z = mean_heights(profile, start + np.arange(n) * length / n, np.full(n, step))
     k = 2 * np.pi / length * np.arange(1, n // 4)
@@ -293,7 +284,7 @@ def waves(profile, length, step, start):
 
 @pytest.mark.slow
 def test_vanishing_roughness_is_smooth():
-    """What roughness adds falls with it, so long as nothing slips."""
+    """The force due to roughness is proportional to the roughness while nothing slips."""
     differences = []
     for rms in (1e-9, 1e-11):
         ends = []
@@ -305,8 +296,7 @@ def test_vanishing_roughness_is_smooth():
 
 
 def test_mirror_and_rotation():
-    """A disk that starts elsewhere, turned or mirrored moves alike: slips, flights and rough
-    surfaces included."""
+    """Shifted, rotated and mirrored disks move alike, with slips, flights and roughness."""
     start = steady(0.2, nutation=2.0)
     turned = start.copy()
     mirrored = start.copy()
@@ -336,8 +326,7 @@ def test_mirror_and_rotation():
 
 
 def test_columns_are_those_of_a_motion(motion):
-    """A release and its columns are inverse to each other, and the contact yields by the creep that
-    holds it alone."""
+    """`columns` inverts `released_state`; the contact yields only by the static creep."""
     model = CompliantModel(table=table(), friction=GRIPS)
     t = np.array([1.5])
     state = motion.at(t)[0]
@@ -351,8 +340,7 @@ def test_columns_are_those_of_a_motion(motion):
 
 
 def test_flights_are_noted():
-    """After a bounce at v without loss the flight is a parabola: its height is v/4 of its
-    duration."""
+    """After a lossless bounce at v the flight is a parabola of height v/4 times its duration."""
     model = CompliantModel(table=table(damping=0.0), friction=FRICTIONLESS, rate=4e5)
     start = np.zeros(11)
     start[1] = 0.3
@@ -380,8 +368,7 @@ def test_block_size_changes_no_byte(monkeypatch):
 
 
 def test_energy_where_roughness_throws_the_disk():
-    """At 2e-4 rad the contact runs to and fro over a surface far too rough: the balance still is
-    exact."""
+    """At 2e-4 rad the contact oscillates on a very rough surface; the energy balances."""
     model = CompliantModel(table=table(), friction=SLIPPERY, profiles=rough(1e-7))
     y = released_state(model, steady(2e-4))
     before = energy(model, y[None])[0]
@@ -396,8 +383,7 @@ def test_energy_where_roughness_throws_the_disk():
 
 
 def test_how_it_ends():
-    """Flat where it is told; at the time limit; upright; and not at all at a rate too low for the
-    contact."""
+    """Runs end flat, at the time limit or upright; too low a rate is an error."""
     heavy = Friction(mu_static=0.5, mu_dynamic=0.3, arm_rolling=1e-3)
     model = CompliantModel(table=table(), friction=heavy, rate=2e5)
     _, state, _, _, _, why = run(model, released_state(model, steady(0.01)), 20, 5.0, last=1e-3)

@@ -1,9 +1,10 @@
-"""Claim: the elastic contact is Hertz's, Mindlin's and Kalker's, and the disk on it has the
-resonances that follow.
+"""Claim: the elastic contact obeys the laws of Hertz, Mindlin and Kalker, and the disk on it has
+the resulting resonances.
 
 Source: Johnson, Contact Mechanics (1985), ch. 4 and 7; Mindlin (1949); Kalker (1990), table E3.
-Oracle: half-space integrals, spheres, the energy, numbers of an independent prototype, a dense
-eigenproblem."""
+Oracle: half-space integrals; spheres; the energy; values of an independent prototype; a dense
+eigenproblem.
+"""
 
 from itertools import pairwise
 
@@ -71,8 +72,10 @@ def test_resonances_of_the_prototype():
 
 
 def test_one_resonance_rings_and_rises():
-    """Creep that is Kalker's and not one number moves the carrier by less than 2 %, and it still is
-    the only one."""
+    """Kalker's creep changes the contact resonance by less than 2 % against constant creep.
+
+    It remains the only lightly damped resonance.
+    """
     contact = granite(loss_factor=0.0)
     beta = column("inclination")
     found = LawTable(law=contact).carrier(beta, contact.disk.weight, column("speed"))
@@ -87,8 +90,7 @@ def test_one_resonance_rings_and_rises():
 
 
 def test_loss_factor_is_that_of_the_normal_resonance():
-    """Without grip the normal spring is alone with the disk: its loss factor is the law's, 2 zeta
-    exactly."""
+    """Without tangential springs the loss factor is exactly 2 zeta of the law."""
     contact = granite(loss_factor=0.03)
     beta = np.array([0.5, 0.01])
     springs = contact.springs(beta, 4.0)
@@ -100,8 +102,10 @@ def test_loss_factor_is_that_of_the_normal_resonance():
 
 
 def test_sphere():
-    """A fillet as large as an upright disk is a sphere: N = 4/3 E* sqrt(R) delta^1.5, k = 2 a E*,
-    k_t of Mindlin."""
+    """An upright disk with a fillet of its own radius is a sphere.
+
+    N = 4/3 E* sqrt(R) delta^1.5, k = 2 a E*, and k_t is Mindlin's.
+    """
     sphere = granite(fillet=0.03755, thickness=0.0751)
     upright = np.array([np.pi / 2])
     radius = 0.03755
@@ -120,8 +124,7 @@ def test_sphere():
 @pytest.mark.parametrize("fillet", [5e-5, 1.6e-3, 6.4e-3])
 @pytest.mark.parametrize("table", [GRANITE, Elastic(3e9, 0.38), Elastic(400e9, 0.1)])
 def test_any_fillet_material_and_inclination_in_thirty_digits(fillet, table):
-    """Hertz's equation in the notation of complete integrals, solved to 30 digits; a hundred
-    roundings of doubles."""
+    """Hertz's equation with elliptic integrals in 30 digits agrees to about 100 roundings."""
     contact = granite(fillet=fillet, table=table)
     load = 4.3
     with mp.workdps(30):
@@ -158,11 +161,11 @@ def test_any_fillet_material_and_inclination_in_thirty_digits(fillet, table):
 
 @pytest.mark.parametrize("beta", [0.57, 0.01, 1e-6])
 def test_pressure_fits_the_gap(beta):
-    """Hertz's pressure displaces the bodies by delta - A x^2 - B y^2: at the centre and at both
-    ends of the ellipse.
+    """Hertz's pressure gives delta - A x^2 - B y^2 at the centre and at both ends of the ellipse.
 
-    At a point the displacement is the integral over all lines through it; along each the pressure
-    is a half-circle."""
+    The displacement at a point is an integral over all lines through it; along each line the
+    pressure is a half-circle.
+    """
     contact = granite()
     load = 4.3
     (a, b) = contact.semi_axes(beta, load)
@@ -204,8 +207,10 @@ def test_slope_is_that_of_the_stiffness():
 
 
 def test_tangential_springs_are_integrals_of_the_tractions():
-    """A traction Q/(2 pi a b) over the root of 1 - x^2/a^2 - y^2/b^2 gives every line through the
-    centre Q/4 s_0/ab."""
+    """Each line through the centre contributes Q/4 s_0/ab.
+
+    The traction is Q/(2 pi a b) divided by the root of 1 - x^2/a^2 - y^2/b^2.
+    """
     contact = granite()
     beta = 0.1
     (a, b) = contact.semi_axes(beta, 4.3)
@@ -228,8 +233,10 @@ def test_tangential_springs_are_integrals_of_the_tractions():
 
 
 def test_creep_table():
-    """The table at its nodes; continuous at b/a = 0.1 and equal to the asymptote for a line;
-    relaxation tends to a."""
+    """The creep coefficients equal Kalker's table at its nodes and the line-contact asymptote.
+
+    They are continuous at b/a = 0.1, and the relaxation length tends to a.
+    """
     along, across = creep_coefficients(AXIS_RATIOS, 0.25)
     assert along == pytest.approx(KALKER_C11[1], rel=1e-12)
     assert across == pytest.approx(KALKER_C22[1], rel=1e-12)
@@ -248,11 +255,11 @@ def test_creep_table():
 
 @pytest.mark.parametrize("ratio", [1.0, 0.1, 0.03])
 def test_creep_of_a_steadily_rolling_ellipse(ratio):
-    """Boundary elements for Poisson's ratio 0: tractions whose displacement grows by the creep from
-    each to the next.
+    """Boundary elements for Poisson's ratio 0; the displacement grows by the creep in each element.
 
-    U = (1/pi G) times the integral of q/r over the ellipse; of both bodies together. With a side of
-    32 elements the sum still errs by about 1 %."""
+    U = (1/pi G) times the integral of q/r over the ellipse, for both bodies together. With 32
+    elements per side the sum has an error of about 1 %.
+    """
     rows = 32 if ratio == 1 else 20
     dx = 2 / 32
     dy = 2 * ratio / rows
@@ -278,8 +285,7 @@ def test_creep_of_a_steadily_rolling_ellipse(ratio):
 
 
 def test_modes_know_what_a_body_yields():
-    """A left-out mode w >> k enters by its residual 1/w^2: both ways agree to the order that is
-    left out."""
+    """A truncated mode with w >> k enters as a residual 1/w^2, to the order of the truncation."""
     contact = granite()
     beta = np.array([0.1])
     stiffness = stiffness_matrix(contact.springs(beta, 4.3))

@@ -1,8 +1,9 @@
-"""Claim: the compliant motion answers as every motion does, and ends with a name where its model
-ends.
+"""Claim: the compliant motion has the interface of every motion, and stops with a named outcome at
+the limits of its model.
 
-Source: the Protocol of dynamics/motion.py. Oracle: kinematics and momentum, which the record keeps
-apart; the event-driven motion; polynomials."""
+Source: the Protocol of dynamics/motion.py. Oracle: kinematics and momentum, which are independent
+in the record; the event-driven motion; polynomials.
+"""
 
 from concurrent.futures import ThreadPoolExecutor
 
@@ -40,8 +41,10 @@ def rough(elastic):
 
 
 def of_other_numbers(elastic, i):
-    """A scene whose numbers depend on i: every third has a film, every third a rough table that
-    moves."""
+    """Return a scene with values that depend on i.
+
+    One in three scenes has a film, one in three a rough moving table.
+    """
     mode = f"{{order=2, frequency={600 + i}, damping_ratio=0.02, modal_mass={1 + 0.1 * i}}}"
     table = "surface.kind=modes", f"surface.modes=[{mode}]", "surface.action=motion"
     rough = (f"roughness.rms={1e-8 + 1e-10 * i}",)
@@ -67,7 +70,7 @@ def of_other_numbers(elastic, i):
 
 @pytest.mark.slow
 def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(elastic):
-    """Fifty elastic contacts: a film and a table are numbers too, or empty arrays."""
+    """The code compiles once for 51 contacts: film and table are numbers or empty arrays."""
     ends = set()
     compiled = []
     used = []
@@ -117,10 +120,9 @@ def test_it_is_a_motion_that_passes_every_check(elastic, rough):
 
 
 def test_states_and_forces_belong_together(rough):
-    """Inclination and precession change at their rates, and the momentum by the force, whichever of
-    them is read.
+    """Angles change at their rates, and momentum by the impulse of the force.
 
-    A vibration of 3 kHz, a hundredth of the rates, is read to a tenth from rows of 25 kHz.
+    Rows at 25 kHz resolve a vibration of 3 kHz, one hundredth of the rates, to 10 %.
     """
     t = np.linspace(0.01, 0.29, 300)
     h = 2e-6
@@ -139,8 +141,10 @@ def test_states_and_forces_belong_together(rough):
 
 
 def rising(disk, state):
-    """Return the vertical velocity [m/s] of the centre while the contact stays at its height: it
-    vibrates by 2 mm/s."""
+    """Return the vertical velocity [m/s] of the centre with the contact at fixed height.
+
+    The contact vibrates by 2 mm/s.
+    """
     lever = disk.radius * np.cos(state[:, 1]) - disk.thickness / 2 * np.sin(state[:, 1])
     return -lever * state[:, 5]
 
@@ -169,8 +173,7 @@ def test_every_loss_of_energy_has_its_cause(rough):
 
 
 def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
-    """Until the first slip they differ by creep, F/k V/l = 1 mm/s: less than a hundredth of a
-    radian in 0.25 s."""
+    """Until the first slip they differ by creep of F/k V/l = 1 mm/s, or 0.01 rad in 0.25 s."""
     motion, rigid = (
         simulate(elastic.replace(*BRIEF, f"contact.law={law}")) for law in ("elastic", "rigid")
     )
@@ -200,8 +203,7 @@ EPS = np.finfo(float).eps
 
 
 def test_threads_find_the_same(elastic):
-    """To the last units of what they are sums of: the sines of older NumPys hang on where an array
-    begins."""
+    """The rows agree to a few roundings: older NumPy sines depend on the alignment of an array."""
     scene = elastic.replace(
         "roughness.rms=1e-7", "numerics.time_limit=0.02", "numerics.contact_rate=2e5"
     )
@@ -215,7 +217,7 @@ def test_threads_find_the_same(elastic):
 
 
 def test_viscous_loads_take_what_they_take_of_a_rigid_disk(elastic):
-    """Moment and force per velocity alone: over a tenth of a second both motions lose the same."""
+    """With viscous moment and force alone, both motions lose the same energy over 0.1 s."""
     slow = (
         "release.inclination_deg=20",
         "friction.mu_static=5",
@@ -236,8 +238,7 @@ def test_viscous_loads_take_what_they_take_of_a_rigid_disk(elastic):
 
 
 class RecordedForce:
-    """A motion of three pieces of 1 s whose normal force is a given function, with one noted loss
-    of contact."""
+    """A motion of three 1 s pieces with a given normal force and one recorded loss of contact."""
 
     def __init__(self, normal_force):
         self.t = np.array([0.0, 1.0, 2.0, 3.0])
@@ -262,10 +263,9 @@ def test_a_contact_pushes_except_in_its_noted_losses(normal_force, share):
 
 
 def test_losses_of_contact_of_a_disk_that_is_nearly_flat_are_noted():
-    """A table mode throws a disk up that lay below 1e-5 rad: wherever its force is zero, a loss of
-    contact is noted.
+    """A table mode throws up a disk below 1e-5 rad; every interval of zero force is recorded.
 
-    Oracle: the normal force itself, read at the middle of every recorded interval.
+    Oracle: the normal force at the middle of every recorded interval.
     """
     mode = "[{order=3, frequency=600.0, damping_ratio=0.005, modal_mass=1.0}]"
     scene = load_scene("published").replace(

@@ -1,8 +1,9 @@
-"""Claim: profiles have the spectrum asked for, are read exactly through the ellipse, and depend on
-the seed alone.
+"""Claim: height profiles have the specified spectrum, are averaged exactly over the contact
+ellipse, and depend only on the seed.
 
 Source: the definition of a Gaussian profile with a power spectrum k^-p; Hertz's pressure along the
-path. Oracle: sums of the waves themselves, numerical averages, statistics of many waves."""
+path. Oracle: explicit sums of the waves; numerical averages; statistics of many waves.
+"""
 
 import numpy as np
 import pytest
@@ -29,8 +30,10 @@ def read(profile, s, a):
 
 @pytest.mark.parametrize("exponent", [0.0, 2.0])
 def test_rms_and_spectrum(exponent):
-    """Mean squares of n independent waves scatter by sqrt(2/n): whole profiles and one octave,
-    within five of these."""
+    """Mean squares of n independent waves scatter by sqrt(2/n); the tolerance is five times that.
+
+    The test covers whole profiles and one octave.
+    """
     rough = Roughness(rms=3e-8, shortest=1e-3, longest=0.1, exponent=exponent)
     profile = table_profile(rough)
     k, power = wave_spectrum(rough, profile.period)
@@ -47,11 +50,11 @@ def test_rms_and_spectrum(exponent):
 
 @pytest.mark.parametrize("a", [1e-4, 2.5e-4, 6e-3])
 def test_one_wave_is_read_as_the_window_says(tmp_path, a):
-    """A cosine of wavelength 1 mm, mirrored into itself, at any place: window(ka) times its value
-    there.
+    """The mean height of a 1 mm cosine is window(ka) times its value at any position.
 
-    A quintic spline of cells d turns (kd/(2 pi -+ kd))^6 of a wave into its first aliases, whose
-    slopes count here."""
+    A quintic spline with cells d turns (kd/(2 pi -+ kd))^6 of a wave into its first aliases; their
+    slopes enter the tolerance.
+    """
     length = np.linspace(0, 0.01, 161)
     file = tmp_path / "wave.csv"
     file.write_text(
@@ -102,8 +105,7 @@ def test_seed_decides_and_block_size_does_not():
 
 
 def test_a_measured_profile(tmp_path):
-    """Heights between the rows are kept (cells are no coarser), a tilt is taken off, an edge
-    repeats in a turn."""
+    """A profile keeps the measured heights, loses its tilt and repeats an edge once per turn."""
     rng = np.random.default_rng(1)
     length = np.linspace(0, 0.02, 401)
     z = np.convolve(rng.normal(size=401), np.hanning(41) / 20, "same") * 1e-7
@@ -122,7 +124,7 @@ def test_a_measured_profile(tmp_path):
 
 
 def mean(level):
-    """Return the mean of the mirrored profile: the ends count once."""
+    """Return the mean of the mirrored profile; each end counts once."""
     return (2 * level[1:-1].sum() + level[0] + level[-1]) / (2 * len(level) - 2)
 
 
@@ -143,8 +145,7 @@ def test_wrong_roughness(changes, words):
 
 
 def test_contact_runs_along_a_rough_edge():
-    """A narrow band is one wave: k^2 R/beta times its rms times the window; waves under the ellipse
-    are refused."""
+    """In a narrow band the shift is k^2 R/beta times rms and window; shorter waves are errors."""
     wave = Roughness(rms=1e-8, shortest=0.999e-3, longest=1.001e-3)
     k = 2e3 * np.pi
     a = 3e-4
@@ -160,8 +161,7 @@ def test_contact_runs_along_a_rough_edge():
 @pytest.mark.parametrize("exponent", [0.0, 2.0, 4.0])
 @pytest.mark.parametrize("radius", [0.012875, 0.03755])
 def test_the_edge_has_its_rms_in_the_waves_that_fit_it(exponent, radius):
-    """Of the density, what is not the table's is the mean square of each wave over the step from
-    one to the next."""
+    """The edge's density is the mean square of each wave over the step in wave number."""
     edge = Roughness(rms=3e-8, exponent=exponent)
     table = Roughness(rms=3e-8, rms_edge=0.0, exponent=exponent)
     (k, both) = spectral_density(edge, radius)

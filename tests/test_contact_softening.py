@@ -1,8 +1,9 @@
-"""Claim: a contact that vibrates as strongly as its load is softer, by what statistical
-linearisation says.
+"""Claim: strong vibration, comparable to the static load, softens the contact as statistical
+linearisation predicts.
 
-Source: Caughey (1963). Oracle: the full motion on a rough table; small vibrations in closed form;
-more rounds."""
+Source: Caughey (1963). Oracle: the full motion on a rough table; closed forms for small vibrations;
+additional iterations.
+"""
 
 import numpy as np
 import pytest
@@ -27,8 +28,10 @@ DISK = TABLE.law.disk
 
 
 def test_small_vibrations():
-    """To the second order of the scatter over the approach, x: 1 - x^2/8 by itself and as much by
-    the mean."""
+    """To second order in x, scatter over approach, the stiffness is 1 - x^2/4.
+
+    The scatter and the shift of the mean contribute x^2/8 each.
+    """
     K = 1.6e10
     load = 4.3
     x = 0.03
@@ -40,8 +43,7 @@ def test_small_vibrations():
 
 
 def test_the_full_motion_rings_as_low():
-    """Steady rolling on 0.1 um, two surfaces: the middle of its noise, which the linear contact
-    puts 5 % too high."""
+    """Steady rolling on 0.1 um rms: a linear contact overestimates the frequency by 5 %."""
     beta = 0.02
     power = 0.0
     w3 = steady_rate(DISK, beta) * np.sin(beta)
@@ -72,7 +74,7 @@ def test_the_full_motion_rings_as_low():
 
 
 def middle(f, power):
-    """Return the mean frequency [Hz] of what lies above a third of the peak beyond 800 Hz."""
+    """Return the mean frequency [Hz] above 800 Hz, where the power exceeds 1/3 of its peak."""
     high = (f > 800) & (power > power[f > 800].max() / 3)
     return np.average(f[high], weights=power[high])
 

@@ -1,9 +1,11 @@
-"""Claim: a scene gives the same bytes every time, and the same sound whatever solves it, as long as
-the motion lets it.
+"""Claim: a scene always gives the same bytes, and both integrators give the same sound for as long
+as the motion does not amplify their rounding errors.
 
-Source: no clock, no chance and no number of threads enters a run. The published motion amplifies
-errors late, so that no two ways of rounding agree to its end. Oracle: a second process; the other
-integrator; the same one ten times finer."""
+Source: no run depends on the clock, on random numbers without a seed, or on the number of threads.
+The published motion amplifies errors late, so that different roundings lead to different ends.
+Oracle: a second process; the other integrator; the same integrator with a tolerance ten times
+smaller.
+"""
 
 import json
 import os
@@ -24,11 +26,9 @@ from sonify.sound.render import Renderer
 
 HALF_SECOND = 24000
 SAME_DB, PARTED_DB = -180.0, -100.0
-"""Rounding leaves some -200 dB; a slip at 7.5 s that all but grazes makes this 50 to 80 dB more, by
-the last bits."""
+"""Rounding errors are near -200 dB; a nearly grazing slip at 7.5 s raises them by 50 to 80 dB."""
 GRAZES, AS_LONG = 7.0, 13.0
-"""Until when [s] the sound of the published motion is the same, and the same but for that, whatever
-solves it."""
+"""Times [s] until which the published motion sounds the same, without and with the grazing slip."""
 
 
 @pytest.mark.slow
@@ -75,8 +75,7 @@ def test_the_shape_that_a_film_feels_is_the_same_bits_every_time(scene, modes):
 
 
 def difference_db(scene, modes, *ways):
-    """Level of the difference of two sounds over that of the first [dB], half second by half
-    second."""
+    """Return the level of the difference of two sounds over the first [dB], per half second."""
     sounds = [
         np.vstack(list(Renderer(scene, simulate(scene.replace(*way)), modes).blocks()))
         for way in ways
@@ -96,14 +95,13 @@ def check_same(scene, modes, *ways):
 
 
 def test_both_integrators_sound_the_same(scene, modes):
-    """Through some hundred changes of regime."""
+    """The motion changes its regime about one hundred times."""
     pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
     check_same(scene, modes, "numerics.integrator=taylor", "numerics.integrator=dop853")
 
 
 def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
-    """The same disk slowed by the viscous film of air: its motion does not amplify what is
-    wrong."""
+    """The viscous air film slows the same disk; this motion does not amplify errors."""
     pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")
     scene = load_scene("moffatt")
     ways = [[f"numerics.integrator={name}"] for name in ("taylor", "dop853")]
@@ -117,9 +115,11 @@ def test_finer_tolerances_sound_the_same_for_longer(scene, modes):
 
 
 def test_why_it_cannot_be_longer(scene):
-    """From 12.5 to 16.5 s the times of the changes of regime part a million times, 3.4 e-folds a
-    second, whatever the tolerance: each slip that all but grazes multiplies what is wrong with its
-    time."""
+    """From 12.5 to 16.5 s, differences of transition times grow by 1e6, 3.4 e-folds per second.
+
+    The growth does not depend on the tolerance: each nearly grazing slip multiplies the error of
+    its time.
+    """
     pytest.importorskip("heyoka", reason="heyoka is not installed")
     ways = [
         scene.replace("numerics.time_limit=17", f"numerics.tolerance={tol}")

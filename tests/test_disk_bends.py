@@ -1,9 +1,9 @@
-"""Claim: a disk bends by its free modes where it stands on a table that acts back, in the steps
-that gain no energy.
+"""Claim: a disk on a moving table bends in its free modes, and the time steps add no energy.
 
-Source: the docstring of dynamics/compliant/stepping/rim_modes.py. Oracle: SciPy's integration of an
-impact by its Lagrangian, the closed form of an oscillator under a load that turns, energies of the
-states."""
+Source: the docstring of dynamics/compliant/stepping/rim_modes.py. Oracle: an impact from its
+Lagrangian, integrated by SciPy; the closed form of an oscillator under a rotating load; energies of
+the states.
+"""
 
 from dataclasses import replace
 
@@ -35,8 +35,7 @@ SMOOTH = Friction(mu_static=0.0, mu_dynamic=0.0)
 
 
 def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
-    """Return velocity of the centre, tilting rate and energy of the modes after a fall straight
-    down, by the steps."""
+    """Return centre velocity, tilting rate and modal energy after a vertical fall, by stepping."""
     model = replace(standing(scene, rate, SMOOTH, HEAVY, damps=False), bending=bending)
     model.constants[WEIGHT] = 0.0
     y = released_state(model, np.append([0.0, beta], np.zeros(9)), np.zeros(3))
@@ -51,8 +50,10 @@ def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
 
 
 def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
-    """The same: the contact stands at one place of the rim, and G = z - R sin b + H (1 - cos b) +
-    sum r (c A - s B)."""
+    """Return the same quantities from the Lagrangian, with a contact fixed on the rim.
+
+    The gap is G = z - R sin b + H (1 - cos b) + sum r (c A - s B).
+    """
     disk = scene.disk
     K0 = law_table(scene).columns(np.array([beta]))[0, HERTZ_STIFFNESS]
     (order, phase, A, B) = bending.shapes.T
@@ -88,7 +89,7 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
 
 
 def test_an_impact_leaves_in_the_modes_what_the_lagrangian_says(elastic):  # noqa: F811
-    """Of a disk that is softer, so that they ring. The error falls with the square of the step."""
+    """A softer disk, so that its modes ring; the error is of second order in the step."""
     own = moving_rim_modes(elastic.edge, 0.0)
     stop = 6e-4
     bending = own._replace(squared=own.squared / 25)
@@ -102,8 +103,10 @@ def test_an_impact_leaves_in_the_modes_what_the_lagrangian_says(elastic):  # noq
 
 @pytest.mark.parametrize("x", [0.5, 1.4])
 def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, x):  # noqa: F811
-    """The disk hardly turns about its axis: the power is that of
-    test_table_acts_back.test_wave_drag, A^2 for 1/M."""
+    """The disk hardly rotates about its axis.
+
+    The power is that of test_table_acts_back.test_wave_drag with A^2 in place of 1/M.
+    """
     n = 2
     zeta = 0.02
     mass = 300.0
@@ -130,7 +133,7 @@ def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, 
 
 @pytest.mark.parametrize("loss_factor", [0.0, 0.01])
 def test_energy_is_kept_and_never_gained(elastic, loss_factor):  # noqa: F811
-    """With the disk's own modes, on a soft table, through losses of contact."""
+    """The disk has its own modes and loses contact on a soft table."""
     scene = elastic.replace(TABLE, f"material.loss_factor={loss_factor}")
     model = replace(compliant_model(scene, surface_modes(scene)), rate=2e5)
     y = released_state(model, steady(scene.disk, 4e-4)[0])
@@ -145,12 +148,12 @@ def test_energy_is_kept_and_never_gained(elastic, loss_factor):  # noqa: F811
 
 
 def test_what_moves_does_not_yield_in_series(elastic):  # noqa: F811
-    """At the frequency of the carrier both together yield what the whole disk does."""
+    """At the contact resonance, moving modes and series springs add up to the full flexibility."""
     beta = np.array([0.01])
     edge = elastic.edge
     bending = moving_rim_modes(edge, 0.0)
     assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_FREQUENCY).all()
-    assert len(bending.shapes) == 3  # of the toy: a pair of order 2, one of order 0
+    assert len(bending.shapes) == 3  # the toy has a pair of order 2 and one of order 0
     whole, apart = (
         law_table(elastic, SeriesLawTable, moves).yields(np.log(np.sin(beta)))[0]
         for moves in (0.0, MAX_MOVING_FREQUENCY)
@@ -168,8 +171,7 @@ def test_what_moves_does_not_yield_in_series(elastic):  # noqa: F811
 
 
 def test_the_disk_turns_about_its_axis_as_it_rolls(elastic):  # noqa: F811
-    """On a table that does not move, the spin of the record is the integral of that rate of a
-    steady motion."""
+    """On a fixed table, the spin is the time integral of the steady spin rate."""
     model = replace(standing(elastic, 2e5, GRIPS, HEAVY))
     start, _ = steady(elastic.disk, 0.1)
     _, t, state, _, _ = run(model, released_state(model, start), 100, 0.1)

@@ -1,9 +1,10 @@
-"""Claim: the other laws of dissipation take exactly the power they name, and lead to the exponents
-of their authors.
+"""Claim: the alternative dissipation laws remove exactly the power that they specify, and lead to
+the exponents published by their authors.
 
 Source: (1.1) of the paper, McDonald & McDonald (b = 2.5); Moffatt (2000, b = 4); Bildsten (2002, b
 = 5/2); Leine (2009, b = 1); Compere. Quasi-steady motion has E ~ (t0 - t)^(2/(b + 2)). Oracle: the
-power itself, integrated apart from the energy; the exponent 2/(b + 2)."""
+time integral of the power, which does not use the energy; the exponent 2/(b + 2).
+"""
 
 from math import pi
 
@@ -48,12 +49,12 @@ def test_the_power_is_the_power_law_for_the_actual_motion(decline):
 
 
 def test_exponent_in_the_quasi_steady_range(decline):
-    """From -dE/dt = P ~ E^(-b/2): the slope of log P against log E is -b/2, so E ~ (t0 - t)^(1/(1 +
-    b/2)).
+    """-dE/dt = P ~ E^(-b/2): log P has the slope -b/2 in log E, and E ~ (t0 - t)^(1/(1 + b/2)).
 
-    That needs a fixed centre, as all authors assume. A thin disk keeps it; the axial spin of a
-    thick one has nothing to slow it but pivoting friction, and sets the centre in motion as the
-    inclination falls."""
+    The exponent requires a fixed centre, as all authors assume. A thin disk has a fixed centre.
+    Only pivoting friction slows the axial spin of a thick disk, and this spin sets the centre in
+    motion as the inclination falls.
+    """
     motion, _, b = decline
     t = np.linspace(0, 0.97 * motion.t[-1], 3001)
     energy = motion.energy(t)
@@ -84,8 +85,10 @@ def test_moffatts_coefficient():
 
 
 def test_bildstens_coefficient():
-    """4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) at the steady Omega^2 = 4 g / (a beta) of a thin
-    disk (2002)."""
+    """4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) for a thin disk (Bildsten 2002).
+
+    The steady precession has Omega^2 = 4 g / (a beta).
+    """
     disk = scene().disk
     nu = 1.5e-5
     rho = 1.2
@@ -97,8 +100,11 @@ def test_bildstens_coefficient():
 
 
 def test_how_far_the_papers_laws_are_from_the_film_that_is_solved():
-    """Moffatt's is 1.63 times too small where the film is thin, Bildsten's 4.9 times too large
-    where it is thick; each for a thin disk at a steady Omega^2 beta = 4 g / a."""
+    """Moffatt's law is 1.63 times too small in thin films, Bildsten's 4.9 times too large in deep
+    ones.
+
+    Both ratios hold for a thin disk at the steady Omega^2 beta = 4 g / a.
+    """
     air = Air(film="acts", pressure=1e9, density=1.204)
     disk = Disk(radius=RADIUS, thickness=1e-6, mass=0.4387)
     film = film_under(disk, air)
@@ -133,7 +139,7 @@ def test_a_power_law_can_end_in_a_fall_with_energy_left():
 
 
 def test_contour_friction_that_stops_the_precession_has_a_name():
-    """Nothing is followed through the stop: there the moment would drive."""
+    """The simulation stops there, because the moment would drive the disk afterwards."""
     motion = simulate(whirling(0.1, dissipation={"contour_moment": 1e-4}))
     assert motion.outcome is Outcome.PRECESSION_STOPPED
     assert motion.largest_regain() == 0
@@ -146,7 +152,7 @@ def test_contour_friction_has_no_direction_without_precession():
 
 @pytest.mark.parametrize("integrator", ["auto", "dop853"])
 def test_energy_and_work_add_up_while_a_law_takes_all_speed_at_once(integrator):
-    """In less time than the first step of a slide lasts where only friction acts."""
+    """The law stops the disk in less time than the first step of a slide with friction alone."""
     release = {"inclination_deg": 0.02, "omega": (0.0, 0.0, 0.5)}
     law = {"air_viscosity": 0.18}
     motion = simulate(scene({"integrator": integrator}, release=release, dissipation=law))

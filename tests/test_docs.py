@@ -1,7 +1,9 @@
-"""Claim: README and documentation are short where they should be, and name only what exists.
+"""Claim: the README and the documentation are short where they should be, and name only things that
+exist.
 
-Source: README.md and docs/. Oracle: the files of the checkout, the commands and extras that the
-package declares, the names that it exports, and the code of the pages when it runs."""
+Source: README.md and docs/. Oracle: the files of the checkout; the commands and extras that the
+package declares; the names that it exports; the output of the code on the pages.
+"""
 
 import re
 import tomllib
@@ -104,7 +106,7 @@ def test_the_sounds_of_the_pages_are_short_and_small():
 
 
 def flacs(page: Path) -> list[str]:
-    """Return the targets of the links of a page to sounds."""
+    """Return the link targets of a page that are sound files."""
     return re.findall(r"\]\(([^)]+\.flac)\)", TEXTS[page])
 
 

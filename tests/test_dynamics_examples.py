@@ -1,4 +1,4 @@
-"""Claim: the examples in the docstrings of `dynamics` run and print what they show.
+"""Claim: the examples in the docstrings of `dynamics` run and print the output shown.
 
 Source: the docstrings. Oracle: the output written in them.
 """

@@ -1,9 +1,9 @@
-"""Claim: near every edge of its range the simulator is right, or stops with a named outcome; never
-wrong silently.
+"""Claim: near every limit of its range the simulator is correct or stops with a named outcome; it
+is never silently wrong.
 
-Source: sections 2, 3 and 6.2 of the paper; Painleve (1895) for contacts without solution. Oracle:
-limits that are approached (vanishing start-up slip), identities (energy), hand computation of the
-force."""
+Source: sections 2, 3 and 6.2 of the paper; Painleve (1895) for contacts without a solution. Oracle:
+asymptotic limits (vanishing start-up slip); identities (energy); the force computed by hand.
+"""
 
 from functools import cache
 from math import pi, radians
@@ -60,7 +60,7 @@ def test_upright_is_a_named_end():
 
 @pytest.mark.parametrize("rate", [-1e-12, -1e-9, -1e-6, -1e-4])
 def test_a_nutation_that_reverses_within_the_first_step_of_a_slide_is_not_missed(rate):
-    """Its moment would drive the disk instead of resisting it: energy would rise."""
+    """A missed reversal would let the moment drive the disk, and the energy would rise."""
     motion = simulate(
         scene(release={"inclination_deg": 3.0, "omega": (rate, 0.0, 0.0)}, k1=0.03, k2=0.0, k3=0.0)
     )
@@ -91,8 +91,7 @@ def test_a_release_that_leaves_the_plane_at_once_is_refused():
 
 
 def test_a_contact_that_jams_is_named():
-    """On a long rod that slides towards its own far end, e mu f exceeds f^2 + J: pressing lifts
-    nothing (Painleve)."""
+    """A long rod slides towards its far end with e mu f > f^2 + J: no force lifts it (Painleve)."""
     beta = 1.047
     law = Law(3.0, 1.0, 2.0, 2.0, 0.0, 0.0, 0.0)
     y = [beta**0.5, 0.0, 0.0, 0.0, 0.0, -1.0, *[0.0] * 5]
@@ -129,8 +128,7 @@ def test_extreme_disks_and_frictions_run_to_a_named_end(disk, friction):
 
 @pytest.mark.slow
 def test_equal_coefficients_slide_without_a_jump_of_the_force():
-    """With mu_static = mu_dynamic a slide starts without acceleration, and the force is continuous
-    there."""
+    """With mu_static = mu_dynamic a slide starts without acceleration or jump of the force."""
     motion = simulate(scene({"time_limit": 5.0}, mu_static=0.3, mu_dynamic=0.3))
     starts = [s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")]
     assert len(starts) > 10
@@ -142,8 +140,7 @@ def test_equal_coefficients_slide_without_a_jump_of_the_force():
 
 
 def test_what_a_steady_motion_cannot_tell_is_not_judged():
-    """Without peaks of the force there is no nutation, and without slips no slide to compare with
-    rolling."""
+    """Without peaks of the force there is no nutation; without slips there is no slide."""
     motion = simulate(whirling(radians(8), numerics={"time_limit": 5.0}))
     assert len(nutation_frequency(motion)[0]) == 0
     tone = SimpleNamespace(time=np.linspace(0.1, 4.9, 50), frequency=np.full(50, 10.0))
@@ -209,7 +206,7 @@ def test_without_heyoka_the_portable_integrator_is_chosen(monkeypatch):
 
 @pytest.mark.parametrize("integrator", ["auto", "dop853"])
 def test_a_resistance_beyond_all_measure_is_a_named_end(integrator):
-    """Against so great a drag no step of either integrator is long enough to get anywhere."""
+    """The drag is too strong for both integrators: no step makes progress."""
     drag = {"power_coefficient": 1e6, "power_exponent": 2.5}
     motion = simulate(scene({"integrator": integrator}, dissipation=drag))
     assert motion.outcome is Outcome.STALLED
@@ -218,8 +215,10 @@ def test_a_resistance_beyond_all_measure_is_a_named_end(integrator):
 
 
 def test_a_disk_released_at_rest_falls_as_without_a_law_that_has_no_series_there():
-    """|Omega|^(b-1) has no Taylor series at Omega = 0 for b = 2.5; the precession stays there, and
-    takes no power."""
+    """For b = 2.5, |Omega|^(b-1) has no Taylor series at Omega = 0.
+
+    The precession stays at zero and dissipates no power.
+    """
     still = {"inclination_deg": 12.0, "omega": (0.0, 0.0, 0.0)}
     resisted = {"power_coefficient": 4e-9, "power_exponent": 2.5}
     motions = [simulate(scene(release=still, **more)) for more in ({}, {"dissipation": resisted})]

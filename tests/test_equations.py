@@ -1,8 +1,8 @@
-"""Claim: the balance laws as solved are Newton-Euler's, and the paper's (4.7) and (5.3) with the
-errata corrected.
+"""Claim: the balance laws are the Newton-Euler equations, and agree with (4.7) and (5.3) of the
+paper after correction of the errata.
 
 Source: Kessler & O'Reilly (2002), (2.1)-(2.8), (3.1)-(3.3), (4.1)-(4.9), (5.1)-(5.3), (6.1).
-Oracle: a derivation in Cartesian vectors with a computer-algebra system, and the printed equations.
+Oracle: a derivation in Cartesian vectors with a computer-algebra system; the printed equations.
 """
 
 import math
@@ -43,8 +43,7 @@ def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5):
 
 @cache
 def newton_euler():
-    """Derive the residuals of (4.1), (4.2) in Cartesian vectors, with velocities differentiated by
-    the machine."""
+    """Derive the residuals of (4.1), (4.2) in Cartesian vectors with symbolic differentiation."""
     t = sp.symbols("t")
     h, K, g = sp.symbols("h K g")
     names = "theta alpha psi x y"
@@ -87,8 +86,10 @@ def newton_euler():
 
 @cache
 def compiled():
-    """Return the derivation as functions of accelerations, rates, coordinates, constants and loads,
-    by name."""
+    """Return the derivation as named functions.
+
+    Their arguments are accelerations, rates, coordinates, constants and loads.
+    """
     t, q, constants, loads, laws = newton_euler()
     accelerations = sp.symbols("p1:6")
     rates = sp.symbols("r1:6")
@@ -104,14 +105,14 @@ def compiled():
 
 
 def root(affine, goal):
-    """Return where an affine function of five numbers takes the values `goal`."""
+    """Return the argument at which an affine function of five variables equals `goal`."""
     start = np.array(affine(np.zeros(5)))
     matrix = np.column_stack([affine(unit) - start for unit in np.eye(5)])
     return np.linalg.solve(matrix, goal - start)
 
 
 def evaluate(h, K, beta, w, u, c, loads):
-    """Insert a state and our solution into the derivation; return the residuals of every law."""
+    """Insert a state and our solution into the derivation; return the residuals of all laws."""
     laws = compiled()
     coordinates = (0.7, math.pi / 2 - beta, 0.0, 0.0, 0.0)
     numbers = coordinates, (h, K, (K + 4) / 4), (c.F1, c.F2, c.Phi, c.m1, c.m2, c.m3, *loads)
@@ -136,7 +137,7 @@ def test_the_solution_satisfies_newton_and_euler(case, sliding):
 
 
 def barred(alpha, senses):
-    """Return k2-bar, k3-bar of (4.8), over R."""
+    """Return k2-bar and k3-bar of (4.8), divided by R."""
     _, k2, k3 = ARMS
     sin_a = math.sin(alpha)
     cos_a = math.cos(alpha)

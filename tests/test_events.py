@@ -1,9 +1,10 @@
-"""Claim: every guard is positive while its regime holds, and falls through zero where it ends; no
-event is missed.
+"""Claim: every guard is positive while its regime is valid and crosses zero where the regime ends;
+the simulator misses no event.
 
-Source: (3.2), (3.3) of the paper: friction and moments never give energy. Oracle: the guards
-themselves, asked where no integrator looked; extrema of polynomials in closed form; the dissipated
-energy, which cannot fall."""
+Source: (3.2), (3.3) of the paper: friction and moments never add energy. Oracle: the guards,
+evaluated between the points that the integrator uses; extrema of polynomials in closed form; the
+energy, which cannot rise.
+"""
 
 from dataclasses import replace
 from pathlib import Path
@@ -22,16 +23,17 @@ from sonify import load_scene
 from sonify.claims.checks import dissipation_never_falls
 
 INSIDE = np.array([1e-3, 0.1, 0.3, 0.5, 0.7, 0.9, 1 - 1e-3])
-"""Where in a piece the guards are asked."""
+"""Relative positions within a piece at which the guards are evaluated."""
 ROUNDING = gamma(100)
-"""Of a guard, some hundred operations on terms of the order of 1."""
+"""Rounding error of a guard after about one hundred operations on terms of order 1."""
 
 
 def lowest_guards(motion):
     """Return the lowest value of every guard within the pieces of a motion.
 
-    Of grip it is that of the cosine between two directions of the slip, where it is not in the last
-    step to rest."""
+    The value for grip is the cosine between two directions of the slip, except in the last step to
+    rest.
+    """
     lowest = {}
     after = INSIDE[:, None, None] * np.diff(motion.path.x)[:, None]
     y = np.polynomial.polynomial.polyval(
@@ -52,8 +54,7 @@ def lowest_guards(motion):
 
 
 def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
-    """The state of energy_gain.toml at t = 93.294624074 s, where it rolls: the slide that follows
-    lasts 45 us."""
+    """The state of energy_gain.toml at t = 93.294624074 s, in rolling, starts a slide of 45 us."""
     wanted = load_scene(Path(__file__).parent / "references" / "energy_gain.toml").replace(
         "air.film=none"
     )
@@ -71,8 +72,7 @@ def test_a_slide_that_comes_back_to_rest_within_its_first_step_is_ended():
 
 
 def test_the_last_step_of_a_slide_keeps_the_energy():
-    """Its error is of the second order in the slip speed, 1e-18; each step rounds some 60 terms of
-    the energy."""
+    """The error is of second order in the slip speed, 1e-18; a step rounds 60 energy terms."""
     motion = simulate(scene({"time_limit": 2.0}, release={"inclination_deg": 0.5}))
     assert sum(e.guard == "grip" for e in motion.transitions) > 40
     total = motion.energy(motion.t) + motion.state[:, 10]
@@ -80,8 +80,7 @@ def test_the_last_step_of_a_slide_keeps_the_energy():
 
 
 def test_a_slip_that_no_friction_stops_passes_by_rest_and_slides_on():
-    """At tau = 3.6557 the slip falls to 1e-9 r, but the friction that rolling needs is 2.8 times
-    what there is."""
+    """At tau = 3.6557 the slip falls to 1e-9 r, but rolling needs 2.8 times the static friction."""
     wanted = load_scene("published").replace(
         "friction.mu_static=0.193",
         "friction.mu_dynamic=0.193",
@@ -114,7 +113,7 @@ def test_every_guard_is_positive_while_its_regime_holds(friction):
 
 
 def test_the_largest_fall_is_that_of_the_extrema_between_the_ends():
-    """Of x^3 - 3 x on [-2, 0], [0, 2] the ends are -2, 0, 2; it falls from 2 at -1 to -2 at 1."""
+    """For x^3 - 3 x on [-2, 0] and [0, 2] the function falls from 2 at -1 to -2 at 1."""
     cubic = [Polynomial([0, -3, 0, 1])(Polynomial([start, 1])).coef[::-1] for start in (-2.0, 0.0)]
     c = np.transpose(cubic)
     x = np.array([-2.0, 0.0, 2.0])

@@ -1,9 +1,10 @@
-"""Claim: without loss, and at small inclination, the simulator follows the solutions that are known
-in closed form.
+"""Claim: without losses, and at small inclination, the simulator follows the known closed-form
+solutions.
 
 Source: Appell and Korteweg (1900); O'Reilly (1996); Cushman, Hermans & Kemppainen (1996); (5.3) of
 the paper. Oracle: dynamics/theory/exact.py, which does not use the simulator: hypergeometric
-functions, quadrature, linearisation."""
+functions, quadrature, linearisation.
+"""
 
 from dataclasses import replace
 from math import pi, radians, sqrt
@@ -104,7 +105,7 @@ def test_steady_motion_stays_and_its_nutation_has_the_linear_frequency(disk, inc
 
 
 def replace_omega(wanted, nutation_rate):
-    """Return the scene with another angular velocity along e_1."""
+    """Return the scene with another initial angular velocity along e_1."""
     omega = (nutation_rate, *wanted.release.omega[1:])
     return replace(wanted, release=replace(wanted.release, omega=omega))
 
@@ -112,8 +113,7 @@ def replace_omega(wanted, nutation_rate):
 @pytest.mark.parametrize("h", [1e-6, 0.17, 3.0, 300.0])
 @pytest.mark.parametrize("K", [1.0, 2.0])
 def test_steady_precession_in_closed_form_and_its_flat_limit(h, K):
-    """What the second of (5.3) leaves, written out, is where `theory` finds it, to the rounding of
-    pi/2 - beta."""
+    """The closed form of (5.3) agrees with `theory` to the rounding of pi/2 - beta."""
     for beta in (1e-3, 0.1 / (1 + h)):
         rel = 4 * np.finfo(float).eps / beta
         assert steady_precession(beta, h, K) == pytest.approx(
@@ -135,8 +135,10 @@ def test_flat_limits_of_precession_and_nutation():
 
 
 def test_a_thin_disk_that_spins_upright_is_stable_above_the_critical_rate():
-    """With a and w2 small, (5.3) and dw2/da = -2 w3/(K + 2) leave a'' = (1 - w3^2) a: Omega^2 > 4
-    g/((K + 4) R)."""
+    """For small a and w2, (5.3) and dw2/da = -2 w3/(K + 2) give a'' = (1 - w3^2) a.
+
+    The disk is stable for Omega^2 > 4 g/((K + 4) R).
+    """
     for w3 in (0.5, 0.99, 1.01, 3.0):
         assert theory.steady_nutation_squared(1e-3, w3, 1e-9, 1.0) == pytest.approx(
             w3**2 - 1, abs=1e-4
@@ -161,8 +163,7 @@ def test_slope_of_the_root_of_the_inclination_under_rolling_friction(inclination
 
 
 def test_the_self_similar_end():
-    """The intervals of the last slips form a geometric sequence, and the inclination falls with the
-    square of time."""
+    """The intervals of the last slips are a geometric sequence; inclination ~ time squared."""
     motion = simulate(scene({"final_inclination": 1e-10}))
     slips = np.array([s.t for s in motion.transitions if (s.before, s.after) == ("roll", "slide")])
     gaps = np.diff(slips)
@@ -191,7 +192,7 @@ def test_turning_the_release_about_the_vertical_turns_the_path(turn):
 
 
 def system_of(wanted):
-    """Return the hybrid system of a scene, as `simulate` makes it."""
+    """Return the hybrid system of a scene, as built by `simulate`."""
     integrate = chosen_integrator("auto")[1]
     return RollingDisk(law_of(wanted.disk, wanted.friction), None, 1e-5, integrate, 1e-16)
 

@@ -1,8 +1,9 @@
-"""Claim: every example runs as it stands and prints what is true.
+"""Claim: every example runs unmodified and prints correct results.
 
-Source: sonify/examples. Oracle: energy balance, the spectral modes of the same disk, a built-in law
-of the same power, the tone that was written, and the order in which a stronger friction ends the
-motion."""
+Source: sonify/examples. Oracle: the energy balance; the spectral modes of the same disk; a built-in
+law of the same power; the generated test tone; the order in which stronger friction ends the motion
+earlier.
+"""
 
 from importlib import import_module
 from pkgutil import iter_modules
@@ -31,7 +32,7 @@ TESTED = (
 
 
 def told(name, capsys):
-    """Return what an example returns, and the lines that it prints."""
+    """Return the result of an example and the lines that it prints."""
     result = import_module(f"sonify.examples.{name}").main()
     return result, capsys.readouterr().out.splitlines()
 
@@ -58,7 +59,7 @@ def test_a_table_of_modes(capsys):
 
 
 def test_a_mesh_of_ones_own(capsys):
-    """So coarse a mesh is too stiff, by less than 2 %, for the disk whose rim it bends round."""
+    """The coarse mesh with a curved rim overestimates the frequencies by less than 2 %."""
     modes, _ = told("own_mesh", capsys)
     own = import_module("sonify.examples.own_mesh")
     disk = Plate(radius=0.03755, thickness=0.0128, material=own.STEEL, density=own.DENSITY)

@@ -1,8 +1,9 @@
-"""Claim: however a run ends, it leaves whole files and no others, and what a killed one left goes
-with the next run.
+"""Claim: every run leaves only complete files, however it ends, and the next run removes the
+remains of a killed one.
 
-Source: the README's exit statuses. Oracle: real processes that are really ended, and what the
-folder then holds."""
+Source: the exit statuses in the README. Oracle: real processes that are terminated; the contents of
+the folder afterwards.
+"""
 
 import errno
 import gc
@@ -39,13 +40,13 @@ def hang():
 
 main(["hang"])
 """
-"""A command beside the others that is caught while it writes."""
+"""A test command that signals interrupt while it writes."""
 POSIX = pytest.mark.skipif(sys.platform == "win32", reason="Windows sends no such signals")
 
 
 @pytest.fixture
 def writer(tmp_path):
-    """Start processes that each write a file in tmp_path until they are ended."""
+    """Start processes that write a file in tmp_path until they are stopped."""
     started = []
 
     def start(name):
@@ -65,7 +66,7 @@ def writer(tmp_path):
 
 
 def test_a_full_disk_names_the_file_for_which_it_has_no_room(tmp_path):
-    """A write knows no name; what is no fault of a file keeps its words."""
+    """The error of a write lacks the file name; an error without a file keeps its message."""
     with pytest.raises(OSError, match="No space") as raised, whole(tmp_path / "report.html"):
         raise OSError(errno.ENOSPC, "No space left on device")
     assert raised.value.filename == str(tmp_path / "report.html")
@@ -136,8 +137,7 @@ def test_a_folder_in_which_no_file_can_be_made_is_one_line_and_no_endless_wait(d
 
 @pytest.mark.parametrize("kind", [Scratch, lambda width: RowStore(np.zeros((0, width)))])
 def test_rows_on_disk_close_their_file_when_nobody_can_ask_for_more(kind):
-    """Their own views may stay; a file that its collector finds open is a warning, in some other
-    place."""
+    """Existing views may remain; an open file would cause a warning in unrelated code."""
     rows = kind(2)
     file = rows._file
     rows.append(np.ones((3, 2), np.float32))
@@ -187,8 +187,7 @@ def test_a_path_that_is_too_long_is_one_line(tmp_path, name):
 def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status(
     tmp_path, stream, opened
 ):
-    """Pipe or terminal is closed before the first line; the file is whole, and no self-check has
-    failed."""
+    """Pipe or terminal closes before the first line; the file is complete, the command succeeds."""
     code = f"""
 import sys, click
 from sonify.__main__ import main
@@ -231,8 +230,7 @@ def test_results_that_a_full_disk_does_not_take_are_missed():
 
 @POSIX
 def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path):
-    """As some modules do, this one takes whatever happens while it is imported for a dependency
-    that is missing."""
+    """Like some real modules, this one treats any exception as a missing dependency."""
     (tmp_path / "swallows.py").write_text(
         "import time\nprint('importing', flush=True)\ntry:\n    time.sleep(0.5)\nexcept "
         "BaseException:\n    pass\n"

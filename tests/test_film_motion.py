@@ -1,9 +1,10 @@
-"""Claim: the film of air slows, damps and at last carries the disk, by Reynolds' power and beside
-every other law.
+"""Claim: the air film slows and damps the disk and finally carries it, with the power of Reynolds'
+equation and in combination with every other dissipation law.
 
-Source: Reynolds' equation on the wedge, I and I_n of dynamics/film/wedge.py. Oracle: the power
-written out, integrated apart from the energy; beta^3 that falls linearly under the film alone; the
-other integrator; a free fall onto a film."""
+Source: Reynolds' equation on the wedge, I and I_n of dynamics/film/wedge.py. Oracle: the explicit
+formula for the power, integrated independently of the energy; beta^3, which falls linearly in time
+under the film alone; the other integrator; a free fall onto a film.
+"""
 
 from dataclasses import dataclass
 from math import cos, sin
@@ -25,11 +26,11 @@ from sonify import solve as solve_scene
 
 AIR = Air(film="acts")
 STIFF = Air(film="acts", pressure=1e9, density=1.204)
-"""Air of so high a pressure that the film neither squeezes it nor lets it slip."""
+"""Air at very high pressure: the film is incompressible and does not slip at the walls."""
 
 
 def written_out(air, disk, beta, rate, nutation):
-    """The power [W] of the film, from the formulas themselves."""
+    """Return the power [W] of the film from the explicit formulas."""
     thick = sin(beta) * disk.radius * (abs(rate) * air.density / (2 * air.viscosity)) ** 0.5
     turning = 0.1067607949 * rate**2 / sin(beta) * (1 + (thick / 6.3) ** 2.5) ** 0.4
     return 12 * air.viscosity * disk.radius**3 * (turning + 0.3808 * nutation**2 / sin(beta) ** 3)
@@ -37,7 +38,7 @@ def written_out(air, disk, beta, rate, nutation):
 
 @pytest.mark.parametrize(("beta", "power"), [(0.01, 1.25006e-2), (0.1, 1.71112e-4)])
 def test_what_the_film_takes_from_a_steady_disk(beta, power):
-    """At the rate of the flat limit, by a worked example in which sin(beta) is beta."""
+    """The rate is the flat limit; the reference is a worked example with sin(beta) = beta."""
     disk = scene().disk
     rate = (flat_square(disk.aspect, disk.gyration) / beta) ** 0.5
     omega = (0.0, disk.aspect * rate * sin(beta), rate * sin(beta))
@@ -63,8 +64,7 @@ def test_the_loads_take_that_power_of_any_motion():
 
 
 def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
-    """A lift at its own distance from the contact moves the disk as its moment about the contact
-    alone does."""
+    """A lift away from the contact moves the disk like its moment about the contact alone."""
     disk = scene().disk
     beta = 0.02
     law = Law(disk.aspect, 1.0, np.inf, np.inf, 0.0, 0.0, 0.0)
@@ -87,11 +87,11 @@ def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
     ("disk", "slower", "bar"), [({"thickness": 1e-4}, 1.0, 0.01), (None, 0.94, 0.01)]
 )
 def test_under_the_film_alone_the_cube_of_the_inclination_falls_linearly(disk, slower, bar):
-    """3/2 m g R dbeta/dt = -12 mu R^3 I Omega^2/beta with Omega^2 beta constant: so for a thin
-    disk.
+    """A thin disk has 3/2 m g R dbeta/dt = -12 mu R^3 I Omega^2/beta with constant Omega^2 beta.
 
-    The centre of a thick one is set in motion, which makes it decline slower: 0.94 of the rate, as
-    under k_2."""
+    The centre of a thick disk starts to move, which reduces the rate to 0.94 of this value, as
+    under k_2.
+    """
     thin = Air(film="acts", density=0.0)
     motion = simulate(whirling(0.02, air=thin, disk=disk, numerics={"time_limit": 0.15}))
     disk = motion.disk
@@ -116,9 +116,11 @@ def carried(request):
 
 
 def test_the_air_carries_the_published_disk(carried):
-    """Of a prototype: contact lost at 12.35(15) s, beta 2.6e-3, precession 57(6) Hz. It was of
-    incompressible air; what is squeezed lifts as it turns, and lets go of the disk a little
-    earlier."""
+    """A prototype loses contact at 12.35(15) s, at beta = 2.6e-3 and a precession of 57(6) Hz.
+
+    The prototype assumes incompressible air. A compressible film also carries load as it turns, and
+    lifts the disk slightly earlier.
+    """
     assert carried.outcome is Outcome.AIRBORNE
     assert carried.t[-1] == pytest.approx(12.35, abs=0.15)
     stiff = simulate(scene({"integrator": carried.integrator}, air=STIFF))
@@ -142,9 +144,11 @@ def test_both_integrators_lose_contact_at_one_instant():
 
 @pytest.mark.parametrize("pressure", [10132.5, 1013.25])
 def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
-    """The film of a turning disk bears up to a share of p pi R^2 that is tabled by its number Lam,
-    and the falling one more: at 1000 Pa, where p pi R^2 is 1.04 weights, the first alone bears most
-    of it. Both integrators agree."""
+    """A turning film carries a share of p pi R^2, tabulated by Lam; a falling film carries more.
+
+    At 1000 Pa, where p pi R^2 is 1.04 weights, the turning film carries most of the weight. Both
+    integrators agree.
+    """
     air = Air(film="acts", pressure=pressure)
     motions = [
         simulate(scene({"integrator": name, "accuracy": "draft"}, air=air))
@@ -159,8 +163,7 @@ def test_thin_air_carries_the_disk_where_its_pressure_can(pressure):
 
 
 GONE = 1e-4
-"""Part of the weight: where friction of no force lets go the fall of its guard may be told first,
-1e-8 s late."""
+"""Final contact force over weight: a friction guard at zero force may fire first, 1e-8 s late."""
 COIN = {"radius": 0.0115, "thickness": 0.0016, "mass": 0.0056}
 PLATE = {"radius": 0.1, "thickness": 0.02, "mass": 5.0}
 
@@ -170,8 +173,7 @@ PLATE = {"radius": 0.1, "thickness": 0.02, "mass": 5.0}
     [(COIN, 1e5, 0.03), (COIN, 100.0, 0.03), (PLATE, 1000.0, 0.01)],
 )
 def test_other_disks_in_other_air_end_alike_by_both_integrators(disk, pressure, inclination):
-    """Outcome, time, inclination and precession; the lower its pressure the later the air can carry
-    the disk."""
+    """Outcome, time, inclination and precession agree; lower pressure delays the end."""
     air = Air(film="acts", pressure=pressure)
     draft = {"accuracy": "draft", "time_limit": 30.0}
     ends = []
@@ -192,8 +194,7 @@ def test_other_disks_in_other_air_end_alike_by_both_integrators(disk, pressure, 
 )
 @pytest.mark.parametrize("integrator", ["auto", "dop853"])
 def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrator):
-    """Let go at rest it falls; in a vacuum that is the end, in air the film stops it before the
-    table."""
+    """A disk released at rest falls flat in a vacuum; in air the film stops it above the table."""
     fall = {"inclination_deg": 10.0, "omega": (0.0, 0.0, 1e-3)}
     free, caught = (
         simulate(scene({"integrator": integrator}, disk=disk, release=fall, air=air))
@@ -207,8 +208,7 @@ def test_a_disk_that_falls_through_falls_onto_the_film(disk, pressure, integrato
 
 
 def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
-    """Some lose it through changes at one instant, some where no regime is left by a rounding;
-    others elsewhere."""
+    """Contact is lost by accumulating events, or where rounding leaves no valid regime."""
     for turned in range(-6, 7):
         fall = {"inclination_deg": 10.0 * (1 + 1e-13 * turned), "omega": (0.0, 0.0, 1e-3)}
         motion = simulate(scene(release=fall, air=Air(film="acts", pressure=1000.0)))
@@ -217,7 +217,7 @@ def test_regimes_that_pile_up_where_the_contact_force_goes_are_its_end():
 
 
 def test_contact_that_is_lost_by_turning_is_not_borne_by_the_air():
-    """Spun so fast that the motion ends early: at 30 degrees the film is next to nothing."""
+    """The disk spins so fast that the motion ends at 30 degrees, where the film is negligible."""
     fast = {"inclination_deg": 30.0, "omega": (0.0, 0.0, -45.0)}
     motions = [
         simulate(scene(release=fast, air=air, numerics={"time_limit": 2.0})) for air in (None, AIR)
@@ -227,7 +227,7 @@ def test_contact_that_is_lost_by_turning_is_not_borne_by_the_air():
 
 @dataclass(frozen=True)
 class Sticky(OwnLaw):
-    """A viscous moment of one's own."""
+    """A user-defined viscous moment."""
 
     moment: float
 
@@ -236,8 +236,7 @@ class Sticky(OwnLaw):
 
 
 def test_auto_takes_the_film_where_it_will_matter():
-    """And tells from when, but for what the slides take: at that inclination its steady power is a
-    hundredth of all."""
+    """The film starts where its steady power is 1 % of the total, slides excluded."""
     long = scene(air=Air())
     short = scene({"time_limit": 5.0}, air=Air())
     told = decide_film(long)

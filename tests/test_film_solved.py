@@ -1,9 +1,10 @@
-"""Claim: the film's constants in the motion are those of Reynolds' equation, which is solved for
-any gap of air.
+"""Claim: the film constants in the motion are those of Reynolds' equation, which is solved for any
+air gap.
 
 Source: Reynolds' equation, incompressible, isothermal, or with the inertia of unsteady flow.
-Oracle: a closed integral; Bessel functions for an even gap; conservation of mass; numbers found by
-two other programs; a second mesh."""
+Oracle: a closed-form integral; Bessel functions for a uniform gap; conservation of mass; values
+from two other programs; a second mesh.
+"""
 
 import numpy as np
 import pytest
@@ -17,13 +18,13 @@ from dynamics.film.reynolds import FilmMesh, compressible_wedge, film_mobility
 from dynamics.film.wedge import FALLING_POWER, TURNING_POWER, film_under
 
 LEVER = 1.75
-"""Radius over the distance of the falling film's lift from the contact, in air that is not
-squeezed."""
+"""Ratio of the radius to the distance between contact and lift of the falling incompressible film.
+"""
 MU, RHO, AMBIENT, RADIUS = 1.82e-5, 1.204, 101325.0, 0.03755
 
 
 def constants_of(cells, nearest=8.0):
-    """I, I_n and the lever of the lift, by elements."""
+    """Return I, I_n and the lever of the lift from finite elements."""
     mesh = FilmMesh(cells, nearest=nearest)
     x = mesh.points.real
     y = mesh.points.imag
@@ -57,12 +58,12 @@ def test_the_turning_film_lifts_nothing_and_all_that_falls_leaves_at_the_rim():
     turning, heaving = mesh.linear([y, np.ones_like(x)], [np.ones_like(x)])
     assert turning.works[0] == pytest.approx(0, abs=1e-9)
     assert heaving.rim[0] == pytest.approx(-np.pi, rel=1e-5)
-    assert turning.rim[-1] == pytest.approx(-1j * np.pi / 4, rel=2e-3)  # its dipole, too
+    assert turning.rim[-1] == pytest.approx(-1j * np.pi / 4, rel=2e-3)  # dipole of the flow
 
 
 @pytest.mark.parametrize("sigma", [0.5, 30.0])
 def test_an_even_gap_is_bessels(sigma):
-    """g0 = 2 J1(k)/(k J0(k)), k^2 = -i sigma: another height of the gap, and the air's spring."""
+    """g0 = 2 J1(k)/(k J0(k)), k^2 = -i sigma, for a uniform gap of compressible air."""
     k = np.sqrt(-1j * sigma)
     mesh = FilmMesh(16, height=lambda x, y: np.ones_like(x), nearest=5.0)
     (answer,) = mesh.linear([np.ones_like(mesh.height)], [], sigma)
@@ -70,16 +71,18 @@ def test_an_even_gap_is_bessels(sigma):
 
 
 def conducting(inertia, heat):
-    """Squared number k of a film of even gap 1 at sigma = 1, whose air has inertia and conducts
-    heat (Tijdeman 1975): the layers of viscosity and of heat hold tanh(x)/x of it, x = half the gap
-    over the depth of the layer."""
+    """Return the squared wave number k^2 of a uniform film with inertia and heat conduction.
+
+    The gap is 1 and sigma is 1 (Tijdeman 1975). The viscous and thermal layers occupy tanh(x)/x of
+    the gap; x is half the gap over the layer depth.
+    """
     moves, warms = (1 - np.tanh(layer / 2) / (layer / 2) for layer in (inertia, heat))
     return -1j * (1 - warms * (1 - 1 / 1.4)) * inertia**2 / (12 * moves)
 
 
 @pytest.mark.parametrize("depth", [0.5, 3.0, 12.0])
 def test_an_even_gap_that_conducts_heat_is_bessels(depth):
-    """Gaps of half a boundary layer, of three and of twelve of them."""
+    """The gaps are half a boundary layer, three and twelve boundary layers deep."""
     inertia = depth * np.exp(0.25j * np.pi)
     sigma = 60 / (1 + depth**2)
     k = np.sqrt(sigma * conducting(inertia, 0.84 * inertia))
@@ -89,8 +92,10 @@ def test_an_even_gap_that_conducts_heat_is_bessels(depth):
 
 
 def test_sound_travels_in_a_wide_film_as_in_free_air():
-    """Of 5 mm at 10 kHz, 240 boundary layers; isothermal air would be 18 % slower. In a thin one
-    air is isothermal."""
+    """A gap of 5 mm at 10 kHz is 240 boundary layers deep; isothermal air would be 18 % slower.
+
+    A thin film is isothermal.
+    """
     w = 2 * np.pi * 1e4
     gap = 5e-3
     radius = 0.03755
@@ -109,8 +114,7 @@ def test_sound_travels_in_a_wide_film_as_in_free_air():
 
 
 def test_an_even_gap_squeezes_as_the_textbook_says():
-    """12 mu R^4 V/g^3 pi/96: Stefan's 3 pi mu R^4 V/(2 g^3) is 12 times pi/8; inertia divides it by
-    the mobility."""
+    """12 mu R^4 V/g^3 pi/8 is Stefan's 3 pi mu R^4 V/(2 g^3); inertia divides by the mobility."""
     mesh = FilmMesh(12, height=lambda x, y: np.ones_like(x), nearest=5.0)
     one = np.ones_like(mesh.height)
     still, fast = (
@@ -131,7 +135,7 @@ def test_mobility_is_smooth_and_goes_over_to_that_of_a_mass():
 
 @pytest.mark.parametrize("S", [0.3, 1.0, 2.0, 3.0])
 def test_the_fit_of_inertia_is_that_of_unsteady_flow(S):
-    """5 % for S <= 3."""
+    """The fit is accurate to 5 % for S <= 3."""
     mesh = FilmMesh(10)
     disk = Disk(radius=RADIUS, thickness=0.0128, mass=0.4387)
     y = mesh.points.imag
@@ -154,8 +158,7 @@ def test_the_fit_of_inertia_is_that_of_unsteady_flow(S):
     ],
 )
 def test_the_share_of_the_heave_that_leaves_at_the_rim(gap, rate, share):
-    """As another program found it; the last is that of a mesh which is fine at the rim, where the
-    flow is then."""
+    """The shares are those of another program; the last one needs a mesh refined at the rim."""
     mesh = FilmMesh(16)
     w = 2 * np.pi * rate
     one = np.ones_like(mesh.height)
@@ -168,8 +171,10 @@ def test_the_share_of_the_heave_that_leaves_at_the_rim(gap, rate, share):
 
 @pytest.mark.slow
 def test_the_compressible_wedge_is_that_of_other_programs():
-    """Lift and g1 at Lam = 0.3, 1, 10, 100; the power there. The last row differs by a fifth in the
-    power, which there is one part in seventy of what an incompressible film takes."""
+    """Lift, g1 and power at Lam = 0.3, 1, 10, 100 agree with other programs.
+
+    The last power differs by 20 %; it is only 1/70 of the power of an incompressible film.
+    """
     lift, power, flow = compressible_wedge([0.3, 1, 10, 100], FilmMesh(14, nearest=5.0))
     assert lift == pytest.approx([6.6e-3, 0.040, 0.42, 1.19], rel=0.08)
     assert power[:3] == pytest.approx([0.924, 0.745, 0.220], rel=0.01)
@@ -177,11 +182,11 @@ def test_the_compressible_wedge_is_that_of_other_programs():
     assert flow[:, -1] == pytest.approx(
         [0.996 + 0.002j, 0.979 - 0.004j, 0.723 - 0.101j, 0.258 - 0.094j], abs=0.015
     )
-    assert np.abs(flow[:, 0]).max() < 1e-6  # what comes in goes out
+    assert np.abs(flow[:, 0]).max() < 1e-6  # conservation of mass
 
 
 def by_law(Lam=0.0, falling=0.0, slip=0.0):
-    """Drag, moment about the contact and lift over p pi R^3 by the closed form, without inertia."""
+    """Return drag, moment about the contact and lift over p pi R^3, without inertia."""
     return np.array(
         film_forces(
             1.0,
@@ -198,7 +203,7 @@ def by_law(Lam=0.0, falling=0.0, slip=0.0):
 
 
 def solved(mesh, P):
-    """The same of a solved pressure; the drag has the sign of the turning."""
+    """Return drag, moment and lift of a solved pressure; the drag has the sign of the turning."""
     x = mesh.points.real
     y = mesh.points.imag
     return (
@@ -208,8 +213,10 @@ def solved(mesh, P):
 
 
 def held(mesh, P):
-    """int h (P ln P - P + 1) dA of a solved pressure over p pi R^3; next to the contact it passes
-    below nothing."""
+    """Return int h (P ln P - P + 1) dA of a solved pressure over p pi R^3.
+
+    P may be slightly negative next to the contact.
+    """
     at = np.asarray(mesh.basis.interpolate(P))
     return (mesh.area * mesh.height * (at * np.log(np.maximum(at, 1e-300)) - at + 1)).sum() / np.pi
 
@@ -230,7 +237,7 @@ def compare(mesh, numbers):
 
 
 def test_the_closed_form_is_that_of_the_squeezed_film():
-    """Drag within 3 %, lift within 5 %, moment within 8 %, and what a fall adds within 6 %."""
+    """Drag agrees within 3 %, lift 5 %, moment 8 %, and the effect of a fall within 6 %."""
     compare(FilmMesh(10, nearest=5.0), [1.0, 5.0])
 
 
@@ -241,7 +248,7 @@ def test_the_closed_form_is_that_of_the_squeezed_film_at_low_pressure():
 
 @pytest.mark.parametrize("slip", [1e-3, 0.01, 0.1, 1.0, 10.0])
 def test_air_that_slips_resists_less(slip):
-    """Within 10 %, from air without slip to air whose molecules meet the walls alone."""
+    """The closed form agrees within 10 %, from no slip to free molecular flow between the walls."""
     mesh = FilmMesh(12)
     x = mesh.points.real
     y = mesh.points.imag
@@ -253,8 +260,10 @@ def test_air_that_slips_resists_less(slip):
 
 @pytest.mark.slow
 def test_how_fast_a_fall_the_film_is_right_for():
-    """Its resistance is taken as that of a slow one: 4 % low at 12 mu omega_1/(p beta^3) = 0.3, 27
-    % at 3."""
+    """The model uses the resistance of a slow fall.
+
+    It is 4 % too low at 12 mu omega_1/(p beta^3) = 0.3, and 27 % at 3.
+    """
     mesh = FilmMesh(12, nearest=5.0)
     P = None
     for falling, low in ((0.3, 0.04), (1.0, 0.12), (3.0, 0.27)):

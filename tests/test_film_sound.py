@@ -1,9 +1,10 @@
-"""Claim: the disk radiates through the film as it is, and the film damps and detunes its modes
-without a click.
+"""Claim: the disk radiates through its actual air film, and the film damps and detunes the modes
+without producing clicks.
 
-Source: Reynolds' equation on the wedge; the pressure a - g b of a disk over a film. Oracle: numbers
-found by other programs, on the published motion; elements on a finer mesh; an integrator for a mode
-that changes slowly."""
+Source: Reynolds' equation on the wedge; the pressure a - g b of a disk over a film. Oracle: values
+from other programs for the published motion; finite elements on a finer mesh; an integrator for a
+slowly varying mode.
+"""
 
 from types import SimpleNamespace
 
@@ -87,8 +88,7 @@ def test_the_heave_relaxes_as_the_film_does(sigma):
 
 
 def test_the_heave_relaxes_by_its_table_of_gaps(scene):
-    """A fraction with the relative error LOG_GAP_STEP^2/2 changes the result by at most that part
-    of its lag."""
+    """A fraction with relative error LOG_GAP_STEP^2/2 changes the lag by at most this error."""
     n = 1000
     rng = np.random.default_rng(2)
     gap = np.log(5e-5) + 0.4 * np.sin(np.arange(n + 1) / 97)
@@ -108,7 +108,7 @@ def test_the_heave_relaxes_by_its_table_of_gaps(scene):
 
 
 def steady(inclination, rate, count):
-    """States (k, 11) of a disk that precesses at `rate` [rad/s], a sample apart."""
+    """Return sampled states (k, 11) of a disk that precesses at `rate` [rad/s]."""
     state = np.zeros((count, 11))
     state[:, 0] = 0.3 + rate * np.arange(count) / RATE
     state[:, 1] = inclination
@@ -117,14 +117,14 @@ def steady(inclination, rate, count):
 
 
 def filmed_disk(scene, state, azimuth):
-    """The rigid disk over its film, heard from an azimuth [rad]."""
+    """Return the rigid disk over its film for a listener at an azimuth [rad]."""
     listener = Listener(distance=0.5, elevation=np.pi / 4, azimuth=azimuth, air=scene.air)
     face = RigidFace(scene.disk, listener, 1 / RATE)
     return RigidDiskOverFilm(scene, SimpleNamespace(state=state, film=None), face, listener)
 
 
 def stems_of(disk, state):
-    """What it radiates under its weight, (k, s) [Pa]."""
+    """Return the radiated pressure (k, s) [Pa] of the disk under its weight."""
     channels = disk.channels(np.tile([0.0, 0.0, disk._disk.weight], (len(state), 1)), state)
     none = np.zeros((0, channels.shape[1]))
     t = np.arange(len(state)) / RATE
@@ -136,8 +136,10 @@ def stems_of(disk, state):
 
 @pytest.mark.parametrize("sense", [1, -1])
 def test_the_second_harmonic_of_the_rim_is_heard_as_its_ring_radiates(scene, sense):
-    """Elements tell the flow out of the rim, Rayleigh's integral round it what is heard: 30 dB
-    below a closed tilt."""
+    """Finite elements give the flow at the rim, and Rayleigh's integral gives its radiation.
+
+    The result is 30 dB below a closed tilt.
+    """
     inclination = 1e-3
     turns = 80.0
     radius = scene.disk.radius
@@ -178,7 +180,7 @@ def test_the_other_ear_hears_what_a_listener_there_does(scene):
 
 
 def test_without_a_film_the_sources_are_those_of_a_disk_in_a_baffle(scene, flexural):
-    """The classes are exactly the plain ones; with the film their subclasses."""
+    """Without a film the plain source classes are used; with the film, their subclasses."""
     listener = Listener(distance=0.5, elevation=np.radians(45))
     face = RigidFace(scene.disk, listener, 1 / RATE)
     motion = SimpleNamespace(state=steady(1e-3, 300.0, 2), film=None, outcome=Outcome.SETTLED)
@@ -194,11 +196,11 @@ def test_without_a_film_the_sources_are_those_of_a_disk_in_a_baffle(scene, flexu
 
 
 def test_the_film_on_the_mode_of_1080_hz(scene):
-    """Decay, shift and level for mean gaps of 1000, 200 and 50 um, as another program found them
-    (its mode: 1084 Hz).
+    """Decay, shift and level agree with another program for mean gaps of 1000, 200 and 50 um.
 
-    At 10 um it found 795 1/s at the frequency of the mode without film; the mode itself goes up to
-    1680 Hz, 601 1/s."""
+    That program has the mode at 1084 Hz. At 10 um it found 795 1/s at the frequency without a film;
+    the mode rises to 1680 Hz with 601 1/s.
+    """
     modes = eigenmodes(scene, below=2000.0).select([1])
     table = fluid_loaded_modes(modes, scene)
     gaps = np.log([1e-3, 200e-6, 50e-6, 10e-6])
@@ -213,18 +215,20 @@ def test_the_film_on_the_mode_of_1080_hz(scene):
 
 @pytest.fixture(scope="module")
 def flexural(scene):
-    """The free mode of 10.6 kHz: two waves round the axis; the film then holds more than one wave
-    of sound."""
+    """Return the free mode of 10.6 kHz with two waves around the axis.
+
+    The film then contains more than one acoustic wavelength.
+    """
     return eigenmodes(scene.replace("support.kind=free"), below=11e3).select([0])
 
 
 @pytest.mark.parametrize(("gap", "isothermal"), [(40e-6, 1.25), (110e-6, 1.88), (240e-6, 1.35)])
 def test_an_even_film_damps_a_mode_as_finite_differences_say(scene, flexural, gap, isothermal):
-    """Rings of an even gap, of which the mode is a cosine round: another method for flow, heat and
-    shape.
+    """Finite differences on rings of a uniform gap, with their own flow, heat and shape, agree.
 
-    Air that took no heat from the faces would damp it by another factor, to 5 %: it is that of free
-    air at 240 um."""
+    Without heat exchange with the faces, the damping would differ by 5 %; at 240 um it is that of
+    free air.
+    """
     radius = scene.disk.radius
     rate = 2 * np.pi * flexural.frequency[0]
     count = 2000
@@ -261,8 +265,7 @@ def test_an_even_film_damps_a_mode_as_finite_differences_say(scene, flexural, ga
 
 
 def test_the_mesh_of_a_mode_is_fine_enough_for_its_waves(scene, flexural, monkeypatch):
-    """Twice the elements and a mesh nearer to the contact change what the film damps by a few
-    percent."""
+    """Twice the elements and a mesh closer to the contact change the damping by below 5 %."""
     table = fluid_loaded_modes(flexural, scene)
     monkeypatch.setattr("sonify.sound.fluid_loaded_modes.MIN_MESH_CELLS", 36)
     monkeypatch.setattr("sonify.sound.fluid_loaded_modes.MESH_GRADING", 7.0)
@@ -272,8 +275,7 @@ def test_the_mesh_of_a_mode_is_fine_enough_for_its_waves(scene, flexural, monkey
 
 
 def table_of(frequency, decay):
-    """A table of one mode that goes from the first to the last of these as the gap goes from 1 to
-    exp(-1)."""
+    """Return the table of one mode; frequency and decay vary as the gap goes from 1 to exp(-1)."""
     gap = np.linspace(0, -1, 200)
     part = np.linspace(0, 1, 200)[:, None]
     tuned = [low + (high - low) * part for low, high in (frequency, decay)]
@@ -283,7 +285,7 @@ def table_of(frequency, decay):
 
 
 def block(force):
-    """A ContactForce of one channel without jumps."""
+    """Return a ContactForce with one channel and without jumps."""
     none = np.zeros((0, 1))
     t = np.arange(len(force)) / RATE
     return ContactForce(
@@ -307,8 +309,11 @@ def test_while_the_gap_stays_the_oscillators_are_exact():
 
 
 def test_a_mode_follows_the_gap_without_a_click():
-    """From 900 to 1100 Hz and 20 to 60 1/s in 0.2 s, after a blow, under a load that stays: against
-    an integrator of z'' + 2 d(t) z' + w(t)^2 z = 0 for the displacement z from rest."""
+    """A mode sweeps from 900 to 1100 Hz and from 20 to 60 1/s in 0.2 s, after an impulse.
+
+    The load is constant. Oracle: an integrator of z'' + 2 d(t) z' + w(t)^2 z = 0 for the
+    displacement z from rest.
+    """
     n = RATE // 5
     gap = -np.arange(n + 1) / n
     load = 1e3
@@ -344,10 +349,12 @@ def test_a_load_at_rest_stays_silent_while_the_film_closes():
 
 @pytest.mark.slow
 def test_heave_and_tilt_of_the_published_motion(scene):
-    """The tilt is 13 dB below that over a closed film 3 and 2 s before the end, 19 dB at 1.2 s,
-    equal from 0.5 s on; the heave is 25 dB below at 2 s. The motion is that of a vacuum, as theirs
-    was; the tilt is the tone of the precession, without its second harmonic. Between, and from 4 s
-    before the end on, elements tell it."""
+    """The film attenuates the tilt by 13 dB at 3 and 2 s before the end, and by 19 dB at 1.2 s.
+
+    From 0.5 s on the tilt equals that over a closed film; the heave is 25 dB weaker at 2 s. The
+    motion is that in a vacuum, as in the reference; the tilt is the precession tone without its
+    second harmonic. At other times the levels come from finite elements.
+    """
     vacuum = scene.replace("air.film=none")
     motion = solve_motion(vacuum)
     (plan, modes) = planned(vacuum)

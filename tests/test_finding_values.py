@@ -1,10 +1,11 @@
-"""Claim: the value of a finding, and not only its verdict, is what the run shows.
+"""Claim: the run supports the value of each finding as well as its verdict.
 
-Source: the definitions in sonify/claims. Oracle: another estimate of each value, which shares no
-code with the finding: balance laws of the paper integrated along the motion, zero crossings,
-filters in the time or frequency domain, and numbers of an independent quadruple-precision program.
-Other files do the same for the findings on the air (test_air_findings.py), on tables
-(test_table_sound.py, test_table_acts_back.py) and on waves (test_table_wavy.py)."""
+Source: the definitions in sonify/claims. Oracle: an independent estimate of each value, which
+shares no code with the finding: balance laws of the paper integrated along the motion; zero
+crossings; filters in the time or frequency domain; values from an independent quadruple-precision
+program. Other files do the same for the findings on the air (test_air_findings.py), on tables
+(test_table_sound.py, test_table_acts_back.py) and on waves (test_table_wavy.py).
+"""
 
 from itertools import pairwise
 from types import SimpleNamespace
@@ -49,7 +50,7 @@ def level(samples) -> float:
 
 
 def a_weighted(samples, rate):
-    """Return samples weighted in the frequency domain, of the stretch as a whole."""
+    """Return samples of one segment, A-weighted in the frequency domain."""
     size = next_fast_len(len(samples), real=True)
     weight = 10 ** (a_weighting_db(np.fft.rfftfreq(size, 1 / rate)) / 20)
     return np.fft.irfft(np.fft.rfft(samples, size) * weight, size)[: len(samples)]
@@ -61,7 +62,7 @@ def third_octave(samples, rate, middle):
 
 
 def power_lost(motion, scene, t):
-    """Return the power of sliding friction and of the resisting moments (3.2), (3.3) [W], (k,)."""
+    """Return the dissipated power (k,) [W] of sliding friction and the moments (3.2), (3.3)."""
     state = motion.at(t)
     force = motion.force(t)
     beta = state[:, 1]
@@ -79,7 +80,7 @@ def power_lost(motion, scene, t):
 
 @pytest.fixture(scope="module")
 def stretches(motion, scene):
-    """Energy lost [J] and length [s] of each stretch of rolling or sliding, and which slide."""
+    """Return energy loss [J] and duration [s] of each rolling or sliding phase, and which slide."""
     changes = [e.t for e in motion.transitions if e.before.split()[0] != e.after.split()[0]]
     edges = np.unique([0.0, *changes, motion.t[-1]])
     lost = []
@@ -92,14 +93,13 @@ def stretches(motion, scene):
 
 
 def subdivided(nodes, parts):
-    """Return the nodes (n,) with each interval between them divided into equal parts."""
+    """Return the nodes (n,) with each interval divided into equal parts."""
     fractions = np.arange(parts) / parts
     return np.append((nodes[:-1, None] + np.diff(nodes)[:, None] * fractions).ravel(), nodes[-1])
 
 
 def swings(motion):
-    """Return the times [s] at which the inclination is greatest: omega_1 goes from rising to
-    falling."""
+    """Return the times [s] of the maxima of the inclination, where omega_1 becomes positive."""
     t = subdivided(motion.t, 8)
     nutation = motion.at(t)[:, 5]
     before = np.flatnonzero((nutation[:-1] < 0) & (nutation[1:] >= 0))
@@ -107,7 +107,7 @@ def swings(motion):
 
 
 def test_slips_are_as_many_as_another_program_counts(scene):
-    """36 by 250 units of time, in quadruple precision."""
+    """The count is 36 after 250 units of time, in quadruple precision."""
     chi = scene.disk.time_unit
     assert repeated_slips(simulate(scene.replace(f"numerics.time_limit={250 * chi}"))).value == 36
 
@@ -118,7 +118,7 @@ def test_the_least_normal_force_is_that_of_another_program(value):
 
 
 def test_the_frequency_of_the_normal_force_is_that_of_the_nutation(motion, value):
-    """Oracle: the upward zero crossings of omega_1, which the normal force does not enter."""
+    """Oracle: the upward zero crossings of omega_1, which do not use the normal force."""
     crossings = swings(motion)
     frequency = 1 / np.diff(crossings)
     tenth = len(frequency) // 10
@@ -129,8 +129,7 @@ def test_the_frequency_of_the_normal_force_is_that_of_the_nutation(motion, value
 
 
 def test_the_energy_falls_by_the_work_of_friction(motion, scene, value):
-    """The smallest fall between two instants is the smallest work of friction and moments in
-    between."""
+    """The smallest energy loss between two instants is the work of friction and moments."""
     lost = np.diff(motion.state[:, 10])
     smallest = np.argsort(lost)[:200]
     work = []
@@ -159,13 +158,12 @@ def test_slip_takes_the_share_that_is_lost_in_slides(stretches, value, motion):
 
 
 def test_nine_modes_are_audible(value):
-    """The reference of the clamped disk has nine below 20 kHz, from 800.5 to 18,789 Hz."""
+    """The reference for the clamped disk has nine modes below 20 kHz, from 800.5 to 18,789 Hz."""
     assert value["audible_modes"] == 9
 
 
 def test_the_path_of_the_centre_follows_from_its_velocity(motion, value):
-    """Oracle: the velocity (2.5) of the centre, turned by the precession and integrated over
-    time."""
+    """Oracle: the velocity (2.5) of the centre, rotated by the precession and integrated."""
     t = subdivided(motion.t, 8)
     state = motion.at(t)
     theta = state[:, 0]
@@ -185,13 +183,12 @@ def test_the_path_of_the_centre_follows_from_its_velocity(motion, value):
 
 
 def test_the_precession_diverges_as_the_inverse_of_the_time_left(value):
-    """Rolling friction k_2 takes a power proportional to Omega beta, so the inclination goes as the
-    square."""
+    """Rolling friction k_2 has a power ~ Omega beta, and the inclination falls as time squared."""
     assert value["no_singularity"] == pytest.approx(-1.0, abs=0.05)
 
 
 def test_the_tone_is_the_solved_motion(result, value):
-    """Its rates are turns of the contact and swings of the inclination, counted between times."""
+    """The rates are counts of contact revolutions and of inclination maxima between two times."""
     motion = result.motion
     sound = result.sound
     tone = result.heard.tone
@@ -215,8 +212,7 @@ def test_the_tone_is_the_solved_motion(result, value):
 
 
 def test_the_tone_is_heard_where_its_band_exceeds_the_threshold(result, value):
-    """Oracle: a Butterworth third octave about the solved precession, just before and just after
-    that instant."""
+    """Oracle: a Butterworth third-octave filter at the precession rate, before and after."""
     sound = result.sound
     motion = result.motion
     rate = sound.sample_rate
@@ -252,8 +248,7 @@ def test_levels_of_the_last_second_are_those_of_the_weighted_stems(result, value
 
 
 def test_the_strongest_steady_tone_is_the_mode_nearest_to_the_peak_of_the_spectrum(result, value):
-    """Oracle: the peak of one long spectrum about the strongest line, through its three highest
-    bins."""
+    """Oracle: the peak of one long spectrum near the strongest line, from three bins."""
     sound = result.sound
     line = result.heard.lines[0]
     span = slice(int(max(line.begin, 0) * sound.sample_rate), int(line.end * sound.sample_rate))
@@ -277,15 +272,14 @@ def test_modes_hold_as_much_energy_as_the_disk_since_when_their_energies_are_equ
 
 
 def test_the_ratio_of_free_modes_is_that_of_the_reference():
-    """16997.7117 Hz and 10602.6917 Hz, from a converged Ritz basis."""
+    """A converged Ritz basis gives 16997.7117 Hz and 10602.6917 Hz."""
     free = solve(load_scene("published").replace("support.kind=free", "numerics.time_limit=0.2"))
     ratio = {finding.key: finding.value for finding in free.findings}["mode_ratio"]
     assert ratio == pytest.approx(16997.7117 / 10602.6917, rel=1e-5)
 
 
 def test_the_motion_through_the_film_is_as_loud_as_its_loudest_band():
-    """A heave of 0.1 Pa at 80 Hz and a tilt of 0.3 Pa at 40 Hz: their levels over the threshold of
-    ISO 226."""
+    """A heave of 0.1 Pa at 80 Hz and a tilt of 0.3 Pa at 40 Hz; threshold of ISO 226."""
     rate = 48000
     t = np.arange(4 * rate) / rate
     tones = {"heave": 0.1 * np.sin(2 * np.pi * 80 * t), "tilt": 0.3 * np.sin(2 * np.pi * 40 * t)}
@@ -301,7 +295,7 @@ def test_the_motion_through_the_film_is_as_loud_as_its_loudest_band():
 
 @pytest.fixture(scope="module")
 def hopping():
-    """A rough contact that loses contact, for 0.3 s."""
+    """Return the motion of a disk that loses its rough contact, for 0.3 s."""
     rough = ("contact.law=elastic", "numerics.contact=full", "roughness.rms=1e-7")
     return simulate(
         load_scene("published").replace(
@@ -311,7 +305,7 @@ def hopping():
 
 
 def test_contact_is_lost_while_the_normal_force_is_zero(hopping):
-    """Oracle: the impulses that the time steps gave, of which those of a flight are zero."""
+    """Oracle: the impulses of the time steps, which are zero during a flight."""
     silent = np.diff(hopping.impulses[:, 2]) == 0
     edges = np.flatnonzero(np.diff(np.concatenate([[False], silent, [False]]).astype(int)))
     lengths = np.diff(edges.reshape(-1, 2), axis=1).ravel() * hopping.dt
@@ -326,8 +320,7 @@ def test_contact_is_lost_while_the_normal_force_is_zero(hopping):
 
 @pytest.mark.parametrize("share", [0.0, 0.8, 1.0])
 def test_peaks_of_force_and_sound_correlate_as_they_were_made(share):
-    """Noise whose level in dB follows the normal force, and other noise as strong, in known
-    shares."""
+    """The sound is noise that follows the normal force, plus independent noise, in known shares."""
     rate = 48000
     seconds = 40.0
     correlation = share
@@ -359,9 +352,11 @@ def test_a_sound_too_short_to_correlate_decides_nothing():
 
 
 def test_the_contact_resonance_passes_the_recorded_peaks_for_as_long_as_another_program_says():
-    """Oracle: resonances on granite (relaxation 1.1 a) of an independent program at five
-    inclinations, less what the bending of the disk takes: 1.8 % at 30 degrees and 5.3 % at 0.01
-    rad. None of them stays near 5.04 or 8.23 kHz."""
+    """Oracle: resonances of another program on granite (relaxation 1.1 a), five inclinations.
+
+    Bending of the disk lowers them by 1.8 % at 30 degrees and 5.3 % at 0.01 rad. None stays near
+    5.04 or 8.23 kHz.
+    """
     scene = load_scene("granite").replace("numerics.accuracy=draft", "roughness.rms=1e-8")
     motion = simulate(scene)
     inclination = np.log([0.01, 0.03, 0.1, 0.2, 0.57])
@@ -386,8 +381,7 @@ TABLE = f"surface={{kind='modes', modes=[{MODE}], action='motion'}}"
 
 @pytest.mark.parametrize("changes", [(), ("air.film=acts",), CONTACT, (*CONTACT, TABLE)])
 def test_what_each_cause_takes_is_the_integral_of_its_power(changes):
-    """On rigid and elastic contacts, in air and on a table that moves; together they take what the
-    energy falls by."""
+    """The losses add up to the fall of the energy, in air and on a moving table."""
     scene = load_scene("published").replace("numerics.time_limit=0.5", *changes)
     motion = simulate(scene)
     t = (

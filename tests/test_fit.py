@@ -1,9 +1,10 @@
-"""Claim: `fit` gives back what slowed a disk, with intervals that hold it, and says where it cannot
-tell.
+"""Claim: `fit` recovers the mechanisms that slowed a disk, with intervals that contain the truth,
+and reports where the recording does not determine them.
 
 Source: the power balance of steady motion, P = mu m g R Omega of contour friction and Reynolds'
-film; for the chain of FU Berlin (2026), its published windows. Oracle: closed forms at small
-inclination, recordings made of known shares, the program's own sound."""
+film; the published windows for the analysis chain of FU Berlin (2026). Oracle: closed forms at
+small inclination; synthetic recordings of known shares; the program's own sound.
+"""
 
 import json
 import zipfile
@@ -32,12 +33,12 @@ from sonify.hearing.rising_tone import clearest_tone
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
 RATE = 16000
 STEADY = np.array([[0.0, 200.0], [0.0, 4000.0], [20.0, 20.0]])
-"""Times, turns and turns a second of a tone of 20 Hz."""
+"""Times [s], turns and turn rates [1/s] of a 20 Hz tone."""
 
 
 @pytest.fixture(scope="module")
 def scene():
-    """The toy, slowed by contour friction and air alone."""
+    """Return the toy, slowed by contour friction and air alone."""
     changes = [f"friction.{arm}=0" for arm in BARE]
     changes += [
         "dissipation.boundary_layer_viscosity=0",
@@ -61,8 +62,11 @@ def listened(decline, shares, **how):
 
 
 def test_rolling_alone_declines_as_its_closed_form(scene):
-    """E = 3/2 m g R beta, P = mu m g R Omega, Omega^2 beta = c of a thin disk: the time left is
-    beta^(3/2) / (mu sqrt(c)), and f goes as its power -1/3. What is left out is of order beta."""
+    """The time left is beta^(3/2) / (mu sqrt(c)), and f falls as its power -1/3.
+
+    E = 3/2 m g R beta, P = mu m g R Omega and Omega^2 beta = c for a thin disk; the neglected terms
+    are of order beta.
+    """
     mu = 1e-4
     beta = 1e-4
     decline = Decline(scene.replace("disk.thickness=1e-6"))
@@ -74,7 +78,7 @@ def test_rolling_alone_declines_as_its_closed_form(scene):
 
 
 def test_the_film_alone_declines_with_the_power_of_a_sixth(scene):
-    """Of air that no film squeezes: so much air weighs as little as in a room."""
+    """The film is incompressible, and the air has the density of room air."""
     decline = Decline(scene.replace("air.pressure=1e9", "air.density=1.2"))
     left = np.array([0.5e-3, 1e-3])
     exponent = np.diff(np.log(decline.frequency(left, [0, 1, 0])))[0] / np.log(2)
@@ -84,7 +88,7 @@ def test_the_film_alone_declines_with_the_power_of_a_sixth(scene):
 
 
 def test_the_arm_of_the_paper_declines_with_the_power_of_one():
-    """Until the inclination, which goes with the square of the time left, is 1e-5."""
+    """The inclination falls as the square of the time left, until it is 1e-5."""
     decline = Decline(load_scene("published"))
     left = np.interp(1e-5, decline.beta, decline.left([0, 0, 1])) * np.array([1, 2])
     assert np.diff(np.log(decline.frequency(left, [0, 0, 1])))[0] / np.log(2) == pytest.approx(
@@ -102,8 +106,7 @@ def test_turns_and_their_rate_belong_together(decline):
 
 
 def test_a_rate_that_is_missed_is_read_from_the_phase():
-    """A tone of 20.3 Hz where 20 Hz are expected: the slope of the phase tells it to a hundredth of
-    what is missed."""
+    """The slope of the phase gives 20.3 Hz where 20 Hz is expected, to 1 % of the difference."""
     t = np.arange(8 * RATE) / RATE
     found = rates(np.cos(2 * np.pi * 20.3 * t), RATE, 0.0, STEADY, 8.0)
     assert len(found.time) > 20
@@ -111,8 +114,7 @@ def test_a_rate_that_is_missed_is_read_from_the_phase():
 
 
 def test_what_was_heard_before_a_tone_began_is_left_out():
-    """Of 100 s of noise as loud as the tone of 8 s after it, no block counts but one that reaches
-    into the tone."""
+    """Only blocks that overlap the 8 s tone count, not the 100 s of loud noise before it."""
     t = np.arange(108 * RATE // 10) / (RATE / 10)
     sound = np.random.default_rng(0).standard_normal(len(t)) + np.where(
         t < 100, 0, 2**0.5 * np.cos(2 * np.pi * 20 * t)
@@ -138,8 +140,10 @@ def test_the_truth_is_found_and_named(decline, shares, verdict):
 
 
 def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
-    """Behind a high-pass, for a disk that air alone slowed; and its end is told to a tenth of a
-    second, though under a film that is squeezed it hangs on what cannot be heard."""
+    """A high-pass attenuates the precession of a disk slowed by air alone.
+
+    The end is found within 0.1 s, although inaudible sound determines it under a compressible film.
+    """
     how = {"noise": 0.18, "hum": 0.16, "start": 3.1, "end": 10.9, "high_pass": 60.0, "seed": 31}
     found = judge(decline, [listened(decline, [0, 0.63, 0], **how)], correct=False)
     assert (found.line, found.verdict) == ("precession", "air")
@@ -149,8 +153,7 @@ def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
 
 
 def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorders_have(decline):
-    """Its phase looks like other shares: with any corner allowed, the film here would be known to a
-    factor of two."""
+    """A high-pass has a phase like other shares; a free corner would leave a factor of two."""
     how = {"noise": 0.45, "start": 3.7, "end": 9.45, "high_pass": 60.0, "seed": 17}
     air = judge(decline, [listened(decline, [7.6e-5, 1.26, 0], **how)], correct=False).values()[
         "air"
@@ -160,7 +163,7 @@ def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorder
 
 
 def speech(seconds, seed):
-    """Noise from 100 to 1000 Hz, in syllables, as strong as 1."""
+    """Return noise from 100 to 1000 Hz with syllabic modulation, at rms 1."""
     t = np.arange(seconds * RATE) / RATE
     noise = np.random.default_rng(seed).standard_normal(len(t))
     band = sosfilt(butter(2, [100, 1000], "bandpass", fs=RATE, output="sos"), noise) * np.sin(
@@ -171,7 +174,7 @@ def speech(seconds, seed):
 
 @pytest.mark.slow
 def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
-    """It is as loud as the disk, and lasts six times as long."""
+    """The speech is as loud as the disk and lasts six times as long."""
     run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3)
     samples = np.concatenate([run.std() * speech(30, 1), run, run.std() * speech(30, 2)])
     sound = heard(Recording(samples=samples, sample_rate=RATE), "made", ("tone",))
@@ -186,8 +189,7 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
 
 
 def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(decline, tmp_path):
-    """Of five minutes: where the disk ends, what is read goes on for AFTER, and begins LONGEST
-    before."""
+    """From five minutes, the analysis keeps LONGEST before the end of the run and AFTER after."""
     rate = RATE // 2
     run = recording(decline, [1e-4, 1.0, 0], noise=0.3, rate=rate, end=14.0, duration=15.0, seed=3)
     samples = 0.02 * np.random.default_rng(0).standard_normal(300 * rate)
@@ -203,8 +205,10 @@ def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(d
 
 
 def voice(seconds, seed):
-    """Syllables of a voice, as strong as 1: harmonics of a pitch that wanders from 90 to 180 Hz,
-    two formants."""
+    """Return syllables of a voice at rms 1.
+
+    The harmonics have a pitch that drifts from 90 to 180 Hz, with two formants.
+    """
     random = np.random.default_rng(seed)
     made = []
     while sum(map(len, made)) < seconds * RATE:
@@ -222,7 +226,7 @@ def voice(seconds, seed):
 
 
 def test_the_phase_of_a_run_follows_its_tone_and_that_of_a_voice_does_not(decline):
-    """The law is the one that is found in each; of music, a scale is none either."""
+    """The best-fitting law is used for each; a musical scale also fails the test."""
     run = recording(decline, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3)
     scale = np.sin(
         2 * np.pi * 220 * np.cumsum(2.0 ** (np.arange(12 * RATE) * 2 // RATE % 8 / 12)) / RATE
@@ -235,7 +239,7 @@ def test_the_phase_of_a_run_follows_its_tone_and_that_of_a_voice_does_not(declin
 
 @pytest.mark.slow
 def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
-    """Of ten minutes; the voice is as loud as the run, before and after it."""
+    """In ten minutes of sound, the voice before and after the run is as loud as the run."""
     talk = voice(600, 5) + 0.01 * np.random.default_rng(0).standard_normal(600 * RATE)
     with pytest.raises(RecordingError, match="no tone rises"):
         heard(Recording(samples=talk, sample_rate=RATE), "talk", ("tone",))
@@ -247,8 +251,7 @@ def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
 
 @pytest.mark.slow
 def test_what_cannot_be_told_is_not_told(decline):
-    """Of three seconds in strong noise, it is never said that rolling alone slowed a disk which air
-    alone did."""
+    """In 3 s of strong noise, a decline due to air is never attributed to rolling alone."""
     sounds = [listened(decline, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed) for seed in range(4)]
     verdicts = {judge(decline, [sound], correct=False).verdict for sound in sounds}
     assert "cannot tell" in verdicts
@@ -273,9 +276,11 @@ def test_what_no_decline_has_is_told(name, what):
 
 
 def test_the_published_chain_reads_less_than_the_true_exponent(decline):
-    """Pure rolling friction, 1/3, reads as 0.301 over a whole run and as 0.261 over its last four
-    seconds, for another recording; an end that is 20 ms wrong, as by hand, moves these by 0.03 and
-    by 0.06."""
+    """Pure rolling friction, 1/3, reads as 0.301 over a whole run and as 0.261 over the last 4 s.
+
+    The windows are those of another recording. An error of 20 ms in a manually chosen end changes
+    these by 0.03 and 0.06.
+    """
     samples = recording(decline, [1e-4, 0, 0], noise=0.01, end=10.0, duration=10.5, rate=44100)
     found = {name: exponent.value for name, exponent in exponents(samples, 44100, 10.0).items()}
     assert found["last 4 s"] < found["whole run"] < 1 / 3
@@ -391,8 +396,10 @@ def test_the_command_writes_what_it_found(decline, scene, tmp_path, monkeypatch)
 
 @pytest.mark.slow
 def test_intervals_hold_the_truth_as_often_as_they_say(decline):
-    """Over 200 recordings, spoilt as those of telephones are, 95 % intervals hold the truth in 90
-    to 99 %; a mechanism that was not there is never named."""
+    """Over 200 degraded telephone-like recordings, 95 % intervals contain the truth in 90 to 99 %.
+
+    The fit never names a mechanism that was absent.
+    """
     random = np.random.default_rng(11)
     inside = []
     named = []

@@ -1,9 +1,11 @@
-"""Claim: the program's own sound of a scene gives back what slowed its disk, within the interval.
+"""Claim: a fit to the program's own sound of a scene recovers the dissipation of its disk within
+the interval.
 
-Source: the sound is made by force, modes and film along a motion of many regimes; the ear knows the
-steady decline, and motions that it solves itself with the shares it has found. Oracle: the numbers
-of the scene. Those of the coin come in wide intervals: it hops, and begins far from steady motion.
-The ear knows no table that acts back, and lays to friction what it takes: here tables only sound.
+Source: the sound comes from the force, the modes and the film along a motion of many regimes; the
+fit uses only the steady decline and the motions that it solves with the fitted shares. Oracle: the
+values in the scene. The intervals of the coin are wide: the coin hops, and starts far from steady
+motion. The fit does not model two-way coupling and would attribute the table's loss to friction; in
+these scenes the table therefore only radiates.
 """
 
 import numpy as np
@@ -19,11 +21,9 @@ from sonify.sound.wav import write_sound
 pytestmark = pytest.mark.slow
 CONTOUR = ("thorne", "toy", "contour", "granite", "polished", "glass")
 STEADY = ("thorne", "toy", "contour", "glass", "power", "hoop", "viscous")
-"""Those that hardly slip, contact or table aside: which motion explains the others hangs on when
-they slip."""
+"""Scenes with little slip; otherwise the times of the slips decide between the possible motions."""
 KNOWN = ("thorne", "granite", "polished", "glass")
-"""Those whose contact friction takes most of the power along a motion that can be told: within 5
-%."""
+"""Scenes dominated by contact friction on an identifiable motion; the fit is accurate to 5 %."""
 OTHER = ("published", "power", "glass-plate", "hoop", "boundary_layer", "viscous", "moffatt")
 
 
@@ -39,7 +39,7 @@ def held(value, truth):
 
 
 def tells(fits, value, truth):
-    """Whether a motion explains the sound, and its interval is narrower than half of the truth."""
+    """Return True if a motion explains the sound and its interval is below half the truth."""
     return fits.files[0].judged.explained and value.high - value.low < truth / 2
 
 
@@ -77,8 +77,7 @@ def test_a_coin_that_hops_is_given_back_in_wide_intervals(tmp_path):
 
 
 def test_noise_does_not_choose_the_motion(tmp_path):
-    """Behind as much noise as a steady decline leaves out, that decline alone reads 2.5(1)e-5 for
-    2.17e-5."""
+    """With noise as strong as its residual, a steady decline gives 2.5(1)e-5 for 2.17e-5."""
     disk = [
         "disk.radius=0.0439",
         "disk.thickness=0.0124",

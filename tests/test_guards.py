@@ -1,8 +1,8 @@
-"""Claim: a guard is known by its name, what follows it and the turning it is about, wherever it is
-read.
+"""Claim: a guard keeps its name, its kind and its axis of rotation wherever it is used.
 
-Source: (3.2), (3.3), (4.6) of the paper. Oracle: the balance laws at a state, solved apart from the
-guards."""
+Source: (3.2), (3.3), (4.6) of the paper. Oracle: the balance laws at one state, solved
+independently of the guards.
+"""
 
 import pickle
 

@@ -1,11 +1,12 @@
-"""Claim: a hoop moves, rings and sounds as the mechanics of a hollow cylinder says, from a massive
-wall to a thin ring.
+"""Claim: a hoop moves, vibrates and sounds according to the mechanics of a hollow cylinder, from a
+thick wall to a thin ring.
 
 Source: Love, Treatise on the Mathematical Theory of Elasticity, sections 292, 293: in-plane and
 out-of-plane modes of thin rings; Timoshenko & Goodier, section 109: torsion of bars; Leissa,
-Vibration of Plates, chapter 2: annular plates. Oracle: these closed forms in their limits with the
-order of the approach, the solid disk as the hole closes, Bessel functions, finite elements on the
-same ring, moments of inertia of a hollow cylinder."""
+Vibration of Plates, chapter 2: annular plates. Oracle: the limits of these closed forms and the
+order of convergence to them; the solid disk as the hole closes; Bessel functions; finite elements
+on the same ring; moments of inertia of a hollow cylinder.
+"""
 
 from math import pi
 
@@ -38,7 +39,7 @@ WALLS = np.array([0.08, 0.04, 0.02])
 
 
 def hollow(hole, thickness, radius=1.0):
-    """A free hollow cylinder of steel; `hole` and `thickness` over the radius."""
+    """Return a free hollow cylinder of steel; `hole` and `thickness` are relative to the radius."""
     return Plate(
         radius=radius,
         inner_radius=hole * radius,
@@ -49,7 +50,7 @@ def hollow(hole, thickness, radius=1.0):
 
 
 def thin_ring(wall):
-    """A ring of mean radius 1 m and square section."""
+    """Return a ring of mean radius 1 m and square section."""
     outer = 1 + wall / 2
     return Plate(
         radius=outer, inner_radius=1 - wall / 2, thickness=wall, material=STEEL, density=DENSITY
@@ -73,8 +74,10 @@ def in_plane(n, wall):
 
 
 def out_of_plane(n, wall):
-    """Bending and torsion of a square section: the moment of torsion is 0.1406 wall^4 by
-    Saint-Venant's series."""
+    """Return the frequency [Hz] of bending and torsion of a ring of square section.
+
+    The torsion constant is 0.1406 wall^4 by Saint-Venant's series.
+    """
     odd = np.arange(1, 40, 2)
     torsion = (1 - 192 / pi**5 * np.sum(np.tanh(odd * pi / 2) / odd**5)) / 3
     ratio = (1 / 12) / (torsion / (2 * (1 + 0.28)))
@@ -124,24 +127,24 @@ def test_polynomials_over_the_radius_are_integrated_to_round_off_with_few_points
     power = np.arange(1, 2 * count)
     assert weight @ (1 / rho) == pytest.approx(-np.log(hole), rel=gamma(len(rho) + 60))
     exact = (1 - hole**power) / power
-    # of terms that are all positive; and Gauss' nodes, right to a unit u of the interval, leave
-    # their weights,
-    # pi sin(theta)/n, right to pi u cot(theta)/n, which adds up to u log(n)
+    # All terms are positive. Gauss nodes have an error of one unit u of the interval. Their
+    # weights, pi sin(theta)/n, have an error of pi u cot(theta)/n, which sums to u log(n).
     bar = gamma(len(rho) + 60 + 8 * power) * exact + gamma(40)
     assert (np.abs(weight @ rho[:, None] ** (power - 1) - exact) <= bar).all()
 
 
 def test_a_pinhole_leaves_the_solid_disk():
-    """It changes frequencies as its area, 1e-11; what is seen is the convergence of the two
-    bases."""
+    """The pinhole changes frequencies by its area, 1e-11; the tolerance covers the two bases."""
     solid, pierced = (plate_modes(hollow(hole, 0.34, 0.03755), 40e3) for hole in (0.0, 2.7e-6))
     assert pierced.order.tolist() == solid.order.tolist()
     assert pierced.frequency == pytest.approx(solid.frequency, rel=3e-6)
 
 
 def annular_plate(x, n, hole, poisson):
-    """The least singular value of moment and Kirchhoff's shear force of J, Y, I, K at both rims: 0
-    at a frequency."""
+    """Return the least singular value of the edge conditions; it is zero at an eigenfrequency.
+
+    The conditions are zero moment and zero Kirchhoff shear force of J, Y, I, K at both rims.
+    """
     rows = []
     for rho in (1.0, hole):
         k = x * rho
@@ -160,8 +163,7 @@ def annular_plate(x, n, hole, poisson):
 
 @pytest.mark.parametrize(("n", "hole"), [(0, 0.5), (2, 0.5), (3, 0.3)])
 def test_a_thin_annular_plate_has_the_roots_of_bessel_functions(n, hole):
-    """Where free edges twist the approach is of the first order: Saint-Venant's torsion misses 0.63
-    thickness."""
+    """At free edges convergence is of first order: Saint-Venant's torsion lacks 0.63 thickness."""
     thickness = 2e-3
     plate = hollow(hole, thickness)
     stiffness = 195e9 * thickness**2 / (12 * (1 - 0.28**2) * DENSITY)
@@ -188,9 +190,7 @@ def test_six_rigid_motions_and_no_more_cost_nothing():
             mode = rigid_mode(plate, p, (6, 4))
             here = np.count_nonzero(values < 1.0)
             assert here == rigid_mode_count(plate, p)
-            size = np.sqrt(np.diag(k))[
-                :, None
-            ]  # of the terms of each entry, by Schwarz' inequality
+            size = np.sqrt(np.diag(k))[:, None]  # bound on the terms by Schwarz' inequality
             assert (np.abs(k @ mode) <= gamma(100 + len(k)) * size * (size.T @ np.abs(mode))).all()
             count += here * (2 if n else 1)
             if n == 0 and here and not torsional:
@@ -212,7 +212,7 @@ def test_frequencies_go_as_the_speed_of_sound_over_the_radius():
 
 
 def test_finite_elements_on_the_same_ring_agree_from_above():
-    """Quadratic ones, whose error falls with the fourth power of their size."""
+    """The error of quadratic elements falls with the fourth power of their size."""
     plate = hollow(0.9, 0.34, 0.03755)
     exact = plate_modes(plate, 11e3).frequency
     error = []

@@ -1,10 +1,11 @@
-"""Claim: the event-driven driver, which knows no mechanics, finds every event of a system in its
-order, at its time.
+"""Claim: the event-driven driver, which contains no mechanics, finds every event of a system in
+order and at the correct time.
 
 Source: the bouncing ball, Goebel, Sanfelice & Teel (2012), example 1.1; the rimless wheel, McGeer
-(1990), section 2. Oracle: closed forms. The ball's impacts come at geometric intervals, which pile
-up at a finite time; the wheel's speed after each step follows a linear map, whose fixed point it
-reaches."""
+(1990), section 2. Oracle: closed forms. The intervals between the ball's impacts form a geometric
+sequence with a finite sum; the wheel's speed after each step follows a linear map and converges to
+its fixed point.
+"""
 
 import numpy as np
 import pytest
@@ -16,8 +17,7 @@ HEIGHT, RESTITUTION = 1.0, 0.5
 
 
 class Ball:
-    """A ball under gravity 1 that keeps the part RESTITUTION of its speed at every impact; states
-    (height, speed)."""
+    """A ball under gravity 1 with restitution RESTITUTION; states (height, speed)."""
 
     def begin(self, y):
         return Switch("flight", y)
@@ -66,8 +66,7 @@ def test_where_impacts_pile_up_time_stands_still_and_the_end_has_a_name():
 
 
 class AheadBall(Ball):
-    """The ball that has flown on before it is asked to, through an impact that it passes by
-    itself."""
+    """A ball that returns two arcs at once and passes the impact between them by itself."""
 
     def switch(self, y, regime, guard):
         after = super().switch(y, regime, guard)
@@ -97,12 +96,11 @@ def test_what_is_integrated_ahead_is_the_path_that_is_integrated_in_turn(span):
 
 
 HALF_ANGLE, SLOPE = 0.3, 0.08
-"""Half the angle between two spokes of the wheel, and the slope it walks down [rad]."""
+"""Half the angle between two spokes of the wheel, and the angle of the slope [rad]."""
 
 
 class Wheel:
-    """A rimless wheel: a pendulum, theta'' = sin(theta), on the spoke that stands; states (theta,
-    its rate)."""
+    """A rimless wheel: theta'' = sin(theta) about the spoke on the ground; states (theta, rate)."""
 
     def begin(self, y):
         return Switch("stance", y)
@@ -129,8 +127,11 @@ class Wheel:
 
 
 def rates_after(rate, n):
-    """Return the rates after the first n steps: an impact keeps cos(2 alpha), a step gains 4
-    sin(alpha) sin(gamma)."""
+    """Return the rates after the first n steps.
+
+    An impact multiplies the rate by cos(2 alpha); a step adds 4 sin(alpha) sin(gamma) to its
+    square.
+    """
     rates = []
     for _ in range(n):
         rate = np.cos(2 * HALF_ANGLE) * np.sqrt(rate**2 + 4 * np.sin(HALF_ANGLE) * np.sin(SLOPE))
@@ -139,7 +140,7 @@ def rates_after(rate, n):
 
 
 def stance(rate):
-    """Return how long the wheel stands on a spoke that it meets at `rate`."""
+    """Return the time that the wheel spends on a spoke with initial rate `rate`."""
     first = SLOPE - HALF_ANGLE
     return quad(
         lambda a: (rate**2 + 2 * (np.cos(first) - np.cos(a))) ** -0.5,

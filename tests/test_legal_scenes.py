@@ -1,10 +1,11 @@
-"""Claim: whatever legal scene is drawn, from every section, its run ends in a named outcome or in
-one SceneError line.
+"""Claim: every valid scene, drawn at random from all sections, ends in a named outcome or in a
+one-line SceneError.
 
-Never in a traceback, a warning, a failed self-check or a finding whose value is no number.
+It never ends in a traceback, a warning, a failed self-check or a finding with a non-numeric value.
 
 Source: the keys of a scene and their ranges; sonify/claims/checks.py. Oracle: the balances that
-every run checks, and for single parts identities and limits of their equations."""
+every run checks; identities and limits of the equations of single parts.
+"""
 
 import json
 import os
@@ -53,9 +54,10 @@ def test_a_scene_that_once_failed(name):
 
 
 def test_the_film_stiffens_the_modes_of_a_light_soft_disk():
-    """Where the film cannot leave, a plate of m/A on a gap g is a mass on the spring of the air:
-    its frequency goes with the root of 1/g. At any gap it lies above 0 and below half the sample
-    rate."""
+    """A trapped film of gap g is a spring under a plate of mass m/A: the frequency is ~ g^(-1/2).
+
+    At any gap the frequency is above zero and below half the sample rate.
+    """
     scene = from_document(KNOWN["low_frequency_mode"]).replace("audio.sample_rate=96000")
     modes = eigenmodes(scene, below=200.0).select([0, 1, 2])
     table = fluid_loaded_modes(modes, scene)
@@ -72,8 +74,7 @@ def test_the_film_stiffens_the_modes_of_a_light_soft_disk():
 @pytest.mark.parametrize("moves", [0.0, 20e3])
 @pytest.mark.parametrize("name", ["failed_check", "low_frequency_mode", "traceback_contact_spline"])
 def test_every_spring_of_a_contact_in_series_with_its_disk_is_positive(name, moves):
-    """No spring and no length is negative, and the edge takes at most MAX_NEGATIVE_FLEXIBILITY of a
-    spring."""
+    """No spring or length is negative; MAX_NEGATIVE_FLEXIBILITY limits the part of the edge."""
     table = law_table(from_document(KNOWN[name]), SeriesLawTable, moves=moves)
     columns = table.spline(np.linspace(table.grid[0], table.grid[-1], 100_000))
     assert (columns[:, :-1] > 0).all()
@@ -84,7 +85,7 @@ def test_every_spring_of_a_contact_in_series_with_its_disk_is_positive(name, mov
 
 @pytest.mark.parametrize("ratio", [1.0, 30.0, 1e3, 1e6])
 def test_a_sliding_force_lies_on_its_cone(ratio):
-    """C p + y p = C p0 with |p| = limit, however different the springs along and across are."""
+    """C p + y p = C p0 with |p| = limit, for any ratio of the two tangential springs."""
     first, second = project_on_friction_circle(3.0, 40.0, 1.0, ratio, 2.0, np.hypot(3.0, 40.0))
     assert np.hypot(first, second) == pytest.approx(2.0, rel=1e-9)
     assert 1.0 * (3.0 / first - 1) == pytest.approx(ratio * (40.0 / second - 1), rel=1e-9)
@@ -105,8 +106,7 @@ def test_a_table_that_begins_to_move_gives_no_energy():
 @pytest.mark.parametrize("h", [0.01, 0.17, 0.8, 3.0, 20.0])
 @pytest.mark.parametrize("K", [1.0, 2.0])
 def test_steady_motions_exist_up_to_the_steepest(h, K):
-    """Its edge is where the height of the centre over the contact's lever, or its inertia,
-    vanishes."""
+    """At the limit the height of the centre over the contact's lever, or its inertia, vanishes."""
     steepest = steepest_steady(h, K)
     assert steady_precession(0.999 * steepest, h, K) > 0
     lever = cos(steepest) - h * sin(steepest)
@@ -118,8 +118,7 @@ def test_steady_motions_exist_up_to_the_steepest(h, K):
 
 
 def test_hundreds_of_modes_take_no_longer_over_the_film():
-    """The work goes with the number of modes and the square of the cells: few modes get what their
-    waves need."""
+    """The cost is modes times the square of the cells; few modes get all the cells they need."""
     few = mesh_cells(np.linspace(0.5, 20, 30))
     many = mesh_cells(np.full(600, 40.0))
     assert (
@@ -131,8 +130,10 @@ def test_hundreds_of_modes_take_no_longer_over_the_film():
 
 
 def test_many_mode_shapes_fit_into_memory():
-    """800 nodes times the cube of the split, three numbers each: 0.4 GB at most. Few modes get all
-    their waves."""
+    """The shapes take at most 0.4 GB: 800 nodes times the cube of the split, three components each.
+
+    Few modes are resolved in full.
+    """
     assert drawing_mesh_split(highest_order=20, mode_count=40) == 4
     split = drawing_mesh_split(highest_order=36, mode_count=1400)
     assert 800 * split**3 * 3 * 8 * 1400 <= 4e8

@@ -1,10 +1,11 @@
-"""Claim: hours of sound take little more memory than minutes, and a file of any length can be read
+"""Claim: hours of sound need little more memory than minutes, and a file of any length can be read
 back.
 
-Source: the sound is made, written and heard block by block; EBU Tech 3306 (RF64) for files of more
-than 4 GB. Oracle: the peak resident memory of processes that do the same to ten minutes and to two
-hours; libsndfile. What grows is what is noted of the motion and of the modes' energy, a few
-kilobytes a second."""
+Source: the program computes, writes and analyses the sound block by block; EBU Tech 3306 (RF64) for
+files of more than 4 GB. Oracle: the peak resident memory of processes that handle ten minutes and
+two hours of sound; libsndfile. Only the records of the motion and of the modal energy grow, by a
+few kilobytes per second of sound.
+"""
 
 import json
 import subprocess
@@ -60,7 +61,7 @@ print(json.dumps(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss))
 
 
 def peak(what, seconds, folder):
-    """Peak resident memory of a process that does `what` with a sound of so many seconds."""
+    """Return the peak resident memory of a process that runs `what` on a sound of `seconds`."""
     folder.mkdir(exist_ok=True)
     asked = [sys.executable, "-c", AGAIN_AND_AGAIN, what, str(seconds), str(folder)]
     return json.loads(
@@ -85,8 +86,7 @@ def renderer(scene):
 
 
 def test_what_a_wav_file_cannot_hold_is_written_as_rf64(scene, renderer, tmp_path, monkeypatch):
-    """The limit is lowered to between the sizes of sound.wav and pressure.wav; the samples stay the
-    same."""
+    """The limit lies between the sizes of sound.wav and pressure.wav; the samples are the same."""
     monkeypatch.setattr(wav, "MOST_BYTES", int(3.5 * renderer.samples))
     sound = renderer.sound()
     wav.write_sound(sound, tmp_path)

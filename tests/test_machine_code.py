@@ -1,11 +1,12 @@
-"""Claim: one scene gives the same bytes on one machine, whatever was compiled before and in
+"""Claim: one scene gives the same bytes on one machine, whatever code was compiled before and in
 whatever order.
 
-Source: IEEE 754: an operation that is rounded as written has one result. A compiler that may fuse a
-product with a sum, or reorder a sum, chooses by the code around it: the motion of the light table
-below had 30 losses of contact in one cache of machine code and 31 in another. Oracle: the flags and
-the instructions of the machine code; two processes with empty caches that compile in opposite
-orders."""
+Source: IEEE 754: an operation that is rounded as written has a unique result. A compiler that may
+fuse a product with a sum, or reorder a sum, decides from the surrounding code: the motion on the
+light table below had 30 losses of contact with one cache of machine code and 31 with another.
+Oracle: the flags and the instructions of the machine code; two processes with empty caches that
+compile in opposite orders.
+"""
 
 import ast
 import os
@@ -31,8 +32,7 @@ FUSED = re.compile(r"^\s*(?:vf?n?m(?:add|sub)[0-9a-z]*|fn?m(?:add|sub|la|ls))\b.
 
 
 def product_and_sum(x, y, z):
-    """A product and a sum that processors fuse into one operation where they may, and a sum of
-    products."""
+    """Accumulate products, which a processor may fuse with the sum, and return their sum."""
     total = 0.0
     for i in range(len(x)):
         z[i] += x[i] * y[i]
@@ -62,19 +62,18 @@ def test_no_function_is_compiled_with_loose_arithmetic():
 
 
 def test_products_and_sums_are_not_fused():
-    """LLVM's default for x86 and Arm fuses only what the text asks for; with the flag `contract`
-    both would show."""
+    """LLVM fuses only where the source allows; the flag `contract` would show both patterns."""
     llvm, assembly = machine_code(kernel(product_and_sum))
     assert "fmul" in llvm
     assert "fadd" in llvm
     assert LOOSE.findall(llvm) == []
     assert FUSED.findall(assembly) == []
     loose_llvm, _ = machine_code(njit(fastmath={"contract", "reassoc"})(product_and_sum))
-    assert LOOSE.findall(loose_llvm)  # the pattern finds what it looks for
+    assert LOOSE.findall(loose_llvm)  # the pattern detects loose arithmetic
 
 
 def test_a_sum_is_rounded_in_the_order_in_which_it_is_written():
-    """Of 1 + 2^-60 a thousand times the strict sum is 1; one in several lanes differs."""
+    """The strict sum of 1 and 999 terms of 2^-53 is 1; a sum in several lanes differs."""
     x = np.full(1000, 2.0**-53)
     y = np.ones(1000)
     x[0] = 1.0
@@ -85,7 +84,7 @@ def test_a_sum_is_rounded_in_the_order_in_which_it_is_written():
 
 @pytest.mark.slow
 def test_bytes_do_not_depend_on_what_was_compiled_before(tmp_path):
-    """The portable integrator, compiled first, had moved the last bits of the motion on a table."""
+    """Compiling the portable integrator first once changed the last bits of a motion."""
     script = Path(__file__).parent / "references" / "compile_in_order.py"
     found = []
     for order in (["table", "rough", "portable"], ["portable", "rough", "table"]):

@@ -1,9 +1,10 @@
-"""Claim: the modes of a disk on its elastic contact are those of free modes and residual
-flexibility on its springs.
+"""Claim: the modes of a disk on its elastic contact follow from its free modes and residual
+flexibility on the contact springs.
 
-Source: Hertz, Mindlin and Kalker for the springs (dynamics/coupled); MacNeal (1971), Rubin (1975)
-for the flexibility. Oracle: the rigid disk on the same springs, the free disk, finite elements of
-the disk with springs at its edge."""
+Source: Hertz, Mindlin and Kalker for the springs (dynamics/compliant); MacNeal (1971), Rubin (1975)
+for the flexibility. Oracle: the rigid disk on the same springs; the free disk; finite elements of
+the disk with springs at its edge.
+"""
 
 from dataclasses import replace
 from math import pi
@@ -58,8 +59,7 @@ def modes_on(springs, inclination, plate=PLATE, below=24e3):
 
 @pytest.mark.parametrize("beta", [0.57, 0.1, 0.01, 1e-4])
 def test_a_rigid_disk_has_the_resonances_of_its_contact(beta):
-    """Frequencies and losses, creep and all; what a disk a million times as stiff yields is a
-    millionth."""
+    """Frequencies and losses agree, creep included; the disk has 1e-6 of its true flexibility."""
     stiff = replace(PLATE, material=replace(PLATE.material, young=195e15))
     modes = modes_on(suspension(LAW, beta), beta, stiff)
     at = np.array([beta])
@@ -74,20 +74,19 @@ def test_a_rigid_disk_has_the_resonances_of_its_contact(beta):
 
 
 def test_a_soft_contact_leaves_the_free_modes():
-    """First-order perturbation: what springs 1e-6 times as stiff add to w^2 is below 1e-6 of what
-    granite's add."""
+    """By first-order perturbation, springs of 1e-6 the stiffness shift w^2 by 1e-6 as much."""
     springs = suspension(LAW, 0.1)
     soft = modes_on(
         springs._replace(stiffness=1e-6 * springs.stiffness, damping=0 * springs.damping), 0.1
     )
-    free = plate_modes(PLATE, 48e3)  # of the same basis
+    free = plate_modes(PLATE, 48e3)  # from the same basis
     free = free.select(free.frequency < 24e3)
     assert soft.frequency[-len(free) :] == pytest.approx(free.frequency, rel=1e-7)
     assert sorted(soft.order[-len(free) :]) == sorted(free.order)
 
 
 def test_ever_stiffer_tables_have_a_limit():
-    """The disk's own half of the contact is left; the table yields as 1/E."""
+    """The limit is the disk's own half of the contact; the table's flexibility is ~ 1/E."""
     found = []
     for young in (1e13, 1e14, 1e15, 1e16):
         law = granite(table=Elastic(young, 0.2))
@@ -99,8 +98,10 @@ def test_ever_stiffer_tables_have_a_limit():
 
 
 def test_small_losses_are_of_first_order():
-    """Springs stretched by x per q lose c x^2/2 of q' a second along the normal, and r k x^2/(2
-    w^2) by creep."""
+    """The decay rate is c x^2/2 for normal damping and r k x^2/(2 w^2) for creep.
+
+    x is the stretch of a spring per unit of the modal coordinate q.
+    """
     springs = suspension(LAW, 0.1)
     still = modes_on(springs._replace(damping=np.zeros(3), forgets=np.zeros(3)), 0.1)
     assert still.decay_rate == pytest.approx(0, abs=1e-6)
@@ -121,8 +122,11 @@ def test_small_losses_are_of_first_order():
 
 @pytest.mark.parametrize(("beta", "ratio"), [(0.57, 0.98), (0.1, 0.97), (0.001, 0.90)])
 def test_the_carrier_of_an_elastic_disk_is_lower_than_that_of_a_rigid_one(beta, ratio):
-    """Slow motions see the body as a spring F0 in series with those of the contact, and see more of
-    it, by the square of their frequency over that of the first free mode, the faster they are."""
+    """At low frequency the body is a spring F0 in series with the contact springs.
+
+    The relative effect of the body grows with the square of frequency over that of the first free
+    mode.
+    """
     springs = suspension(LAW, beta)
     at = np.array([beta])
     turn = patch_to_contact_rotation(beta)
@@ -141,7 +145,7 @@ def test_the_carrier_of_an_elastic_disk_is_lower_than_that_of_a_rigid_one(beta, 
 
 @pytest.mark.parametrize("size", [0.8e-3, 1.6e-3])
 def test_what_hertz_has_is_left_out_whatever_the_strip(size):
-    """F grows as the strip shrinks; F0, but for terms of the order 1/(E R), does not."""
+    """F grows as the strip shrinks; F0 does not, up to terms of the order 1/(E R)."""
     (one, doubt), (two, _) = (regular_flexibility(BODY, s) for s in (size, 2 * size))
     grown = strip_flexibility(BODY, size)[0] - strip_flexibility(BODY, 2 * size)[0]
     assert np.abs(one - two).max() < 0.2 * np.abs(grown).max()
@@ -156,8 +160,7 @@ def test_richer_bases_stay_within_the_doubt():
 
 
 def strip_quadrature(solid, size):
-    """Nodes (3, 3), place (3,) and weights (3, 3) of the functions of these nodes, at Gauss points
-    of a strip."""
+    """Yield nodes (3, 3), position (3,) and weights (3, 3) at the Gauss points of a strip."""
     sides = np.concatenate([solid.cells[:, side] for pair in HEXAHEDRON_SIDES for side in pair])
     x, y, z = np.moveaxis(solid.points[sides], -1, 0)
     rim = np.abs(np.hypot(x, y) - DISK.radius) < 1e-9 * DISK.radius
@@ -178,9 +181,9 @@ def strip_quadrature(solid, size):
 
 
 class Elements:
-    """Half the disk y >= 0 in hexahedra graded to a strip of the edge, in one symmetry class.
+    """Half the disk, y >= 0, in hexahedra graded to a strip of the edge, for one symmetry class.
 
-    Means over the strip: `even`, and `low`, weighted so that its middle is the edge itself.
+    Means over the strip: `even` is uniform; `low` is weighted so that its centre is the edge.
     """
 
     def __init__(self, size, parity):
@@ -218,16 +221,20 @@ class Elements:
         self.corner = corner @ np.linalg.inv(np.linalg.cholesky(fields @ self.M @ fields.T)).T
 
     def yields(self, spread):
-        """Elastic flexibility of the whole disk under a force so spread: on the half it is half of
-        it."""
+        """Return the elastic flexibility of the whole disk under a distributed force.
+
+        The force on the half disk is half of the total.
+        """
         loads = spread[self.which]
         loads = loads - loads @ self.rigid.T @ (self.rigid @ self.M)
         solved = splu((self.K + 1e3 * self.M).tocsc()).solve(loads.T)
         return loads @ solved / 2
 
     def frequencies(self, yields, below):
-        """Of the disk held at its edge: as a rigid body exactly there, elastically by the strip's
-        `low` mean."""
+        """Return the frequencies of the disk held at its edge.
+
+        The constraint is exact for rigid motion, and the strip mean `low` for elastic motion.
+        """
         held = self.low + (self.corner - self.low @ self.rigid.T) @ (self.rigid @ self.M)
         held = held[self.which]
         half = 2 * yields
@@ -249,7 +256,7 @@ class Elements:
 @pytest.mark.slow
 @pytest.mark.parametrize("beta", [0.57, 0.1, 0.001])
 def test_finite_elements_with_springs_at_their_edge_have_the_same_modes(beta):
-    """The springs of the oracle lack what its own means yield more than F0, by its own elements."""
+    """The oracle's springs omit the part of the flexibility that its strip means have beyond F0."""
     springs = suspension(LAW, beta)
     turn = patch_to_contact_rotation(beta)
     strip = LAW.fillet
@@ -278,8 +285,7 @@ def test_finite_elements_with_springs_at_their_edge_have_the_same_modes(beta):
 
 
 def test_where_the_contact_is_elastic_its_stem_has_the_rigid_disk_and_modes_only_what_is_above():
-    """On soft springs the force drives the elastic part of a shape, which is the free disk's at the
-    contact."""
+    """On soft springs the force drives the elastic part of a shape, that of the free disk."""
     scene = load_scene("published").replace("support.kind=contact")
     elastic = scene.replace("contact.law=elastic")
     modes = eigenmodes(scene)
@@ -307,8 +313,7 @@ def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_pre
 
 
 def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs():
-    """Half the stiffness of steel, flatter than 1e-6 rad: the springs yield less than the body does
-    there."""
+    """With half the stiffness of steel below 1e-6 rad, the springs are stiffer than the body."""
     scene = load_scene("published").replace(
         "support.kind=contact", "numerics.accuracy=draft", "material.young=100e9"
     )
@@ -346,8 +351,10 @@ def test_springs_stiffer_than_the_disk_itself_are_refused():
 
 
 def test_no_mode_of_a_soft_disk_grows():
-    """Where the contact is about as stiff as the disk, what this yields beyond its modes had given
-    energy: -19 1/s."""
+    """The contact is about as stiff as the disk.
+
+    The residual flexibility once supplied energy to a mode, at a decay rate of -19 1/s.
+    """
     soft = (
         "material.young=3.1e9",
         "material.poisson=0.38",
@@ -367,7 +374,7 @@ def test_no_mode_of_a_soft_disk_grows():
 
 
 def test_the_free_modes_that_a_contact_needs_are_counted():
-    """Twice as high as those sought: of this soft disk they had filled 15 GB."""
+    """Modes up to twice the highest frequency are needed; for this soft disk they took 15 GB."""
     soft = load_scene("published").replace(
         "support.kind=contact", "material.young=3e9", "disk.radius=0.0927"
     )

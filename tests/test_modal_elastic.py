@@ -1,8 +1,8 @@
-"""Claim: stiffness and mass assembled over all cells at once are those of scikit-fem's own forms,
-to rounding.
+"""Claim: stiffness and mass matrices assembled over all cells at once equal those of scikit-fem's
+own forms to rounding.
 
-Source: the weak form of linear elasticity. Oracle: `skfem.models.elasticity.linear_elasticity`, as
-the library has it."""
+Source: the weak form of linear elasticity. Oracle: `skfem.models.elasticity.linear_elasticity`.
+"""
 
 import numpy as np
 import pytest
@@ -35,9 +35,11 @@ MESHES += [(STRAIGHT.to_meshtet(), ElementTetP2)]
 
 @pytest.mark.parametrize(("mesh", "element"), MESHES)
 def test_matrices_are_those_of_scikit_fem(mesh, element):
-    """An entry is a sum over points and cells of products of two slopes, themselves sums: each at
-    most the root of the product of the diagonal entries, ten times that where Lame's first constant
-    outweighs the second."""
+    """Rounding bound: each entry is a sum of products of slopes over quadrature points and cells.
+
+    A term is at most the root of the product of the diagonal entries, and ten times that when
+    Lame's first constant exceeds the second.
+    """
     solid = assemble(mesh, element(), STEEL, DENSITY, intorder=ORDER)
     basis = Basis(mesh, ElementVector(element()), intorder=ORDER)
     assert basis.doflocs.T.reshape(-1, 3, 3) == pytest.approx(
@@ -58,5 +60,5 @@ def test_matrices_are_those_of_scikit_fem(mesh, element):
 
 
 def inertia(u, v, w):
-    """The integrand of the mass."""
+    """Return the integrand of the mass matrix."""
     return DENSITY * dot(u, v)

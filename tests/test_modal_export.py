@@ -1,8 +1,9 @@
-"""Claim: the exported files say what the modes say, to the programs they are for.
+"""Claim: the exported files carry the modes correctly to the programs that read them.
 
-Source: universal file format, datasets 15 and 55; the Faust language. Oracles: pyuff reads back
-what was written; the closed form of an oscillator after an impulse, from the numbers in the Faust
-program; what the Faust compiler makes of the program, compiled and run, must be the same."""
+Source: universal file format, datasets 15 and 55; the Faust language. Oracle: pyuff, which reads
+the files back; the closed-form impulse response of an oscillator, with the numbers in the Faust
+program; the same response from the program translated by the Faust compiler, compiled and run.
+"""
 
 import re
 import shutil
@@ -85,7 +86,7 @@ SUPPORTS = {
 
 
 def compiled(folder, program, *options):
-    """The answer of Faust, which translates a program in a folder to disk.cpp."""
+    """Return the C++ code of a program translated by Faust to disk.cpp in a folder."""
     (folder / "disk.dsp").write_text(program)
     command = ["faust", *options, "disk.dsp", "-o", "disk.cpp"]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
@@ -94,7 +95,7 @@ def compiled(folder, program, *options):
 
 
 def struck(folder, library, scales=(1.0, 1.0, 1.0)):
-    """What a compiled library answers to a strike of one sample of 1, (4800,) at 48 kHz."""
+    """Return the response (4800,) of a compiled library at 48 kHz to a unit sample."""
     (folder / "disk.lib").write_text(library)
     (folder / "plain.cpp").write_text(PLAIN_CPP)
     compiled(folder, f'process = library("disk.lib").disk{scales};', "-double", "-a", "plain.cpp")
@@ -106,14 +107,16 @@ def struck(folder, library, scales=(1.0, 1.0, 1.0)):
 
 
 def written(program):
-    """Angular rates, decay rates and gains (3, m) that a Faust program holds."""
+    """Return the angular frequencies, decay rates and gains (3, m) in a Faust program."""
     rows = re.findall(r"mode\((\d[^)]*)\)", program)
     return np.array([[float(x) for x in row.split(",")] for row in rows]).T
 
 
 def response(rate, decay, gain, scales=(1.0, 1.0, 1.0)):
-    """Velocity (4800,) at 48 kHz of q'' + 2 d q' + w^2 q = 0 from q = 0 and q' = gain, in closed
-    form."""
+    """Return the closed-form velocity (4800,) at 48 kHz of q'' + 2 d q' + w^2 q = 0.
+
+    The initial conditions are q = 0 and q' = gain.
+    """
     loudness, t60_scale, frequency_scale = scales
     v = rate * frequency_scale
     d = decay / t60_scale
@@ -124,8 +127,7 @@ def response(rate, decay, gain, scales=(1.0, 1.0, 1.0)):
 
 @pytest.fixture(scope="module", params=SUPPORTS)
 def exported(request, tmp_path_factory):
-    """The Faust program of a disk on each support, as the command writes it by default, and the
-    modes in it."""
+    """Return the default Faust export of a disk on each support, and its modes."""
     name, kind = SUPPORTS[request.param]
     scene = load_scene(name).replace(kind, "numerics.accuracy=draft")
     path = export_modes(scene, "faust", tmp_path_factory.mktemp("faust") / "disk.dsp")
@@ -133,8 +135,7 @@ def exported(request, tmp_path_factory):
 
 
 def test_the_program_is_heard_wherever_the_disk_is_held(exported):
-    """The peak after a unit strike, from the numbers in the file alone; a mode counts that has a
-    share of it."""
+    """The numbers in the file give the peak after a unit strike; only modes with a share count."""
     program, modes = exported
     rate, decay, gain = written(program)
     peak = np.abs(response(rate, decay, gain)).max()
@@ -147,8 +148,7 @@ def test_the_program_is_heard_wherever_the_disk_is_held(exported):
 
 
 def test_the_file_states_the_velocity_that_its_numbers_stand_for(exported):
-    """Modal mass 1: an impulse of 1 N s moves the struck point at the sum of the squares of the
-    shapes there."""
+    """At modal mass 1, an impulse of 1 N s gives the struck point the sum of squared shapes."""
     program, modes = exported
     mobility = np.square(modes.at_rim(np.pi)[:, 0, 2])
     assert written(program)[2] == pytest.approx(STRIKE_PEAK * mobility / mobility.sum(), abs=1e-12)
@@ -177,8 +177,7 @@ def test_faust_program_compiles(modes, tmp_path):
 @needs_compiler
 @pytest.mark.parametrize("scales", [(1.0, 1.0, 1.0), (2.0, 0.01, 1.3)])
 def test_the_compiled_faust_library_is_the_exact_response(modes, tmp_path, scales):
-    """At 1.3 times their frequencies two of the five modes are beyond half the sample rate, and
-    silent."""
+    """At 1.3 times the frequencies, two of five modes exceed half the sample rate."""
     library = as_faust_library(modes, 0.3)
     expected = response(*written(library), scales)
     assert struck(tmp_path, library, scales) == pytest.approx(
@@ -187,7 +186,7 @@ def test_the_compiled_faust_library_is_the_exact_response(modes, tmp_path, scale
 
 
 def test_faust_recursion_is_the_exact_response(modes):
-    """Without Faust: the filter that the library writes, from the numbers in it."""
+    """The filter that the library contains, evaluated without Faust from the numbers in it."""
     step = 1 / 48e3
     strike = np.append(1.0, np.zeros(4799))
     sounded = np.zeros(4800)

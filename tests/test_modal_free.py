@@ -1,8 +1,9 @@
-"""Claim: the modes of a free axisymmetric solid are right to 1e-6, in exact pairs, none lost, none
-invented.
+"""Claim: the modes of a free axisymmetric solid are accurate to 1e-6 and come in exact pairs; none
+is missing or spurious.
 
-Source: Ritz's method with a basis that is smooth on the axis. Oracles: three frequencies known to
-1e-8, Bessel roots of torsion and of thin plates, finite elements on the same disk."""
+Source: Ritz's method with a basis that is smooth on the axis. Oracle: three frequencies known to
+1e-8; Bessel roots of torsion and of thin plates; finite elements on the same disk.
+"""
 
 from math import pi
 from types import SimpleNamespace
@@ -90,11 +91,11 @@ def test_a_choice_of_modes_is_those_modes_in_that_order_and_keeps_what_is_left_o
 
 
 def test_a_face_meets_the_rim_and_the_nodes_of_the_body(modes):
-    """Oracle: the same amplitudes where the record has them by other ways, on the rim and at the
-    body's nodes.
+    """Oracle: independent values of the same amplitudes, on the rim and at the nodes of the body.
 
-    Chebyshev's coefficients of cos(x s) at degree 16 are 2 J_16(x) < 5e-9 up to x = 4: below 40 kHz
-    bending turns by no more than 4 radians to either side of the middle of the radius."""
+    Chebyshev's coefficients of cos(x s) at degree 16 are 2 J_16(x) < 5e-9 up to x = 4. Below 40 kHz
+    the phase of bending changes by at most 4 rad on either side of the middle of the radius.
+    """
     assert modes.at_face(RADIUS, modes.rim_angle)[:, 0] == pytest.approx(
         modes.rim_shape[..., 2], abs=1e-6
     )
@@ -118,8 +119,7 @@ def test_first_torsion_is_the_root_of_j2():
 
 @pytest.mark.parametrize("edge", ["free", "supported", "clamped"])
 def test_thin_plates_tend_to_kirchhoffs(edge):
-    """Where the edge is clamped an edge layer makes the distance proportional to h instead of
-    h^2."""
+    """At a clamped edge, an edge layer makes the error proportional to h instead of h^2."""
     thickness = 5e-3
     thin = Plate(radius=1.0, thickness=thickness, material=STEEL, density=DENSITY, edge=edge)
     modes = plate_modes(thin, 150.0, "draft")
@@ -132,8 +132,7 @@ def test_thin_plates_tend_to_kirchhoffs(edge):
 
 
 def test_disks_down_to_a_thousandth_as_thick_tend_to_kirchhoffs_with_the_square_of_the_thickness():
-    """Bending eigenvalues are 1e-12 of the shear ones there: without care they drown in
-    round-off."""
+    """Bending eigenvalues are 1e-12 of the shear ones; careless arithmetic would lose them."""
     error = []
     for thickness in (1e-2, 1e-3):
         thin = Plate(radius=1.0, thickness=thickness, material=STEEL, density=DENSITY)
@@ -156,8 +155,7 @@ def test_finite_elements_agree_from_above():
 
 
 def test_modal_mass_is_one_on_the_face_grid_of_a_thin_plate():
-    """Integrating the deflection of the faces over the area gives the whole modal mass of a thin
-    plate."""
+    """The mean square deflection of the faces gives the whole modal mass of a thin plate."""
     thin = Plate(radius=0.1, thickness=1e-3, material=STEEL, density=DENSITY)
     modes = plate_modes(thin, 1500.0, "draft")
     mean_square = (modes.face_shape**2).mean(axis=(1, 3))
@@ -166,8 +164,7 @@ def test_modal_mass_is_one_on_the_face_grid_of_a_thin_plate():
 
 
 def test_a_stiff_ring_under_the_rim_is_a_simple_support():
-    """An elastic ring raises frequencies monotonically, up to those of the simply supported
-    plate."""
+    """An elastic ring raises frequencies monotonically to those of the simply supported plate."""
     plate = {"radius": 0.12, "thickness": 0.004, "material": STEEL, "density": DENSITY}
     rings = [Plate(**plate, ring_radius=0.12, ring_stiffness=k) for k in (2e4, 1e6, 1e10)]
     lowest = np.array([plate_modes(ring, 1000.0, "draft").frequency[0] for ring in rings])
@@ -192,7 +189,7 @@ def test_a_disk_too_small_to_be_heard_has_no_modes_and_that_is_no_error():
 
 @pytest.mark.parametrize(("thickness", "below"), [(THICKNESS, 150e3), (0.001, 50e3)])
 def test_the_count_of_modes_is_foreseen_from_below_within_a_factor_of_two(thickness, below):
-    """Oracle: the modes themselves, of a body in which waves are short, and of a plate."""
+    """Oracle: the number of modes of a thick body with short waves, and of a plate."""
     disk = Plate(radius=RADIUS, thickness=thickness, material=STEEL, density=DENSITY)
     count = len(plate_modes(disk, below, "draft"))
     assert count / 2 < mode_count(disk, below) < count

@@ -1,10 +1,11 @@
-"""Claim: the solver converges as theory says, holds static limits, and a disk on points has no
-modes worth the name.
+"""Claim: the solver converges at the theoretical rates and reproduces static limits; a disk held at
+points has no meaningful modes.
 
 Source: eigenvalues of smooth problems converge with twice the degree of the elements; u ~ r^(1/2)
-at a patch edge gives order 1 on uniform meshes, twice that where cells are squared about it; in
-three dimensions u ~ 1/r at a point load, so a held point resists as its size. Oracles: fitted
-slopes; static deflections computed by another program."""
+at a patch edge gives order 1 on uniform meshes, and twice this order with squared cells around the
+edge; in three dimensions u ~ 1/r at a point load, so that the stiffness of a held point is
+proportional to its size. Oracle: fitted slopes; static deflections computed by another program.
+"""
 
 import numpy as np
 import pytest
@@ -40,14 +41,14 @@ HELD, SWING = Support(half_angle_deg=45), Mirror(y=1, z=-1)
 
 
 def order(errors):
-    """The slopes between successive meshes, in a straight line on to cells of no size."""
+    """Return the slopes between successive meshes, extrapolated linearly to zero cell size."""
     local = -np.diff(np.log(errors)) / np.diff(np.log(SPLITS))
     size = 1 / np.sqrt(SPLITS[1:] * SPLITS[:-1])
     return np.polyfit(size, local, 1)[1]
 
 
 def swings(rings):
-    """Relative errors of the lowest swing of the held disk on meshes ever finer."""
+    """Return relative errors of the lowest swing of the held disk on successively finer meshes."""
     exact = FreeDisk(plate=DISK).held(HELD, 12e3)[symmetry_classes(True).index(SWING)].frequency[0]
     found = []
     for split in SPLITS:
@@ -67,7 +68,7 @@ def swings(rings):
 
 
 def test_order_4_without_a_patch():
-    """Quadratic elements without singularity: eigenvalues converge as h^4."""
+    """Quadratic elements without singularity converge as h^4."""
     found = np.array([bending_of_solid(DISK, free_disk(DISK, "Q2", split)) for split in SPLITS])
     assert order(found / bending_by_polynomials(DISK, (14, 8)) - 1) == pytest.approx(4, abs=0.1)
 
@@ -77,10 +78,9 @@ def test_order_1_with_a_patch_on_meshes_that_are_not_graded():
 
 
 def test_squared_cells_about_the_edge_double_the_order():
-    """Linear functions of the plane w are the u ~ r^(1/2) that spoils the order; one ring of its
-    cells is enough.
+    """Squared cells contain u ~ r^(1/2), which limits the order; one ring of cells is sufficient.
 
-    On these meshes: on finer ones, the corners where the edge meets the faces are what is left.
+    On finer meshes the corners of the edge with the faces dominate the error.
     """
     plain = swings(rings=0)
     squared = swings(rings=1)
@@ -89,8 +89,10 @@ def test_squared_cells_about_the_edge_double_the_order():
 
 
 def on_neighbouring_points(size, mirror):
-    """Lowest frequency [Hz] of a class of the quarter disk held at the nodes within 0.6 size R of
-    (R, 0, 0)."""
+    """Return the lowest frequency [Hz] of a class of the quarter disk held near (R, 0, 0).
+
+    All nodes within 0.6 size R of this point are held.
+    """
     plane = half_disk(size, MeshSize(width=np.pi / 8, depth=0.38, rings=0))
     heights = np.append(0.0, size * 2.0 ** np.arange(20))
     heights = np.append(
@@ -108,16 +110,17 @@ def on_neighbouring_points(size, mirror):
 
 @pytest.mark.parametrize(("y", "exponent"), [(1, 0.5), (-1, 1.5)])
 def test_held_points_never_converge(y, exponent):
-    """A held translation falls as h^(1/2), a held rotation as h^(3/2): points hold nothing in the
-    limit."""
+    """A held translation falls as h^(1/2), a held rotation as h^(3/2), both to zero."""
     sizes = 0.02 * 0.5 ** np.arange(4)
     frequency = [on_neighbouring_points(size, Mirror(y=y, z=1)) for size in sizes]
     assert slope(sizes, frequency) == pytest.approx(exponent, abs=0.06)
 
 
 def static_far_rim(component, mirror):
-    """Displacement [m] of the far rim under a base acceleration of 1 m/s^2, by a static solve on
-    the same mesh."""
+    """Return the static displacement [m] of the far rim under a base acceleration of 1 m/s^2.
+
+    The mesh is that of the modes.
+    """
     size = resolving_mesh_size(mesh_sizes("standard", DISK, Support())[0], DISK, 60e3)
     part, solid, _ = solve_classes(DISK, Support(), size, {"below": 0.0, "exact_count": 1})
     held = on_patch(solid.points, DISK.radius, np.deg2rad(Support().half_angle_deg), part.patch)
@@ -135,8 +138,10 @@ def static_far_rim(component, mirror):
     ("component", "mirror", "expected"), [(1, (-1, 1), 5.19e-8), (2, (1, -1), 3.50e-8)]
 )
 def test_static_deflection_under_base_acceleration(component, mirror, expected):
-    """sum_k phi_k Gamma_k / w_k^2 is the static solution, so shapes, participation and frequencies
-    fit together."""
+    """sum_k phi_k Gamma_k / w_k^2 equals the static solution.
+
+    Shapes, participation factors and frequencies are therefore consistent.
+    """
     modes = held_modes(DISK, Support(), 60e3, "standard")
     far = modes.at_rim([np.pi])[:, 0, component] * (1 if component == 2 else -1)
     by_modes = (far * modes.participation[:, component] / (2 * np.pi * modes.frequency) ** 2).sum()
@@ -146,8 +151,7 @@ def test_static_deflection_under_base_acceleration(component, mirror, expected):
 
 
 def test_static_deflection_of_the_free_disk():
-    """1 N spread over the +-5 degree arc of a free disk moves the far rim by 2.303e-9 m beyond its
-    rigid motion."""
+    """1 N over the +-5 degree arc moves the far rim by 2.303e-9 m beyond rigid motion."""
     zeta, weight = np.polynomial.legendre.leggauss(10)
     moved = 0.0
     arc = np.deg2rad(5)

@@ -1,10 +1,11 @@
-"""Claim: the cells about a patch fill the disk without folds or gaps, and hold the field of its
-edge exactly.
+"""Claim: the cells around a patch fill the disk without folds or gaps, and represent the field at
+the patch edge exactly.
 
 Source: at an edge between held and free sides u ~ r^(1/2) (Williams 1952); quarter-point elements
-hold it along their sides (Henshell & Shaw 1975, Barsoum 1976), squared ones all over. Oracles:
-sqrt(z) itself; the volume of a cylinder; every side of a cell belongs to two cells or to the
-boundary."""
+represent it along their sides (Henshell & Shaw 1975, Barsoum 1976), squared ones in the whole cell.
+Oracle: sqrt(z) itself; the volume of a cylinder; every side of a cell belongs to two cells or to
+the boundary.
+"""
 
 from itertools import product
 
@@ -24,11 +25,12 @@ PLAIN = MeshSize(width=np.pi / 8, depth=0.38, rings=0)
 
 
 def interpolation_errors(block, power):
-    """Largest error of the biquadratic interpolant of z^power on a block, at points of its image,
-    and over rounding.
+    """Return the largest error of the biquadratic interpolant of z^power, and its ratio to
+    rounding.
 
-    The image is that of its nine nodes, as the cell has it. Rounding is that of the field, and of z
-    times its slope."""
+    The points lie on the image of a block, given by its nine nodes as in the cell. The rounding
+    includes that of the field and of z times its slope.
+    """
     nodes = block(*np.meshgrid([0, 0.5, 1], [0, 0.5, 1], indexing="ij"))
     u, v = np.meshgrid(np.linspace(0.05, 0.95, 7), np.linspace(0.05, 0.95, 7))
 
@@ -123,7 +125,7 @@ def test_every_side_of_a_cell_is_shared_or_lies_on_the_boundary(
 
 
 LARGE = {((180, 1.2, 0.96), "thin, narrow"), ((0.5, 2, 0.05), "thin, narrow")}
-"""Meshes whose volume takes seconds: for the slow suite."""
+"""Meshes that need seconds to compute a volume; the slow test suite includes them."""
 MESHES = [
     pytest.param(*patch, size, marks=[pytest.mark.slow] if (patch, size) in LARGE else [])
     for patch, size in product([*PATCHES, *WHOLE], SIZES)
@@ -143,7 +145,7 @@ def test_no_cell_folds_and_the_volume_is_that_of_the_disk(half_angle_deg, aspect
 @pytest.mark.parametrize("size", SIZES)
 @pytest.mark.parametrize("half_angle_deg", [0.1, 5, 20, 45, 107, 150])
 def test_every_point_of_a_face_is_found_in_a_cell_that_holds_it(half_angle_deg, size):
-    """Where a point is sought in the wrong cell its displacement is that of another point."""
+    """A point in the wrong cell would have the displacement of another point."""
     cells = half_disk(np.deg2rad(half_angle_deg), SIZES[size])
     places = np.random.default_rng(0).random((len(cells), 20, 2))
     points = map_from_square(cells[:, None], places)[0].reshape(-1, 2)

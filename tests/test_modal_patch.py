@@ -1,10 +1,11 @@
-"""Claim: the modes of the disk held on a patch are right to 5e-4, and say how wrong they are within
-a factor of five. The elements alone, which give the shapes, are right to half a per cent from
-above.
+"""Claim: the modes of the disk held on a patch are accurate to 5e-4, and the error estimates are
+correct within a factor of five. The elements alone, which give the shapes, are upper bounds,
+accurate to half a per cent.
 
 Source: Kessler & O'Reilly (2002), footnote 4, for material and support. Oracle: frequencies of the
-+-5 degree patch by elements of high degree of another program, which shares nothing with ours, with
-their uncertainty (tests/references/patch_modes.json)."""
++-5 degree patch with their uncertainty, from high-degree elements of an independent program
+(tests/references/patch_modes.json).
+"""
 
 import json
 from dataclasses import replace
@@ -43,7 +44,7 @@ def modes():
 
 
 def by_elements(below=20e3, accuracy="standard", **support):
-    """The modes by the elements alone."""
+    """Return the modes from the elements alone."""
     s = scene(accuracy=accuracy, **support)
     return held_modes(free_plate(s), s.support, below, accuracy)
 
@@ -80,8 +81,7 @@ def test_elements_at_reference_accuracy_are_five_times_as_good():
 
 
 def test_a_frequency_without_its_shape_is_not_believed():
-    """Synthesis told of another patch, or of another class, finds other modes: the elements alone
-    answer."""
+    """Synthesis of another patch or class finds other modes; then only the elements count."""
     s = scene()
     arguments = free_plate(s), s.support, 20e3, "draft"
     known = together.synthesised_classes(*arguments)
@@ -105,8 +105,7 @@ def test_pairs_solve_the_discrete_problem(modes):
 
 
 def test_pairs_of_a_patch_of_thirteen_micrometres_do_so_too():
-    """The disk swings about it at 1.6 Hz: K phi is the round-off of terms a billion times as
-    large."""
+    """The disk swings at 1.6 Hz: K phi is the rounding error of terms 1e9 times as large."""
     tiny = eigenmodes(scene(half_angle_deg=0.01))
     assert tiny.frequency[0] == pytest.approx(1.61, rel=0.01)
     assert tiny.residual.max() < 1e-6
@@ -138,7 +137,7 @@ def test_frequency_is_proportional_to_wave_speed_over_size():
 
 
 def test_whole_disk_has_modal_mass_one_on_an_independent_quadrature(modes, tmp_path):
-    """The exported cells are integrated again, element by element, by a rule of this test's own."""
+    """An independent quadrature rule integrates the exported cells."""
     write_vtu(modes, tmp_path / "modes.vtu")
     mesh = meshio.read(tmp_path / "modes.vtu")
     (block,) = mesh.cells
@@ -165,8 +164,10 @@ def test_whole_disk_has_modal_mass_one_on_an_independent_quadrature(modes, tmp_p
 
 
 def vtk_lattice():
-    """Row of the tensor grid (3, 3, 3) for each node of VTK's triquadratic hexahedron, from its
-    documentation."""
+    """Return the row of the tensor grid (3, 3, 3) for each node of VTK's triquadratic hexahedron.
+
+    The order is that of the VTK documentation.
+    """
     corners = [
         (0, 0, 0),
         (2, 0, 0),
@@ -226,8 +227,7 @@ PART = {
 
 @pytest.mark.parametrize("position", PART)
 def test_a_patch_over_half_the_thickness(modes, position):
-    """Oracle: the same method on cells of half the size, 130 and 76 thousand unknowns, upper bounds
-    too."""
+    """Oracle: the same method with cells of half the size, which also gives upper bounds."""
     part = eigenmodes(scene(height=0.0064, position=position), below=20e3)
     error = part.frequency / PART[position] - 1
     assert error.min() > 0
@@ -240,8 +240,7 @@ def test_a_patch_over_half_the_thickness(modes, position):
 @pytest.mark.slow
 @pytest.mark.parametrize("position", PART)
 def test_a_patch_that_grows_over_the_thickness_becomes_the_full_patch(modes, position):
-    """Every frequency rises with the height held, and less and less: the last strips hold next to
-    nothing."""
+    """Each frequency rises with the patch height and converges: the last strips hold little."""
     heights = np.array([0.5, 0.7, 0.9, 0.96, 0.98, 0.99]) * 0.0128
     held = np.array([by_elements(height=h, position=position).frequency for h in heights])
     assert (np.diff(held, axis=0) > -0.006 * held[1:]).all()

@@ -1,8 +1,10 @@
-"""Claim: other finite-element programs find the same modes of the same disk, on a patch and free.
+"""Claim: other finite-element programs find the same modes of the same disk, held on a patch and
+free.
 
-Source: CalculiX's elements C3D10 and C3D20, NGSolve's curved tetrahedra. Oracles: both programs,
-which share with ours at most the mesh; frequencies by another method for the disk on its patch, and
-by Ritz for the free one."""
+Source: CalculiX's elements C3D10 and C3D20; NGSolve's curved tetrahedra. Oracle: both programs,
+which share at most the mesh with ours; frequencies from another method for the disk on its patch,
+and from Ritz's method for the free one.
+"""
 
 import shutil
 
@@ -26,8 +28,10 @@ needs_calculix = pytest.mark.skipif(
 
 
 def graded(case, support):
-    """Frequencies [Hz] by CalculiX's 20-node hexahedra on the whole disk, its mesh that of the
-    standard level."""
+    """Return frequencies [Hz] from CalculiX's 20-node hexahedra on the whole disk.
+
+    The mesh is that of the standard accuracy level.
+    """
     part = sector(case.plate.radius, case.plate.thickness, support, MIDDLE_MESH)
     points, cells, _ = whole_mesh(part.mesh.doflocs.T, part.mesh.dofs.element_dofs.T, part.quarter)
     held = np.zeros(0, int)
@@ -70,8 +74,7 @@ def test_calculix_and_scikit_fem_agree_on_the_same_tetrahedra(kind):
     ("kind", "refinements", "tolerance"), [("patch", 4, 0.02), ("free", 0, 0.003)]
 )
 def test_ngsolve_is_as_near_as_its_mesh_allows(kind, refinements, tolerance):
-    """Its tetrahedra are not flat along the edge of the patch, where they would have to be far
-    smaller for more."""
+    """Higher accuracy would need far smaller tetrahedra at the edge of the patch."""
     pytest.importorskip("ngsolve", reason="NGSolve is not installed")
     case = modes_case(kind)
     theirs = np.array(ngsolve_modes(case, "P3 tetrahedra", refinements, 1).values)

@@ -1,7 +1,7 @@
-"""Claim: the picture of the modes shows every mode at a slant and from above, labelled with its
+"""Claim: the picture of the modes shows every mode in perspective and from above, labelled with its
 frequency.
 
-Oracle: the ink in the panels; the area and the volume that the drawn surface encloses.
+Oracle: the coloured pixels in the panels; the area and the volume enclosed by the drawn surface.
 """
 
 from types import SimpleNamespace
@@ -26,7 +26,7 @@ def modes():
 
 
 def ink(image, rows, columns):
-    """Share of coloured pixels in one part of a picture."""
+    """Return the fraction of coloured pixels in one part of a picture."""
     height, width = image.shape[:2]
     part = image[
         int(rows[0] * height) : int(rows[1] * height),
@@ -45,18 +45,17 @@ def test_the_picture_has_ink_in_both_panels_of_every_mode(modes, tmp_path):
 
 
 GREEN = np.array([44, 160, 44]) / 255
-"""Colour of the patch."""
+"""Colour of the patch, as RGB."""
 
 
 def green(modes, path, support):
-    """How many pixels of the picture from above are of the colour of the patch."""
+    """Return the number of pixels in the colour of the patch, in the view from above."""
     draw_modes(modes, path, slanted=False, support=support)
     return (np.abs(matplotlib.image.imread(path)[..., :3] - GREEN).max(axis=2) < 0.1).sum()
 
 
 def test_the_patch_is_drawn_as_wide_as_it_is(modes, tmp_path):
-    """Oracle: an arc of 95 pixels' radius, 5/72 in wide at 100 pixels an inch, in the picture of
-    every mode."""
+    """Oracle: in every mode, an arc of radius 95 pixels, 5/72 in wide at 100 pixels per inch."""
     path = tmp_path / "modes.png"
     assert green(modes, path, None) == green(modes, path, Support(kind="free")) == 0
     for angle in (2, 5, 40, 180):
@@ -101,8 +100,10 @@ def test_a_disk_without_modes_says_so(tmp_path):
 
 
 def test_the_modes_of_a_table_are_below_those_of_the_disk(tmp_path):
-    """Two made-up shapes on a square: ink in the two cells below, none in the third; the scale is
-    below all cells."""
+    """Two artificial shapes on a square fill the two lower cells; the third is empty.
+
+    The scale bar is below all cells.
+    """
     none = plate_modes(Plate(radius=0.003, thickness=0.001, material=STEEL, density=7737.27), 20e3)
     points = np.stack(np.meshgrid(*[np.linspace(0, 0.4, 21)] * 2), axis=-1).reshape(-1, 2)
     face = np.array([points[:, 0] - 0.2, points[:, 1] - 0.2])
@@ -119,8 +120,7 @@ def test_the_modes_of_a_table_are_below_those_of_the_disk(tmp_path):
 
 
 def test_a_stiff_disk_that_turns_about_its_patch_swings():
-    """Oracle: the field of a rotation about a point of the rim; half of it where as much again is
-    bending."""
+    """Oracle: a rotation about a point of the rim, and half of it with equal bending added."""
     angle = 2 * np.pi * np.arange(64) / 64
     c = np.cos(angle)
     s = np.sin(angle)

@@ -1,8 +1,9 @@
-"""Claim: the damping of a mode by the sound it radiates follows from its shape on the faces.
+"""Claim: the radiation damping of a mode follows from its shape on the faces.
 
-Source: Rayleigh's integral. Oracles: radiation resistance of a baffled piston, rho c A (1 - J_1(2 k
-a)/(k a)); monopole and dipole for long waves; Lamb's disk without a baffle; the integral summed
-point by point."""
+Source: Rayleigh's integral. Oracle: the radiation resistance of a baffled piston, rho c A (1 -
+J_1(2 k a)/(k a)); monopole and dipole for long waves; Lamb's disk without a baffle; the integral as
+a double sum over points.
+"""
 
 from dataclasses import replace
 
@@ -41,14 +42,14 @@ def test_each_face_takes_its_part(modes):
 
 
 def slowed(modes, frequency, shape):
-    """The first mode alone, its frequency [Hz] and the motion (a, b) of both faces replaced."""
+    """Return the first mode with another frequency [Hz] and face motion (a, b)."""
     one = {name: getattr(modes, name)[:1] for name in ("decay_rate", "order", "partner")}
     face = np.broadcast_to(shape, modes.face_shape[:1].shape).copy()
     return replace(modes, frequency=np.array([frequency]), face_shape=face, **one)
 
 
 def test_long_waves_hear_the_volume_flow_of_each_face(modes):
-    """A monopole in front of a wall: P = rho w^2 Q^2/(4 pi c) with the peak flow Q = w_mean A v."""
+    """A baffled monopole has P = rho w^2 Q^2/(4 pi c) with the peak flow Q = w_mean A v."""
     shape = (1 - (modes.face_radius / RADIUS) ** 2)[:, None] + 0 * modes.face_angle
     slow = slowed(modes, 20.0, shape)
     flow = np.pi * RADIUS**2 / 2
@@ -58,8 +59,10 @@ def test_long_waves_hear_the_volume_flow_of_each_face(modes):
 
 @pytest.mark.parametrize("turn", [np.cos, np.sin])
 def test_long_waves_hear_a_tilt_as_a_dipole(modes, turn):
-    """With D = k sin(t) cos(p) int w x dA, int |D|^2 over a half space is (2 pi/3) k^2 (pi a^3/4)^2
-    for w = x/a."""
+    """For w = x/a the integral of |D|^2 over a half space is (2 pi/3) k^2 (pi a^3/4)^2.
+
+    D = k sin(t) cos(p) int w x dA.
+    """
     slow = slowed(modes, 20.0, np.outer(modes.face_radius / RADIUS, turn(modes.face_angle)))
     rate = 2 * np.pi * 20.0
     square = 2 * np.pi / 3 * (rate / SOUND_SPEED) ** 2 * (np.pi * RADIUS**3 / 4) ** 2
@@ -68,8 +71,7 @@ def test_long_waves_hear_a_tilt_as_a_dipole(modes, turn):
 
 
 def test_without_a_baffle_a_heaving_disk_radiates_as_much_less_as_said(modes):
-    """Lamb (1932), section 102: the resistance of a free disk is 8 rho c pi a^2 (k a)^4/(27 pi^2)
-    for long waves."""
+    """Lamb (1932), section 102: for long waves a free disk has 8 rho c pi a^2 (k a)^4/(27 pi^2)."""
     ka = 0.1
     slow = slowed(modes, ka * SOUND_SPEED / (2 * np.pi * RADIUS), 1.0)
     free = 8 * AIR_DENSITY * SOUND_SPEED * np.pi * RADIUS**2 * ka**4 / (27 * np.pi**2)
@@ -94,8 +96,10 @@ def test_hankel_transforms_are_the_integral_summed_point_by_point(modes):
 
 
 def test_orders_that_the_face_angles_do_not_show_do_not_radiate(modes):
-    """On 64 angles cos 60 theta is cos 4 theta, which radiates, and cos 32 theta is all that is
-    left of its pair."""
+    """On 64 angles cos 60 theta appears as cos 4 theta, which radiates.
+
+    cos 32 theta has no resolved partner.
+    """
     assert len(modes.face_angle) == 64
     for order in (4, 31, 32, 60):
         shape = np.cos(order * modes.face_angle) + 0 * modes.face_radius[:, None]

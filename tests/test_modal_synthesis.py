@@ -1,9 +1,9 @@
-"""Claim: two methods that share no mesh and no boundary condition agree on the disk held on a
-patch.
+"""Claim: two methods without a common mesh or boundary condition agree on the disk held on a patch.
 
-Source: free modes with residual flexibility (component mode synthesis after MacNeal and Rubin)
-against finite elements. Oracle: each is the other's; for +-5 degrees also another program's
-elements of high degree, converged to 3e-5."""
+Source: free modes with residual flexibility (component mode synthesis after MacNeal and Rubin);
+finite elements. Oracle: each method for the other; for +-5 degrees also high-degree elements of an
+independent program, converged to 3e-5.
+"""
 
 from dataclasses import replace
 from math import pi
@@ -71,7 +71,7 @@ OTHERS = {
 
 @pytest.mark.parametrize("name", OTHERS)
 def test_other_disks_are_right_to_2_percent_too(name):
-    """Synthesis is within 1.3e-3 of itself with more of everything on all of these."""
+    """Synthesis converges within 1.3e-3 with richer bases for all these disks."""
     poisson, aspect, support = OTHERS[name]
     material = Material(young=195e9, poisson=poisson)
     below = min(20e3, 60e3 * aspect)
@@ -87,7 +87,7 @@ def test_other_disks_are_right_to_2_percent_too(name):
 
 
 def test_a_thin_plate_is_resolved_up_to_20_khz():
-    """A disk 2 mm thick has 24 modes there, with waves a quarter as long as the disk is wide."""
+    """A disk 2 mm thick has 24 modes below 20 kHz, with waves of a quarter of the diameter."""
     disk = Plate(radius=RADIUS, thickness=0.002, material=STEEL, density=DENSITY)
     support = Support(half_angle_deg=20)
     frequency = FreeDisk(plate=disk, richness=Richness(cutoff=3)).frequencies(support, 19e3)
@@ -100,7 +100,7 @@ def test_a_thin_plate_is_resolved_up_to_20_khz():
 
 
 def test_a_narrow_patch_does_not_ask_for_more_tractions_than_a_wide_one(free_disk):
-    """Its tractions vary with orders up to thousands, whose flexibility is an integral."""
+    """Tractions on a narrow patch have orders up to thousands; an integral gives flexibility."""
     narrow = Support(half_angle_deg=0.5)
     more = FreeDisk(plate=DISK, richness=Richness(around=8)).frequencies(narrow, below=20e3)
     assert free_disk.frequencies(narrow, below=20e3) == pytest.approx(more, rel=5e-4)
@@ -112,10 +112,9 @@ WIDE = {"narrow": 0.5, "45 degrees": 45, "60 degrees": 60, "130 degrees": 130}
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["published", *WIDE, *OTHERS])
 def test_errors_of_5e_5_and_more_are_estimated_within_a_factor_of_five(name):
-    """Oracle: synthesis with twice as much of everything, where it differs by more than its own
-    estimate.
+    """Oracle: synthesis with a basis twice as rich, where it differs by more than its own estimate.
 
-    What is wrong by less comes of parts of both signs that cancel; its estimate stays below 2e-4.
+    Smaller errors come from terms of opposite sign that cancel; their estimate stays below 2e-4.
     """
     poisson, aspect, support = OTHERS.get(
         name, (0.28, 0.34, Support(half_angle_deg=WIDE.get(name, 5)))

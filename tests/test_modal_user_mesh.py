@@ -1,5 +1,5 @@
-"""Claim: a mesh made elsewhere gives the same modes, and one that will not do is refused with a
-sentence that says why.
+"""Claim: a mesh from another program gives the same modes, and an unsuitable mesh is rejected with
+a one-sentence explanation.
 
 Oracle: the disk of the +-5 degree table, written to files by this test and read back.
 """
@@ -60,8 +60,7 @@ def test_curved_hexahedra_give_the_table(tmp_path):
     "support", [Support(), Support(height=THICKNESS / 2, held=("tangential", "axial"))]
 )
 def test_the_mesh_written_with_the_modes_gives_them_back(tmp_path, support):
-    """Cells squared about the patch edge, where their sides meet at a straight angle, are neither
-    flat nor folded."""
+    """Squared cells have sides that meet at a straight angle at the patch edge, but no fold."""
     given = held_modes(Plate(**SOLID), support, 8e3, "standard")
     write_vtu(given, tmp_path / "modes.vtu")
     again = frequencies(tmp_path / "modes.vtu", support, refine=False)
@@ -69,7 +68,7 @@ def test_the_mesh_written_with_the_modes_gives_them_back(tmp_path, support):
 
 
 def free_hexahedra(path, split, thickness=THICKNESS, layers=1):
-    """Curved hexahedra of the free disk, split^2 per block of the plane in every layer."""
+    """Write curved hexahedra of the free disk, with split^2 cells per block in each layer."""
     cells = half_disk(np.pi, MeshSize(width=np.pi / 4, depth=0.5, rings=0, split=split)) * RADIUS
     cells = np.concatenate([cells, cells[:, ::-1] * [1, -1]])
     hexahedra(extrude(cells, np.linspace(-thickness / 2, thickness / 2, layers + 1))).save(
@@ -92,8 +91,7 @@ def test_the_error_estimate_bounds_the_error_of_a_free_disk(tmp_path, refine):
 
 
 def test_a_pair_spans_the_plane_of_the_exact_pair(tmp_path):
-    """The mesh turns the two shapes of a pair as it likes; the plane they span is what can be
-    compared."""
+    """The mesh rotates the shapes of a pair arbitrarily; only the plane they span is unique."""
     exact = plate_modes(Plate(**SOLID), 12e3)
     free_hexahedra(tmp_path / "disk.vtu", 1)
     modes = mesh_modes(tmp_path / "disk.vtu", STEEL, DENSITY, Support(kind="free"), below=12e3)
@@ -105,8 +103,7 @@ def test_a_pair_spans_the_plane_of_the_exact_pair(tmp_path):
 
 @pytest.mark.parametrize("half_angle_deg", [5, 22.5])
 def test_the_error_estimate_bounds_the_error_on_a_patch(tmp_path, half_angle_deg):
-    """Oracle: synthesis, which has no mesh. Cells are 5 or 22.5 degrees wide and not graded to the
-    patch."""
+    """Oracle: synthesis, which has no mesh. Cells are 5 or 22.5 degrees wide and not graded."""
     support = Support(half_angle_deg=half_angle_deg)
     disk = Plate(**SOLID)
     exact = FreeDisk(plate=disk).frequencies(support, 20e3)
@@ -195,14 +192,14 @@ def test_a_free_cylinder_thicker_than_its_radius_has_six_rigid_modes_too(tmp_pat
 
 
 def test_a_patch_all_around_holds_the_facet_opposite_its_middle():
-    """Of a cube's four lateral sides one is centred at 180 degrees."""
+    """One of a cube's four lateral sides has its centre at 180 degrees."""
     cube = skfem.MeshHex().translated((-0.5, -0.5, -0.5))
     assert len(patch_facets(cube, Support(half_angle_deg=180))) == 4
     assert len(patch_facets(cube, Support(half_angle_deg=179))) == 3
 
 
 def corners_and_edges(mesh):
-    """Cells (c, 20) in VTK's order of a MeshHex2."""
+    """Return the cells (c, 20) of a MeshHex2 in VTK's order."""
     lattice = {tuple(node): i for i, node in enumerate(np.rint(2 * mesh.elem.doflocs).astype(int))}
     return mesh.dofs.element_dofs[[lattice[node] for node in VTK_HEXAHEDRON27[:20]]].T
 
@@ -222,8 +219,7 @@ def test_hexahedra_of_20_nodes_are_the_curved_ones(tmp_path, suffix):
 
 
 def test_curved_tetrahedra_are_cut_along_their_curves(tmp_path):
-    """A tetrahedron cut in eight is the same body: the mass stays to round-off, and frequencies
-    fall."""
+    """Eight tetrahedra form the same body: equal mass to rounding, and lower frequencies."""
     mesh = skfem.MeshTet2.from_mesh(straight().to_meshtet())
     mesh.doflocs[2] *= 1 + 0.3 * (mesh.doflocs[0] / RADIUS) ** 2
     mesh.save(str(tmp_path / "disk.vtu"))

@@ -1,8 +1,8 @@
-"""Claim: BLAS has one thread while modes are sought or a scene is run, and afterwards as many as
-the user set.
+"""Claim: BLAS runs with one thread during a modal analysis and during the run of a scene; the
+user's setting is restored afterwards.
 
 Source: the matrices are small; two threads take twice the processor time of one and are slower.
-Oracle: threadpoolctl's own account of the libraries that are loaded.
+Oracle: the numbers of threads that threadpoolctl reports for the loaded libraries.
 """
 
 from concurrent.futures import ThreadPoolExecutor
@@ -24,8 +24,10 @@ def blas_threads() -> set[int]:
 
 
 def set_threads(count: int) -> None:
-    """Set them from a thread that ends: threadpoolctl lets nobody undo what a living one has
-    set."""
+    """Set the number of BLAS threads from a thread that ends.
+
+    The limits set by a living threadpoolctl controller cannot be reset.
+    """
     setting = Thread(target=threadpool_limits, args=(count, "blas"))
     setting.start()
     setting.join()
@@ -42,7 +44,7 @@ def two_threads():
 
 
 class Asked(Exception):
-    """The work begins, with so many threads."""
+    """The work starts, with this number of BLAS threads."""
 
 
 def ask(*_):
@@ -62,7 +64,7 @@ def test_one_thread_inside_and_as_many_as_before_outside(door, work, scene, monk
 
 @pytest.mark.parametrize("leaves_first", [0, 1])
 def test_calls_that_overlap_leave_what_was_set(leaves_first):
-    """Whoever came second must not give back the one thread that it found."""
+    """The call that starts second must not restore the one thread that it found."""
     barrier = Barrier(2)
 
     @one_blas_thread

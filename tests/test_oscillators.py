@@ -1,9 +1,10 @@
-"""Claim: the oscillators are exact for a force that is linear between samples and knots, whatever
-their damping.
+"""Claim: for any damping the oscillators are exact if the force is linear between samples and
+knots.
 
 Source: the solution of q'' + 2 d q' + w^2 q = g. Oracle: matrix exponentials of the augmented
-system (Van Loan 1978), piece by piece between samples and knots, which share no formula with the
-code; a closed form for order measurements."""
+system (Van Loan 1978) for each interval between samples and knots, which share no formula with the
+code; a closed form for the convergence order.
+"""
 
 from itertools import pairwise
 
@@ -21,12 +22,13 @@ FREQUENCY = np.array([5.0, 100.0, 1000.0, 3999.0, 200.0, 300.0, 300.0, 40.0])
 DECAY = np.array(
     [0.0, 0.5, 50.0, 3.0, 2 * np.pi * 200, 2 * np.pi * 300 * (1 - 1e-9), 2 * np.pi * 900, 1e4]
 )
-"""No damping, little, much; critical, just below it, overdamped, heavily overdamped."""
+"""Decay rates [1/s]: zero, small and large; then critical, just subcritical, overdamped and heavily
+overdamped."""
 
 
 def exact(frequency, decay, g, knots, h):
-    """Accelerations at the samples g (k + 1,), by matrix exponentials over every straight piece of
-    the force."""
+    """Accelerations (k + 1,) at the samples of g, from matrix exponentials over each linear piece
+    of the force."""
     w = 2 * np.pi * frequency
     M = np.array([[0, 1, 0, 0], [-w * w, -2 * decay, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0.0]])
     x = np.zeros(2)
@@ -136,7 +138,7 @@ def test_rings_at_its_frequency_and_decays_at_its_rate():
     w = 2 * np.pi * frequency
     swing = np.sqrt(w**2 - decay**2)
     expected = -np.exp(-decay * t) * (np.cos(swing * t) - decay / swing * np.sin(swing * t))
-    assert found[0] == pytest.approx(0, abs=gamma(20))  # the force goes just after the first sample
+    assert found[0] == pytest.approx(0, abs=gamma(20))  # the force vanishes after sample 0
     assert np.abs(found - expected)[1:].max() < 1e-9
 
 
@@ -149,10 +151,11 @@ def test_settled_under_a_rising_force_there_is_no_ringing():
 
 @pytest.mark.parametrize(("exactly", "order"), [(True, 2.0), (False, 1.0)])
 def test_order_through_jumps_is_two_and_only_one_if_they_are_moved_to_samples(exactly, order):
-    """A smooth force with a jump of known time, against the closed form.
+    """The response to a smooth force with one jump agrees with the closed form to the stated order.
 
-    The jump lies in the middle of a step of 1/200 of the time, so that it does of every third of a
-    step."""
+    The jump occurs in the middle of a step of 1/200 of the duration, and hence also in the middle
+    of a step of one third, one ninth or one 27th of that length.
+    """
     w = 2 * np.pi * 50.0
     d = 20.0
     end = 0.05

@@ -1,9 +1,9 @@
-"""Claim: a run of the published scene writes every file of the contract, proves itself, and judges
+"""Claim: a run of the published scene writes every file of the contract, verifies itself and judges
 the paper's claims.
 
 Source: the README's table of outputs; the claims of Kessler & O'Reilly (2002), sections 1, 7 and 8.
-Oracle: reading the files back with other readers; the verdicts that the corrected model is known to
-give."""
+Oracle: the files, read back with independent readers; the known verdicts of the corrected model.
+"""
 
 import json
 import re
@@ -79,10 +79,10 @@ STANDS = {
     "Slip is the main loss": False,
     "The disk that deforms transversely makes the rising tone by itself": False,
 }
-"""What of the paper, and of what is heard, stands in the corrected model."""
+"""Verdicts of the corrected model on the paper's claims and on the sound."""
 SHARES = [(0.9, 0.1, "undecided"), (0.8, 0.1, "yes"), (1.1, 0.1, "undecided"), (1.3, 0.1, "no")]
 SHARES += [(0.9, 0.0, "yes"), (1.1, 0.0, "no")]
-"""Energy of the modes over that of the disk, relative error of the sound, and what is answered."""
+"""Ratio of modal to disk energy, relative error of the sound, and expected answer."""
 
 
 @pytest.fixture(scope="module")
@@ -119,7 +119,7 @@ def test_what_stands(result):
 
 
 def test_the_normal_force_reaches_36_hz_when_the_paper_says(result):
-    """Figure 4 (b): f = 2.5 at tau = 214.6, found in quadruple precision."""
+    """Figure 4 (b): f = 2.5 at tau = 214.6, computed in quadruple precision."""
     chi = result.scene.disk.time_unit
     reached = next(
         finding for finding in result.findings if finding.key == "load_frequency_reached"
@@ -220,7 +220,7 @@ def test_the_files_are_read_by_others(result):
 
 def test_the_page_needs_no_other_file(result):
     page = (result.out / "report.html").read_text()
-    written = page.partition("<script>")[0]  # what the script makes, it makes of this
+    written = page.partition("<script>")[0]  # the script draws from these fields
     assert re.findall(r'src="(?!data:)', written) == []
     assert all(
         (result.out / name).is_file() for name in re.findall(r'href="(?!data:)([^"]*)"', written)
@@ -235,7 +235,7 @@ def test_every_verdict_says_its_number_its_error_and_what_it_depends_on(result):
     page = unescape((result.out / "report.html").read_text())
     answered = re.findall(
         r"<dt>(.*?)\?</dt><dd>(.*?)\.</dd>", page.partition("<main>")[0]
-    )  # before anything else
+    )  # the warning precedes all other text
     assert {q.lower(): a.lower() for q, a in answered} == {
         q: a.lower() for q, a in in_short(result.findings).items()
     }
@@ -268,8 +268,12 @@ def test_a_number_is_no_finer_than_its_margin(value, margin, told):
 
 
 def test_the_paper_s_figures_stand_beside_ours_where_the_scene_is_the_paper_s(result):
-    """Section 7 prints chi, h (upside down), the density, 36 Hz; its figures begin at alpha = 1 and
-    end flat."""
+    """The page compares the paper's printed values with those of the run for the paper's scene
+    only.
+
+    Section 7 prints chi, h (upside down), the density and 36 Hz; its figures begin at alpha = 1 and
+    end with the flat disk.
+    """
     rows = paper_rows(result.motion, result.findings)
     assert len(rows) == 15
     assert [row.key for row in rows if not row.holds] == []
@@ -280,7 +284,7 @@ def test_the_paper_s_figures_stand_beside_ours_where_the_scene_is_the_paper_s(re
 
 
 def test_pictures_say_what_is_seen(result):
-    """Oracle: numbers of the result itself, in the text that stands for each picture."""
+    """The alternative text of each picture states numbers of the result itself."""
     seen = re.findall(
         r'<img src="data:image/png[^"]*" alt="([^"]*)"', (result.out / "report.html").read_text()
     )
@@ -306,8 +310,8 @@ def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatc
 
 
 def test_the_page_plays_the_stems(result):
-    """Decoded, the stems of the true scale add up to sound.wav: each is rounded once to 16 bits,
-    and it to 24."""
+    """The decoded stems at the true scale add up to sound.wav within rounding: 16 bits for each
+    stem, 24 bits for the sum."""
     data = page_data.page_data(result)["sounds"]["true"]
     tracks = [
         soundfile.read(BytesIO(b64decode(url.partition(",")[2])))[0]
@@ -319,8 +323,11 @@ def test_the_page_plays_the_stems(result):
 
 
 def test_the_page_shows_the_motion(result):
-    """Its instants begin and end with the motion and are so dense that the contact turns by less
-    than a fifth between two of them as long as it can be heard."""
+    """The animation covers the whole motion.
+
+    While the disk is audible, the contact turns by less than a fifth of a revolution between two
+    instants.
+    """
     data = page_data.page_data(result)["motion"]
     t, precession = (np.frombuffer(b64decode(data[name]["base64"])) for name in ("t", "precession"))
     assert t[[0, -1]].tolist() == result.motion.t[[0, -1]].tolist()
@@ -379,7 +386,7 @@ def test_a_clipped_or_endless_sample_is_found(peak, finite, passed):
 def test_a_finding_is_undecided_where_its_margin_reaches_across_the_threshold(
     value, margin, answer
 ):
-    """The range is 1.8 to 3.2; an undecided claim neither holds nor fails, and can say why."""
+    """The range is 1.8 to 3.2; an undecided claim neither holds nor fails and may give a reason."""
     about = {"key": "x", "claim": "x", "unit": "1", "source": "-"}
     found = Finding(value=value, margin=margin, at_least=2.0, at_most=3.0, tolerance=0.2, **about)
     assert (found.verdict, found.answer) == (answer, answer)
@@ -413,7 +420,8 @@ def test_a_value_is_shown_even_where_its_margin_is_larger(value, margin, measure
 
 
 def test_terminal_page_and_record_give_one_verdict(result, record):
-    """Of every finding of the scene `published`, among them yes and no."""
+    """Terminal, page and record agree on every finding of the scene `published`; yes and no both
+    occur."""
     told = {
         finding["key"]: (finding["verdict"], finding["holds"]) for finding in record["findings"]
     }
@@ -426,7 +434,7 @@ def test_terminal_page_and_record_give_one_verdict(result, record):
 
 
 def test_a_contact_that_is_lost_is_not_found_kept():
-    """The last instant, where the normal force is zero, belongs to the motion."""
+    """The last instant, at which the normal force is zero, belongs to the motion."""
     lost = simulate(load_scene("published").replace("disk.thickness=0.2"))
     assert lost.outcome.name == "LIFTED_OFF"
     assert not contact_kept(lost).holds
@@ -434,8 +442,7 @@ def test_a_contact_that_is_lost_is_not_found_kept():
 
 
 def test_of_a_motion_in_which_nothing_happens_nothing_is_claimed():
-    """No peak of the force within a hundredth of a second; no loss without friction, and no part of
-    it."""
+    """A motion of 0.01 s has no force peaks; a motion without resistance loses no energy."""
     short = load_scene("published").replace("numerics.time_limit=0.01")
     assert "rates_are_alike" not in {row.key for row in paper_rows(simulate(short), [])}
     free = "friction={mu_static=inf,mu_dynamic=inf}"
@@ -444,8 +451,8 @@ def test_of_a_motion_in_which_nothing_happens_nothing_is_claimed():
 
 @pytest.mark.parametrize(("share", "error", "answer"), SHARES)
 def test_modes_that_own_nearly_as_much_as_the_disk_decide_nothing(share, error, answer):
-    """Their energy is `share` of the disk's over the last second, known within a factor of (1 +
-    error)^2."""
+    """The modes hold `share` of the disk's energy over the last second, known within a factor of (1
+    + error)^2."""
     t = np.linspace(0, 10, 1001)
     motion = SimpleNamespace(t=np.array([0.0, 10.0]), energy=lambda t: 1 + 0 * t)
     sound = SimpleNamespace(energy_time=t, energy=np.where(t > 9, share, 0.0))
@@ -456,8 +463,8 @@ def test_modes_that_own_nearly_as_much_as_the_disk_decide_nothing(share, error, 
 
 @pytest.mark.slow
 def test_modes_out_of_tune_that_change_a_verdict_leave_it_undecided():
-    """Those of a coin with the friction of the paper, held at a patch, hold 1.5 times the energy of
-    the disk, and a third of it when they are 3 per mille higher."""
+    """The modes of a coin on a patch, with the friction of the paper, hold 1.5 times the energy of
+    the disk, but only a third of it if their frequencies are 0.3 % higher."""
     arms = "friction.arm_nutation=1e-6", "friction.arm_rolling=1.5e-5", "friction.arm_pivoting=6e-5"
     others = (
         "dissipation.contour_moment=0.0",
@@ -492,7 +499,7 @@ def test_a_finding_can_be_no(value, holds):
 
 @pytest.fixture(scope="module")
 def cut(tmp_path_factory):
-    """A run that is cut off, where the extra `roughness` is not installed."""
+    """A run that is cut off by its time limit, without the extra `roughness` installed."""
     scene = load_scene("published").replace("numerics.time_limit=0.6", "name=cut")
     with pytest.MonkeyPatch.context() as here:
         here.setitem(sys.modules, "mosqito", None)
@@ -523,12 +530,11 @@ def test_a_motion_that_is_cut_off_says_so(cut):
     assert cut.motion.outcome.name == "TIME_LIMIT"
     assert any("time limit" in line for line in cut.plan.left_out)
     assert cut.sound.source_end == pytest.approx(0.6, abs=0.01)
-    assert cut.sound.duration > 1.0  # its modes ring out
+    assert cut.sound.duration > 1.0  # the modes ring out
 
 
 def test_a_full_disk_leaves_no_half_wav(tmp_path):
-    """A limit on the size of files stands for the full disk: the write falls short in the same
-    way."""
+    """A limit on the file size simulates the full disk: the write fails in the same way."""
     resource = pytest.importorskip("resource", reason="this system cannot limit the size of files")
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -543,8 +549,8 @@ def test_a_full_disk_leaves_no_half_wav(tmp_path):
 
 
 def test_the_results_page_has_the_numbers_of_the_published_run(result):
-    """The level of the ringing in the last second, and the end of one-way coupling, are those of
-    the run."""
+    """The page states the run's level of the ringing in the last second and the run's time at which
+    one-way coupling ends."""
     told = (Path(__file__).parents[1] / "docs" / "results.md").read_text(encoding="utf-8")
     found = {f.claim: f.value for f in result.findings}
     low, high = map(int, re.search(r"ringing is (\d+) to (\d+) dB\(A\) below", told).groups())

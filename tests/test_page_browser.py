@@ -1,9 +1,10 @@
-"""Claim: in a real browser the page of a run plays, seeks, zooms, mutes and turns as it says, for
-everyone.
+"""Claim: in a real browser the page of a run plays, seeks, zooms, mutes and turns as documented,
+and is accessible.
 
-Source: the README's description of the page; WCAG 2.2 AA. Oracle: the samples that leave the mixer,
-held against those decoded; the pixels of the canvases; axe-core. Skipped where there is no
-Chromium."""
+Source: the README's description of the page; WCAG 2.2 AA. Oracle: the output samples of the mixer,
+compared with the decoded files; the pixels of the canvases; axe-core. Skipped if Chromium is
+missing.
+"""
 
 import queue
 import shutil
@@ -91,7 +92,7 @@ def browser():
 
 @pytest.fixture
 def open_page(browser, folder):
-    """Return open_page(width, ...) -> the page, whose console must have been silent at the end."""
+    """Return open_page(width, ...) -> page; fail at teardown if its console reported anything."""
     contexts = []
     said = []
 
@@ -196,8 +197,8 @@ def test_click_drag_and_button_land_where_they_say(page):
 
 
 def test_the_spectrogram_shows_the_mode_where_it_is(page):
-    """The brightest row after the motion is a mode, give or take two bins of its window, 23 Hz
-    each, and a row, 2 %."""
+    """The brightest row after the motion matches a mode within two bins of the window, 23 Hz each,
+    and one row, 2 %."""
     page.evaluate("sonify.timeline.show(20, 22)")
     page.evaluate("sonify.spectrograms[0].done")
     frequency = page.evaluate(
@@ -279,7 +280,7 @@ def test_scene_and_command_are_copied(open_page, folder):
 
 @pytest.fixture(scope="module")
 def address(folder):
-    """Return where the folder of the run is served."""
+    """Return the address at which the folder of the run is served."""
     told = queue.Queue()
     threading.Thread(
         target=serve, args=(folder.parent, "127.0.0.1", 0, told.put), daemon=True
@@ -288,7 +289,8 @@ def address(folder):
 
 
 def until(page, expression):
-    """Wait until an expression is true; Playwright's own way needs `eval`, which is forbidden."""
+    """Wait until an expression is true; Playwright's own wait needs `eval`, which the policy
+    forbids."""
     end = time.monotonic() + 60
     while not page.evaluate(expression):
         assert time.monotonic() < end, expression
@@ -296,7 +298,7 @@ def until(page, expression):
 
 
 def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, address):
-    """Chromium writes to the console whatever the Content-Security-Policy refuses."""
+    """Chromium logs every violation of the Content-Security-Policy to the console."""
     said = []
     page = browser.new_page(viewport={"width": 1280, "height": 900})
     page.on("console", lambda message: said.append(message.text))
@@ -307,7 +309,7 @@ def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, add
     page.click("#play")
     until(page, "sonify.player.playing")
     assert page.evaluate(LOUDEST) > 1e-4
-    page.locator("figure img").first.scroll_into_view_if_needed()  # it loads when it is seen
+    page.locator("figure img").first.scroll_into_view_if_needed()  # loads once visible
     until(page, "document.querySelector('figure img').naturalWidth > 0")
     refused = [text for text in said if "Content Security Policy" in text or "violates" in text]
     assert refused == []

@@ -1,8 +1,8 @@
-"""Claim: the script and the style of the page are what their sources and the locked libraries
-build, bit for bit.
+"""Claim: the script and the style of the page are reproduced bit for bit from their sources and the
+locked libraries.
 
-Source: sonify/report/web/package-lock.json. Oracle: building them anew. Skipped where there is no
-npm."""
+Source: sonify/report/web/package-lock.json. Oracle: a fresh build. Skipped if npm is missing.
+"""
 
 import re
 import shutil
@@ -38,7 +38,7 @@ def test_the_page_says_under_which_licences_its_libraries_stand():
 
 
 def test_the_stretcher_is_in_the_bundle_once_as_text():
-    """It is loaded when it is needed, by an address of its own; a second copy of its 110 kB would
-    be dead weight."""
+    """The page loads the stretcher on demand from an address of its own; a second copy would waste
+    110 kB."""
     text = (REPORT / "templates" / "page.js").read_text(encoding="utf-8")
     assert len(re.findall(r"registerProcessor\(", text)) == 1

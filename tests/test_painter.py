@@ -1,7 +1,7 @@
-"""Claim: a picture drawn in a process beside is that drawn in this one, whatever becomes of that
-process; scripts need no guard, and nothing is left running.
+"""Claim: a picture drawn in a worker process equals the one drawn in this process, even if the
+worker dies; scripts need no main guard, and no process is left running.
 
-Oracle: the same bytes from the same function called here.
+Oracle: the bytes from the same function called in this process.
 """
 
 import os

@@ -1,9 +1,10 @@
-"""Claim: the pictures of a run name every axis with its unit, hide no data, and say what their
-colours mean.
+"""Claim: the pictures of a run label every axis with its unit, hide no data and explain their
+colours.
 
-A motion is drawn in SI units; the dimensionless figures of the paper are drawn for its scene alone,
-with the unit of time. Oracle: the artists of the figures themselves, their places in pixels, and
-curves that are known in advance."""
+A motion is drawn in SI units; the dimensionless figures of the paper are drawn for its scene only,
+with the unit of time. Oracle: the artists of the figures, their positions in pixels, and curves
+known in advance.
+"""
 
 import re
 from io import BytesIO
@@ -27,7 +28,7 @@ from sonify.scene import load_scene
 
 @pytest.fixture
 def drawn(monkeypatch):
-    """A function that draws a picture and returns its figure, once it has been laid out."""
+    """Return a function that draws a picture and returns its laid-out figure."""
     made = figures(monkeypatch)
 
     def draw(function, **data):
@@ -82,7 +83,8 @@ def test_the_figures_of_the_paper_are_drawn_for_its_scene_alone(drawn, short):
 
 
 def test_an_envelope_holds_the_oscillation_and_not_the_decline():
-    """Of 3 + sin between 2 and 4; of a straight line no band at all, but at its ends."""
+    """The envelope of 3 + sin spans 2 to 4; that of a straight line has zero width, except at its
+    ends."""
     t = np.linspace(0, 100, 20_001)
     mean, least, greatest = envelope(3 + np.sin(2 * np.pi * t), 0.02)
     assert least[20:-20] == pytest.approx(2, abs=0.01)

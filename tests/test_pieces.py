@@ -1,4 +1,5 @@
-"""Claim: a motion that is asked for many times at once is what it is when asked for few.
+"""Claim: a motion evaluated at many times in one call equals the same motion evaluated at a few
+times per call.
 
 Source: `RigidMotion.at`. Oracle: scipy's PPoly, which adds the same terms in the same order.
 """
@@ -10,8 +11,8 @@ from dynamics.piecewise_polynomial import MIN_COMPILED_TIMES, Pieces
 
 
 def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
-    """Each of the order + 1 terms is rounded at most 2 (order + 1) times in its power, its product
-    and the sum."""
+    """The power, the product and the sum of each of the order + 1 terms cause at most 2 (order + 1)
+    rounding errors."""
     random = np.random.default_rng(3)
     x = np.cumsum(random.uniform(0.1, 2.0, 31))
     c = random.standard_normal((21, 30, 11))

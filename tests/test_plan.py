@@ -1,8 +1,9 @@
-"""Claim: a run computes what its plan says and no more, and is as far from the reference as the
-plan predicts.
+"""Claim: a run computes exactly the work in its plan, and its error against the reference is the
+predicted one.
 
 Source: sonify/plan.py, sonify/predictions.py. Oracle: the same scene at accuracy "reference";
-counts of what was computed; white noise and sines whose levels are known."""
+counts of the computed samples; white noise and sines of known level.
+"""
 
 from dataclasses import replace
 from math import inf, pi
@@ -38,12 +39,14 @@ from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.render import Renderer
 
 FACTOR = 3
-"""Predicted and measured errors agree within this."""
+"""Largest ratio between predicted and measured errors."""
 
 
 def measured(run, reference) -> dict[str, float]:
-    """Return the errors of a run by the names of its predictions; both are results of
-    `sonify.solve`."""
+    """Return the errors of a run, keyed by the names of its predictions.
+
+    Both arguments are results of `sonify.solve`.
+    """
     found = run.modes.frequency
     true = reference.modes.frequency
     count = min(len(found), len(true))
@@ -55,7 +58,7 @@ def measured(run, reference) -> dict[str, float]:
 
 
 def rendered(scene, accuracy):
-    """Compute a scene up to its sound; what `measured` compares."""
+    """Solve a scene up to its sound and return the parts that `measured` compares."""
     scene = scene.replace(f"numerics.accuracy={accuracy}")
     plan, modes = planned(scene)
     plan, table = with_table(plan, scene)
@@ -67,7 +70,7 @@ def rendered(scene, accuracy):
 
 
 def disagreements(scene):
-    """Every prediction of draft and standard that what was measured does not confirm."""
+    """Return the predictions of draft and standard that the measured errors contradict."""
     reference = rendered(scene, "reference")
     wrong = []
     for accuracy in ("draft", "standard"):
@@ -98,8 +101,8 @@ def test_every_shipped_scene_is_as_wrong_as_predicted(name):
 
 @pytest.fixture(scope="module")
 def counted():
-    """A standard run of the first 12 s of the published scene, and the sizes of everything it
-    computed."""
+    """A standard run of the first 12 s of the published scene, with the sizes of all its
+    computations."""
     sizes = {"stepped": [], "solved": []}
 
     class CountedBank(OscillatorBank):
@@ -134,8 +137,8 @@ def test_no_mode_is_sought_above_what_is_heard(counted):
 
 
 def test_the_force_is_read_no_more_often_than_the_plan_says(counted):
-    """Once every CALM_STRIDE samples and, at each jump, at the samples whose polynomial would reach
-    across it."""
+    """The limit is one reading per CALM_STRIDE samples, plus, at each jump, the samples within
+    reach of a polynomial across it."""
     jumps = len(counted.motion.jumps.t)
     most = counted.sound.samples / CALM_STRIDE + (jumps + 2) * (CALM_NODES + 1) * CALM_STRIDE + 1000
     assert counted.renderer.sampler.evaluations <= most < 0.2 * counted.sound.samples
@@ -179,8 +182,8 @@ def test_the_time_that_is_left_is_that_of_the_solved_motion(name):
 
 
 def test_a_mode_that_radiates_nothing_is_silent_in_the_plan(scene):
-    """The first mode of the held disk moves along its rim; seen from anywhere the two halves of the
-    face cancel."""
+    """The first mode of the held disk moves along the rim; the sound of the two halves of the face
+    cancels in every direction."""
     plan, modes = planned(scene)
     quiet = set(range(len(modes))) - set(plan.sounding)
     assert quiet
@@ -277,7 +280,7 @@ def test_modes_lose_to_the_air_as_well(scene):
 
 
 def test_a_disk_that_loses_nothing_has_all_the_time_there_is(scene):
-    """Nothing is predicted to end too early where nothing ends."""
+    """A motion without losses never ends, so its predicted error of the end is zero."""
     lossless = [f"friction.arm_{name}=0" for name in ("nutation", "rolling", "pivoting")]
     still = scene.replace(*lossless, "numerics.time_limit=1")
     assert time_left(1e-3, still.disk, still.friction, still.dissipation) == inf
@@ -285,8 +288,7 @@ def test_a_disk_that_loses_nothing_has_all_the_time_there_is(scene):
 
 
 def test_a_disk_that_moves_with_its_table_is_not_said_to_stay_rigid_on_a_plane(scene):
-    """On one light mode it moves with the table at last, on one of a thousand kilograms it never
-    does."""
+    """A table mode of 1 kg ends in two-way coupling; one of 1e6 kg never does."""
     surface = "surface={{kind='modes', modes=[{{order=2, frequency=600.0, damping_ratio=0.02, modal_mass={}}}]}}"
     moves, still = (
         with_table(plan_of(on), on)[0]

@@ -1,4 +1,5 @@
-"""Claim: the percentage of a running stage is the part that is done, never 100 % before the end.
+"""Claim: the percentage of a running stage equals the completed share and stays below 100 % until
+the end.
 
 Source: the README's command line. Oracle: the duration of motions solved to their end; arithmetic.
 """
@@ -23,7 +24,8 @@ def shares(scene, motion, times):
 
 @pytest.mark.parametrize("name", ["published", "thorne", "moffatt"])
 def test_the_share_of_a_motion_is_that_of_its_duration(name):
-    """Friction alone, a film of air, another law; the transient at first is not predicted."""
+    """The scenes cover friction alone, an air film and another law; the initial transient is not
+    predicted."""
     scene = load_scene(name).replace("numerics.accuracy=draft")
     motion = solve_motion(scene)
     true = np.linspace(0, 1, 201)[:-1]
@@ -73,7 +75,7 @@ def test_the_time_left_follows_from_the_speed_of_the_last_half_minute():
     assert stage.line(101.0) == "motion 0 %"
     stage.report(110.0, 0.25, "t = 1 s")
     assert stage.line(110.0) == "motion 25 %, about 30 s left, t = 1 s"
-    for second in range(111, 171):  # a sixth of a percent a second from now on
+    for second in range(111, 171):  # a sixth of a percent per second from now on
         stage.report(second, 0.25 + (second - 110) / 600)
     assert stage.line(170.0) == "motion 35 %, about 6.5 min left"
     stage.report(171.0, 0.2)

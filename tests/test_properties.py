@@ -1,8 +1,10 @@
-"""Claim: whatever the scene, energy never rises, the contact presses, friction stays in its cone,
-and the way of integrating does not matter.
+"""Claim: in every scene the energy never rises, the contact force is compressive, friction stays in
+its cone, and the result does not depend on the integrator.
 
 Source: sections 3 and 6.3 of the paper; Hairer & Wanner for the order of an integrator. Oracle:
-inequalities that hold for every solution; a second integrator; the same one at another order."""
+inequalities that hold for every solution; a second integrator; the same integrator at another
+order.
+"""
 
 from importlib.util import find_spec
 from math import sqrt
@@ -23,7 +25,7 @@ arms = st.one_of(st.just(0.0), st.floats(1e-5, 0.05))
 
 @st.composite
 def scenes(draw, integrator="auto", span=15.0):
-    """Draw a scene: shape, friction and release at random, a span in units of chi."""
+    """Draw a scene with random shape, friction and release, and a duration in units of chi."""
     disk = {
         "thickness": draw(st.floats(1e-4, 0.06)),
         "shape": draw(st.sampled_from(["solid", "shell"])),
@@ -40,8 +42,8 @@ def scenes(draw, integrator="auto", span=15.0):
 
 
 def solved(wanted):
-    """Return the motion; a release that leaves the plane at once, or has no solution, is refused
-    and not counted."""
+    """Return the motion; reject the example if the disk leaves the plane immediately or no solution
+    exists."""
     try:
         return simulate(wanted)
     except ImpossibleContactError:
@@ -85,7 +87,7 @@ def test_both_integrators_agree(wanted):
 
 @needs_heyoka
 def test_each_order_of_the_series_gains_e_squared_through_transitions():
-    """Steps of radius/e^2 make the error of order p fall as exp(-2 p); events must not spoil it."""
+    """With steps of radius/e^2 the error of order p falls as exp(-2 p), also through events."""
     chi = scene().disk.time_unit
     t = np.linspace(1, 39.9, 60) * chi
 

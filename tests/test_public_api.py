@@ -1,8 +1,9 @@
 """Claim: the public names and signatures of the three packages change only on purpose, and results
 can be read by name.
 
-Source: the promise to scripts that use them. Oracle: `tests/references/public_api.json`, which
-`python tests/test_public_api.py` writes; for named access, the arrays that it reads."""
+Source: the compatibility promise to user scripts. Oracle: `tests/references/public_api.json`,
+written by `python tests/test_public_api.py`; for named access, the underlying arrays.
+"""
 
 import importlib
 import inspect
@@ -24,7 +25,7 @@ PACKAGES = ("dynamics", "modal", "sonify")
 
 
 def public_api() -> dict[str, str]:
-    """Return the signature of every exported name, its fields and public methods included."""
+    """Return the signature of every exported name, including its fields and public methods."""
     found = {}
     for package in PACKAGES:
         module = importlib.import_module(package)
@@ -39,7 +40,7 @@ def public_api() -> dict[str, str]:
 
 
 def signature_of(thing) -> str:
-    """Return the names of the parameters, with "=" for a default; none for an enumeration."""
+    """Return the parameter names, with "=" for a default; empty for enumerations and exceptions."""
     if inspect.isclass(thing) and issubclass(thing, (Enum, Exception)):
         return ""
     try:

@@ -1,4 +1,5 @@
-"""Claim: the motion of the published case is solved to the accuracy that the problem itself allows.
+"""Claim: the motion of the published case is solved to the accuracy that the conditioning of the
+problem allows.
 
 Source: Kessler & O'Reilly (2002), (7.1), (7.3), (7.4), with the errata of (5.3), (6.1), (7.2)
 corrected. Oracle: an independent simulation in quadruple precision (tests/references/motion.json).
@@ -28,7 +29,7 @@ def motion(request):
 
 
 def samples(motion, last):
-    """Return the reference samples up to `last`, and the motion there in the paper's units."""
+    """Return the reference samples up to `last` and the motion there in the paper's units."""
     some = [s for s in REFERENCE["samples"] if s["tau"] <= last]
     t = np.array([s["tau"] for s in some]) * motion.disk.time_unit
     unit = motion.disk.mass * (motion.disk.radius / motion.disk.time_unit) ** 2
@@ -73,8 +74,7 @@ def test_times_and_loads_of_the_transitions(motion):
 
 
 def test_at_a_jump_the_force_is_the_one_after_it(motion):
-    """A time in seconds, divided by its unit, may round to just before the instant it was made
-    from."""
+    """A time in seconds divided by the unit of time may round to just before its original."""
     jumps = motion.jumps
     assert len(jumps.t) > 100
     np.testing.assert_allclose(

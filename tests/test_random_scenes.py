@@ -1,9 +1,8 @@
-"""Claim: whatever legal scene is drawn, its motion comes to an end that has a name and passes every
-check of a run, or is refused by name at the first instant; nothing crashes, hangs or becomes a
-number that is none.
+"""Claim: the motion of every legal random scene ends in a named outcome and passes every check of a
+run, or is refused by name at the first instant; nothing crashes, hangs or becomes NaN.
 
-Source: sections 3 and 4 of the paper; sonify/claims/checks.py.
-Oracle: balances and inequalities that hold for every solution.
+Source: sections 3 and 4 of the paper; sonify/claims/checks.py. Oracle: balances and inequalities
+that hold for every solution.
 """
 
 import warnings
@@ -28,17 +27,16 @@ from sonify.claims.checks import (
 
 SCENES, MOST_SECONDS = 300, 60.0
 TURNS, UNITS = 200.0, 30.0
-"""What a motion is given: so many turns of the contact at the first inclination, but at most so
-many units chi."""
+"""Limits on the duration: turns of the contact at the initial inclination, and units chi."""
 
 
 def decades(random, low, high):
-    """Draw a number whose logarithm is uniform."""
+    """Draw a number with a uniformly distributed logarithm."""
     return exp(random.uniform(log(low), log(high)))
 
 
 def any_disk(random):
-    """Draw a disk, from a millimetre to metres and from paper to pipe."""
+    """Draw a disk with a radius from a millimetre to metres, from thin sheet to long pipe."""
     radius = decades(random, 1e-3, 10)
     thickness = radius * decades(random, 1e-3, 4)
     mass = decades(random, 1e-6, 1e4)
@@ -51,8 +49,8 @@ def any_disk(random):
 
 
 def any_friction(random):
-    """Draw coefficients, often nearly equal ones, at times none or infinite ones; and arms over the
-    radius."""
+    """Draw friction coefficients, often nearly equal, sometimes zero or infinite, and resisting
+    arms over the radius."""
     mu = random.choice([decades(random, 0.01, 2)] * 8 + [0.0, inf])
     ratio = random.choice([1.0, 1.001, 1.01, random.uniform(1, 4)])
     resisted = random.choice([(0, 0, 0), (1, 1, 1), (1, 1, 1), (0, 0, 1)])
@@ -61,7 +59,7 @@ def any_friction(random):
 
 
 def any_dissipation(random, disk):
-    """Draw a further law of dissipation, or none."""
+    """Draw one further law of dissipation, or None."""
     strength = decades(random, 1e-7, 1e-2)
     b = random.choice([2.5, 4.0])
     chi = disk.time_unit
@@ -76,8 +74,7 @@ def any_dissipation(random, disk):
 
 @st.composite
 def scenes(draw):
-    """Draw a scene, released at rest, anyhow or near a steady motion, from a hundredth of a degree
-    to 80."""
+    """Draw a scene, released at rest, at random or near a steady motion, at 0.01 to 80 degrees."""
     random = draw(
         st.randoms(use_true_random=True)
     )  # hypothesis' own numbers would come as small changes of a few
@@ -100,8 +97,10 @@ def scenes(draw):
 
 
 def solved(wanted):
-    """Return the motion of a scene, None where it is refused at the first instant; AssertionError
-    where it hangs."""
+    """Return the motion of a scene, or None if it is refused at the first instant.
+
+    Raise AssertionError if the simulation hangs.
+    """
     started = process_time()
 
     def watch(t, inclination, doing):
@@ -142,10 +141,10 @@ def test_every_scene_ends_with_a_name_and_passes_its_checks():
     assert ends.total() == SCENES
     assert (
         ends[None] <= 0.1 * SCENES
-    )  # released so fast that the disk leaves the table, or no contact is possible
+    )  # the release is too fast to stay on the table, or no contact is possible
     assert ends[Outcome.STALLED] + ends[Outcome.CASCADE] <= 0.01 * SCENES
     elsewhere = {
         Outcome.AIRBORNE,
         Outcome.LEFT_TABLE,
-    }  # there is neither air nor a table with an edge
+    }  # the scene has neither air nor a table edge
     assert {*Outcome} - {Outcome.STALLED, Outcome.CASCADE} - elsewhere <= {*ends}

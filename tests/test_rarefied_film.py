@@ -1,8 +1,9 @@
-"""Claim: a film that is no continuum is told, bounded in time, and refused where there is none.
+"""Claim: a rarefied film is reported, takes bounded time, and is refused where its law is invalid.
 
 Source: Fukui & Kaneko (1990), J. Tribol. 112, 78: flow between parallel plates by Boltzmann's
-equation; Maxwell's slip. Oracle: their flow over that of slip; the ideal gas's mean free path, 0.66
-mm at 10 Pa."""
+equation; Maxwell's slip. Oracle: the ratio of their flow to slip flow; the mean free path of the
+ideal gas, 0.66 mm at 10 Pa.
+"""
 
 import numpy as np
 import pytest
@@ -25,8 +26,10 @@ def rare(scene):
 
 
 def kinetic_flow(knudsen):
-    """Flow between plates by kinetic theory, over D = sqrt(pi)/(2 Kn) of the gap, as Fukui & Kaneko
-    fitted it."""
+    """Flow between plates by kinetic theory, as fitted by Fukui & Kaneko.
+
+    The argument of the fit is D = sqrt(pi)/(2 Kn), with the Knudsen number Kn of the gap.
+    """
     D = np.sqrt(np.pi) / (2 * knudsen)
     if D >= 5:
         return D / 6 + 1.0162 + 1.0653 / D - 2.1354 / D**2
@@ -39,15 +42,15 @@ def kinetic_flow(knudsen):
     ("knudsen", "more"), [(1 / 60, 1.01), (0.1, 1.09), (1.0, 1.49), (88.6, 3.42)]
 )
 def test_how_much_more_air_passes_than_slip_lets_through(knudsen, more):
-    """Slip: D/6 (1 + 6 Kn). What the plan says at 10 and 1 mean free paths, and at the end of a
-    motion."""
+    """The slip flow is D/6 (1 + 6 Kn); the plan quotes the ratio at gaps of 10 and 1 mean free
+    paths, and at the end of a motion."""
     slip = np.sqrt(np.pi) / (2 * knudsen) / 6 * (1 + 6 * knudsen)
     assert kinetic_flow(knudsen) / slip == pytest.approx(more, abs=0.01)
 
 
 def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
-    """Below, the film that closes is ever stiffer, and the disk never flat: it took minutes, and
-    told nothing."""
+    """In thinner gaps the closing film would stiffen without bound and the disk would never lie
+    flat."""
     assert rare.air.mean_free_path == pytest.approx(0.66e-3, rel=0.01)
     motion = simulate(rare)
     gap = rare.disk.radius * np.sin(motion.state[-1, 1])
@@ -55,7 +58,7 @@ def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
     assert gap * MAX_KNUDSEN == pytest.approx(rare.air.mean_free_path, rel=1e-9)
     assert len(motion.t) < 50_000
     told = " ".join(beyond_the_film(rare, motion))
-    assert "6.6e-06 m" in told  # the gap at which it ends
+    assert "6.6e-06 m" in told  # the gap at the end of the motion
     assert "less than 1 mean free paths of the air, 0.00066 m" in told
 
 
@@ -72,8 +75,7 @@ def test_in_air_of_one_atmosphere_the_end_is_as_before(scene):
 
 
 def test_molecules_that_fly_further_than_the_gap_are_no_film(rare):
-    """At the release the mean gap is 20 mm; a mean free path as long needs 10 Pa 0.66/20 = 0.33
-    Pa."""
+    """The mean gap at release is 20 mm; the mean free path equals it at 10 Pa 0.66/20 = 0.33 Pa."""
     thin = rare.replace("air.pressure=0.3")
     found = decide_film(thin)
     assert found.film is None

@@ -1,8 +1,9 @@
 """Claim: the rates of a motion are those of its nutation, its precession and its slips.
 
 Source: footnote 3, figures 4 (b) and 6 of the paper. Oracle: the zeros of omega_1, the normal force
-of a rigid contact, the linear theory of steady motion, Fourier spectra of the inclination over the
-angle of precession, counts of turns and slips."""
+of a rigid contact, the linear theory of steady motion, Fourier spectra of the inclination as a
+function of the precession angle, counts of turns and slips.
+"""
 
 import numpy as np
 import pytest
@@ -35,7 +36,7 @@ def motion():
 
 
 def test_peaks_of_the_load_are_not_doubled_by_the_corners_of_the_nutation_moment(motion):
-    """Between its slips the disk nutates twice through omega_1 = 0 for each peak of the load."""
+    """Between slips the disk nutates twice through omega_1 = 0 for each peak of the load."""
     t, frequency = nutation_frequency(motion)
     turns = np.array([s.t for s in motion.transitions if s.guard == "nutation reverses"])
     for start, stop in ((2.2, 3.2), (6.5, 7.0), (11.0, 11.5)):
@@ -58,8 +59,8 @@ def test_nutation_over_precession_is_near_0_8(motion):
 
 
 def test_the_nutation_of_the_published_disk_tends_to_that_of_linear_theory(motion):
-    """The flat limit holds for small nutations without slips; in the published motion both are
-    within 3 %."""
+    """The flat limit holds for small nutations without slips; the published motion meets both
+    conditions within 3 %."""
     t, _ = nutation_frequency(motion)
     flat = exact.flat_limit(motion.disk.aspect, motion.disk.gyration)[1]
     assert flat == pytest.approx(0.791865, abs=1e-6)
@@ -69,7 +70,7 @@ def test_the_nutation_of_the_published_disk_tends_to_that_of_linear_theory(motio
 
 @pytest.mark.parametrize("inclination", [0.02, 0.1, 0.4])
 def test_small_nutations_have_the_frequency_of_linear_theory(inclination):
-    """A disk that is released 1 % steeper than its steady motion nutates about it."""
+    """A disk released 1 % steeper than its steady motion nutates about it."""
     steady = whirling(inclination)
     release = {
         "inclination_deg": float(np.degrees(1.01 * inclination)),
@@ -88,8 +89,8 @@ def test_small_nutations_have_the_frequency_of_linear_theory(inclination):
 
 
 def test_of_a_disk_that_rolls_freely_the_load_is_the_normal_force():
-    """Without moments and slips the acceleration of (5.3) is that of the disk; omega_1 squared is
-    left out."""
+    """Without moments and slips the acceleration of (5.3) is that of the disk; terms in omega_1
+    squared are neglected."""
     motion = simulate(conservative(numerics={"time_limit": 1.0}))
     t = np.linspace(0, 1.0, 2001)
     state = motion.at(t)
@@ -100,14 +101,14 @@ def test_of_a_disk_that_rolls_freely_the_load_is_the_normal_force():
 
 
 def jumps(frequency):
-    """Return the relative changes between neighbours, where both are numbers."""
+    """Return the relative changes between neighbouring finite values."""
     both = np.isfinite(frequency[1:]) & np.isfinite(frequency[:-1])
     return np.abs(np.diff(np.log(frequency)))[both]
 
 
 def test_where_the_contact_hops_the_nutation_is_drawn_while_there_is_one():
-    """A coin whose nutation friction stills the nutation in half a second hops on; its normal force
-    then is noise."""
+    """The nutation arm of this coin damps the nutation within half a second; the coin then hops,
+    and its normal force is noise."""
     coin = load_scene("coin").replace("friction.arm_nutation=1e-4", "numerics.time_limit=3")
     motion = solve_motion(coin)
     assert len(motion.contact_losses) > 100
@@ -126,8 +127,8 @@ def test_where_the_contact_hops_the_nutation_is_drawn_while_there_is_one():
 
 
 def test_a_few_peaks_that_come_by_chance_are_no_nutation():
-    """A nutation of 60 periods that dies, a gap, and 4 readings of noise; then one that lasts for
-    20 periods."""
+    """A nutation of 60 periods dies; after a gap come 4 noise readings, then a nutation of 20
+    periods."""
     time = np.concatenate([np.arange(60), [90, 91, 92, 93], 120 + np.arange(20)]) / 10
     expected = np.concatenate([np.ones(60, bool), np.zeros(4, bool), np.ones(20, bool)])
     assert np.array_equal(_lasting(time, np.full(84, 10.0)), expected)
@@ -137,7 +138,7 @@ def test_a_few_peaks_that_come_by_chance_are_no_nutation():
 
 @pytest.mark.slow
 def test_where_the_table_drives_the_disk_the_nutation_is_drawn_while_it_is_the_stronger():
-    """A plate that is stiffer in one place than in another drives the disk once in each turn."""
+    """A plate with position-dependent stiffness drives the disk once per turn."""
     plate = load_scene("glass-plate")
     motion = solve_motion(plate, table=surface_modes(plate))
     time, _, nutation = drawn_rates(motion)
@@ -185,7 +186,10 @@ def test_slips_come_a_hundred_times_as_often_towards_the_end(motion):
 
 
 def test_what_many_ask_of_the_same_times_is_told_from_memory_and_stays_the_motions_own(motion):
-    """Oracle: times of the same values that someone may change, which are evaluated anew."""
+    """Repeated evaluations at the same times come from a cache that callers cannot modify.
+
+    Oracle: evaluation at a writable copy of the times, which bypasses the cache.
+    """
     t = piece_ends_and_middles(motion)
     for ask in (motion.force, motion.energy):
         told = ask(t)

@@ -1,10 +1,11 @@
-"""Claim: after the air has taken over the disk its modes ring at the decay rates that the run
-states, 60 dB down.
+"""Claim: after the air film has taken over the disk, its modes decay at the stated rates down to
+-60 dB.
 
-Source: the contact is gone, so that material, radiation and the film of air at the mean gap of that
+Source: the contact has ended, so that material, radiation and the air film at the mean gap of that
 instant damp the modes. Oracle: the poles of the rendered pressure by a matrix pencil (Hua and
-Sarkar 1990), which knows no modes; the slope of the logarithm of a band-passed envelope; loss
-factor times pi times frequency, plus the radiated power."""
+Sarkar 1990), which uses no modal data; the slope of the logarithm of a band-passed envelope; loss
+factor times pi times frequency, plus the radiated power.
+"""
 
 import json
 
@@ -27,8 +28,7 @@ from sonify.sound.sources.protocol import FADE_OUT
 
 
 def poles(samples, rate, count):
-    """Frequencies [Hz] and decay rates [1/s] (count,) of the damped sines that add up to samples
-    (n,)."""
+    """Return frequencies [Hz] and decay rates [1/s] (count,) of damped sines in samples (n,)."""
     rows = np.lib.stride_tricks.sliding_window_view(samples, len(samples) // 2)
     signal = np.linalg.svd(rows, full_matrices=False)[2][: 2 * count].T
     z = rate * np.log(np.linalg.eigvals(np.linalg.pinv(signal[:-1]) @ signal[1:]).astype(complex))
@@ -42,7 +42,8 @@ def level_db(samples):
 
 
 def assert_rings_as_stated(pressure, rate, end, ringing, first, last):
-    """The sound from `first` to `last` [s] after its end has the poles of the stated modes."""
+    """Assert that the sound from `first` to `last` [s] after its end has the poles of the stated
+    modes."""
     part = pressure[int((end + first) * rate) : int((end + last) * rate)].astype(float)
     frequency, decay_rate = poles(part, rate, len(ringing.frequency))
     order = np.argsort(ringing.frequency)
@@ -52,8 +53,8 @@ def assert_rings_as_stated(pressure, rate, end, ringing, first, last):
 
 @pytest.fixture(scope="module")
 def carried():
-    """The renderer, and the pressure, of the published disk released at 3 degrees, which the air
-    carries at last."""
+    """The renderer and the pressure of the published disk, released at 3 degrees and finally
+    carried by the air film."""
     changes = (
         "air.film=acts",
         "support.kind=free",
@@ -91,12 +92,14 @@ def test_the_stated_rate_is_that_of_material_radiation_and_film(carried):
     assert ringing.without_film == pytest.approx(material + upwards, rel=1e-3)
     assert ringing.gap == pytest.approx(scene.disk.radius * np.sin(renderer.motion.state[-1, 1]))
     by_film = ringing.decay_rate - ringing.without_film
-    assert (by_film[:2] > 3 * ringing.without_film[:2]).all()  # the film is what shortens the ring
+    assert (by_film[:2] > 3 * ringing.without_film[:2]).all()  # the film shortens the ring
 
 
 def test_the_end_of_the_contact_does_not_mute_what_rings(carried):
-    """The force falls to zero by itself there: it drives the modes to the last instant, and not at
-    all afterwards."""
+    """The contact force falls to zero continuously at the end.
+
+    It drives the modes up to the last instant and not afterwards.
+    """
     renderer, _ = carried
     end = renderer.sampler.end
     sampler = renderer.sampler
@@ -125,9 +128,7 @@ def test_the_sound_continues_until_the_ring_is_60_db_down_and_no_longer(carried)
         np.abs(tail).reshape(-1)[: len(tail) // width * width].reshape(-1, width).max(axis=1) > 0
     ).all()
     assert level_db(tail[-width:]) < level_db(tail[:width]) - RING_DOWN_DB + 15
-    assert (
-        np.abs(pressure[-width:]).max() > 0
-    )  # the file ends where the ring does, not in digital zero
+    assert np.abs(pressure[-width:]).max() > 0  # the file ends with the ring, without digital zero
 
 
 def test_the_plan_states_the_decay_and_names_the_landing(carried):
@@ -142,8 +143,7 @@ def test_the_plan_states_the_decay_and_names_the_landing(carried):
 
 
 class Swinging:
-    """A motion of 0.01 s that carries one mode: at its end it has the displacement 0 and the
-    velocity 1."""
+    """A motion of 0.01 s with one mode, which has displacement 0 and velocity 1 at the end."""
 
     t = np.array([0.0, 0.01])
 
@@ -173,8 +173,10 @@ def test_modes_that_a_motion_carries_ring_as_stated_too():
 @pytest.mark.slow
 @pytest.mark.parametrize(("name", "first", "last"), [("coin", 0.01, 0.02), ("granite", 0.01, 0.05)])
 def test_a_run_writes_a_ring_of_the_stated_rates(name, first, last, tmp_path):
-    """Both disks vibrate on an elastic, rough contact until the air carries them; the fastest mode
-    of the coin falls by 58 dB in 10 ms."""
+    """Both disks vibrate on an elastic, rough contact until the air film carries them.
+
+    The fastest mode of the coin falls by 58 dB in 10 ms.
+    """
     result = run(name, tmp_path, "draft")
     assert result.motion.outcome is Outcome.AIRBORNE
     sound = result.sound

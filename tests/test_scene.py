@@ -1,8 +1,9 @@
-"""Claim: a scene is read strictly; what is wrong is said in one line that names the key, its value
-and what is allowed.
+"""Claim: scenes are read strictly; each error is reported in one line with the key, its value and
+the allowed values.
 
-Source: the format of scene files in the README. Oracle: the numbers of the paper, (7.1) to (7.4),
-and, for faults, the key that each document is made wrong in."""
+Source: the format of scene files in the README. Oracle: the numbers of the paper, (7.1) to (7.4);
+for faults, the invalid key of each document.
+"""
 
 import json
 import math
@@ -75,7 +76,7 @@ def test_replace_reads_toml_and_bare_words(published):
 def test_a_table_of_every_kind_is_read_and_written_again(published, kind):
     scene = published.replace(f"surface={TABLES[kind]}")
     assert (scene.surface.kind, scene.surface.action) == (kind, "auto")
-    again = replace(scene).document  # as it is written where it did not come from a document
+    again = replace(scene).document  # as written, where it did not come from a document
     assert from_document(again).surface == scene.surface
     assert jsonschema.Draft202012Validator(schema()).is_valid(again)
 
@@ -277,7 +278,7 @@ def test_the_scene_that_was_meant_is_asked_for(name, meant):
 
 
 def test_a_whole_number_may_be_written_with_an_exponent(published):
-    """TOML reads 44.1e3 as a float, and as a value of a whole key it is the number 44100."""
+    """TOML reads 44.1e3 as a float; an integer key accepts it as 44100."""
     scene = published.replace("audio.sample_rate=44.1e3", "roughness={rms=3e-8, seed=3.0}")
     rate = scene.audio.sample_rate
     assert (rate, type(rate)) == (44100, int)
@@ -430,7 +431,7 @@ def test_json_that_is_no_record_of_a_run(tmp_path, text):
 
 
 def complaint(scene, assignment):
-    """What is said of an assignment; nothing where it is allowed."""
+    """Return the error message for an assignment, or an empty string if it is allowed."""
     try:
         scene.replace(assignment)
     except SceneError as error:
@@ -457,7 +458,7 @@ WRONG += ["[1.0, 2.0, 3.0, 4.0]", '["axial", "axial"]', "2024-01-01", "nan", "-i
 
 
 def test_every_fault_that_pydantic_finds_is_said_in_a_sentence_of_ours(published, monkeypatch):
-    """Every key with every wrong value."""
+    """The test assigns every wrong value to every key."""
     found = set()
     plain = adapter()
 
@@ -498,8 +499,7 @@ def test_the_reference_lists_every_key_with_unit_and_meaning():
     "key", [key for key in keys() if set(key.range) & set("<>")], ids=lambda key: key.name
 )
 def test_the_range_in_the_reference_is_what_is_allowed(published, key):
-    """Just inside each bound no fault is found in the key itself; just outside, or at an open one,
-    it is."""
+    """The key is valid just inside each bound and invalid just outside or on an open bound."""
     if key.name.startswith("surface"):
         kind = next(kind for kind in TABLES if kind in key.meaning.rpartition("(")[2])
         published = published.replace(f"surface={TABLES[kind]}")

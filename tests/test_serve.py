@@ -1,8 +1,9 @@
-"""Claim: `serve` shows what is in its folder, in pieces where a player asks for pieces, and nothing
-that is elsewhere.
+"""Claim: `serve` delivers the files of its folder, in byte ranges on request, and no file outside
+it.
 
 Source: RFC 9110, section 14 (ranges); the README's command line. Oracle: the bytes of the files on
-disk."""
+disk.
+"""
 
 import json
 import queue
@@ -54,7 +55,7 @@ def root(tmp_path_factory):
 
 @pytest.fixture(scope="module")
 def get(root):
-    """Return get(path, **headers) -> status, headers, body, of a server that runs."""
+    """Return get(path, **headers) -> status, headers and body from a running server."""
     told = queue.Queue()
     threading.Thread(target=serve, args=(root, "127.0.0.1", 0, told.put), daemon=True).start()
     port = int(told.get(timeout=60).rstrip("/").rpartition(":")[2])
@@ -91,7 +92,7 @@ EVERY += ["/compare?a=one&b=deep/two"]
 @pytest.mark.parametrize("path", EVERY)
 @pytest.mark.parametrize("options", [{}, {"Host": "elsewhere.example"}, {"Range": "bytes=500-"}])
 def test_every_response_forbids_what_a_page_does_not_need(get, path, options):
-    """A page holds its scripts and pictures; nothing may come from, or go to, another server."""
+    """A page contains its scripts and pictures; it contacts no other server."""
     headers = get(path, **options).headers
     assert headers["x-content-type-options"] == "nosniff"
     assert headers["referrer-policy"] == "no-referrer"
@@ -160,4 +161,4 @@ def test_a_folder_or_port_that_cannot_be_had_is_one_line(root):
     with pytest.raises(InputError, match="--port"):
         serve(root, port=70_000)
     with pytest.raises(InputError, match="--host"):
-        serve(root, host="")  # a socket would listen on every address
+        serve(root, host="")  # the socket would listen on every address

@@ -1,10 +1,11 @@
-"""Claim: disks and coins that come to rest are heard, with end, exponent and rate; what only
-resembles them is not.
+"""Claim: the detector finds disks and coins that come to rest, with end, exponent and rate, and
+rejects sounds that only resemble them.
 
-Source: the rate of a settling disk, f ~ (t_end - t)^-n, n = 1/2 for impacts of unevenness, 1 for
-rolling friction. Oracle: synthetic takes of known law, imitations of known law (clicks that speed
-up otherwise, bouncing balls, sweeps), and real recordings: turns counted by hand, ends read from
-the waveform, and 60 clips without a disk."""
+Source: the rate of a settling disk, f ~ (t_end - t)^-n, with n = 1/2 for impacts of unevenness and
+1 for rolling friction. Oracle: synthetic takes of known law; imitations of known law (clicks that
+speed up otherwise, bouncing balls, sweeps); real recordings with turns counted by hand and ends
+read from the waveform; 60 clips without a disk.
+"""
 
 import os
 from dataclasses import dataclass
@@ -34,7 +35,7 @@ needs_recordings = pytest.mark.skipif(
 
 @dataclass(frozen=True)
 class Samples:
-    """A source of samples (n, channels) in memory."""
+    """An audio source of samples (n, channels) in memory."""
 
     channels: np.ndarray
     sample_rate: int = settling_sounds.RATE
@@ -49,7 +50,7 @@ class Samples:
 
 
 def heard(samples, rate=settling_sounds.RATE) -> list[SettlingRun]:
-    """Return the runs in samples (n,)."""
+    """Return the settling runs found in samples (n,)."""
     return settling_runs(Samples(np.asarray(samples, dtype=np.float32)[:, None], rate))
 
 
@@ -84,8 +85,10 @@ def test_every_law_of_the_family_is_near_a_shape_of_the_cover():
 
 @pytest.mark.parametrize(("exponent", "turns"), [(0.5, 33.3), (1.0, 20.1), (0.2, 60.7)])
 def test_the_periodogram_counts_the_turns_of_pulses(exponent, turns):
-    """Pulses of 1 ms at whole turns of a known law in a window of 1.6 s: the best law has their
-    number of turns."""
+    """The input is pulses of 1 ms at whole turns of a known law in a window of 1.6 s.
+
+    The best law has the same number of turns.
+    """
     settings = SettlingSettings()
     shapes = families(settings)["disk"]
     shape = min(
@@ -132,7 +135,7 @@ def test_an_imitation_is_not_heard(name):
 
 @pytest.mark.slow
 def test_runs_in_one_long_file_keep_the_times_they_have_alone():
-    """The file is heard in two pieces; one of its three runs lies across their border."""
+    """The detector reads the file in two pieces; one of its three runs crosses their border."""
     first = settling_sounds.settling_take(4)
     sound = np.random.default_rng(0).normal(size=80 * settling_sounds.RATE) * 1e-4
     starts = (20.0, 58.7, 70.0)
@@ -195,7 +198,7 @@ def rate_of(run, time):
 
 @needs_recordings
 def test_a_coin_on_its_table_is_heard_to_its_end():
-    """25 bursts from 0.81 to 1.51 s; the level falls for good at 1.64 s."""
+    """The recording has 25 bursts from 0.81 to 1.51 s; its level falls for good at 1.64 s."""
     (run,) = heard(*recording("coins/coin-clink.flac"))
     assert run.score > 30
     assert run.kind == "repetition"
@@ -208,7 +211,10 @@ def test_a_coin_on_its_table_is_heard_to_its_end():
 
 @needs_recordings
 def test_both_spins_of_one_recording_are_heard_and_nothing_else():
-    """Rates counted: 14.1 Hz at 8.0 s, 29 Hz at 8.9 s; the levels fall at 9.17 and 20.04 s."""
+    """Counted rates: 14.1 Hz at 8.0 s, 29 Hz at 8.9 s.
+
+    The levels fall for good at 9.17 and 20.04 s.
+    """
     first, second = heard(*recording("coins/coinspin.flac"))
     assert first.score > 28
     assert 0.43 <= first.exponent.value <= 0.53

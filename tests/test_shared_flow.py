@@ -1,9 +1,10 @@
-"""Claim: scenes that differ in numbers share what is compiled, threads share nothing that changes,
-memory stays flat.
+"""Claim: scenes that differ only in numbers share compiled code, threads share no mutable state,
+and memory use stays constant.
 
-Source: the numbers of a scene are arguments of the compiled flow; each run has an integrator of its
-own. Oracle: the number of compilations; the same scenes solved one after the other, byte by byte;
-the process's memory."""
+Source: the numbers of a scene are arguments of the compiled flow; each run has its own integrator.
+Oracle: the number of compilations; the same scenes solved one after the other, byte by byte; the
+process's memory.
+"""
 
 import sys
 from concurrent.futures import ThreadPoolExecutor
@@ -33,7 +34,7 @@ def integrator(request):
 
 @pytest.fixture
 def impatient():
-    """Let threads take turns a hundred times as often as they do."""
+    """Let threads switch a hundred times as often as by default."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(5e-5)
     yield
@@ -58,7 +59,7 @@ def test_threads_write_the_same_bytes(integrator, impatient, threads):
 
 
 def numbers(i: int, integrator: str):
-    """A scene whose every number depends on i."""
+    """Return a scene in which every number depends on i."""
     return whirling(
         0.2 + 1e-3 * i,
         disk={"radius": 0.03 + 1e-4 * i, "thickness": 0.01 + 1e-5 * i},

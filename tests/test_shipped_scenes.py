@@ -1,11 +1,12 @@
 """Claim: every shipped scene runs to its end, passes its self-checks and exits 0; its findings are
-what they were.
+unchanged.
 
-Source: the exit statuses of the command line. Oracle: for the checks their own tolerances. For the
-values of the findings there is none here: `tests/references/finding_values.json` holds those of an
-earlier version, so that part is a change detector, which shows what a change of the code changes.
-Independent estimates are in test_finding_values.py. `python tests/references/finding_values.py
-FOLDER` writes the file from the runs in a folder."""
+Source: the exit statuses of the command line. Oracle: the tolerances of the checks themselves. The
+values of the findings have no oracle here: `tests/references/finding_values.json` holds those of an
+earlier version, so that this part only detects changes. Independent estimates are in
+test_finding_values.py. `python tests/references/finding_values.py FOLDER` writes the file from the
+runs in a folder.
+"""
 
 import json
 import subprocess
@@ -24,12 +25,13 @@ CHAOTIC = {
     "halt_comes_earlier", "loss_at_resonance", "micro_flights", "number_of_losses", "table_rings_at_the_halt",
     "table_tone_rises", "waves_become_heat", "waves_make_the_halt", "disk_rings_at_the_halt",
 }  # fmt: skip
-"""Findings on the last, chaotic milliseconds or on rounding: only whether they are made is compared."""
+"""Findings on the last, chaotic milliseconds or on rounding; they are excluded from the comparison.
+"""
 
 
 @pytest.fixture(scope="module")
 def record(tmp_path_factory):
-    """Return the run.json of a scene, run as a user runs it, once."""
+    """Return a function that runs a scene once -> completed process and content of run.json."""
     records = {}
 
     def run(name):
@@ -55,8 +57,7 @@ def test_a_shipped_scene_passes_its_checks_and_exits_with_0(name, record):
 @pytest.mark.slow
 @pytest.mark.parametrize("name", sorted(shipped_scenes()))
 def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
-    """A change detector: values within 2 % or their margin, and the verdicts of those that are not
-    undecided."""
+    """Values agree within 2 % or their margin; verdicts agree unless one is undecided."""
     _, found = record(name)
     findings = {finding["key"]: finding for finding in found["findings"]}
     known = KNOWN[name]

@@ -1,8 +1,9 @@
-"""Claim: the slip acceleration in every direction follows from three, and the directions along
-their own are all found.
+"""Claim: three accelerations determine the slip acceleration in every direction, and all directions
+with parallel acceleration are found.
 
-Source: (4.6) and (5.3), rational in the slip direction. Oracle: the balance laws solved for each
-direction by itself, and the changes of sign of udot x s on a fine circle."""
+Source: (4.6) and (5.3), rational in the slip direction. Oracle: the balance laws solved separately
+for each direction; the sign changes of udot x s on a fine circle.
+"""
 
 import math
 
@@ -18,8 +19,8 @@ LOADS = Resistance(((0.01, 1.0),), 0.02, 0.03, False)
 
 
 def cases():
-    """Yield random states, regimes of sliding and laws, among them some with stuck turnings and
-    with loads."""
+    """Yield random states, sliding regimes and laws, some with sticking rotations and some with
+    loads."""
     draw = np.random.default_rng(5)
     for i in range(60):
         y = [
@@ -48,12 +49,12 @@ def accelerations(y, regime, branch, law, angles):
 
 
 ROUNDING = 100 * np.finfo(float).eps
-"""Of so many operations that one after the other may err by half of it."""
+"""Relative rounding error of about two hundred operations, each in error by at most half an
+epsilon."""
 
 
 def bar(push, inertia):
-    """Return what rounding may do: the terms cancel, and so do those of the inertia that divides
-    them."""
+    """Return a bound on the rounding error, with cancellation in the terms and in the inertia."""
     return ROUNDING * (
         1
         + sum(map(abs, push[2:])) / abs(inertia) * (1 + (abs(push.a) + abs(push.b)) / abs(inertia))
@@ -107,7 +108,7 @@ def test_every_direction_along_its_own_acceleration_is_found():
 
 
 def test_the_direction_that_stops_a_slip_points_against_it():
-    """Of the accelerations along the slip, on either side, none is across."""
+    """In these directions, on either side, the acceleration has no component across the slip."""
     for y, regime, branch, law in cases():
         axis = math.atan2(y[5], y[4])
         push = slip_push(y, branch, regime.senses, law)

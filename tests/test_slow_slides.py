@@ -1,9 +1,10 @@
-"""Claim: a slide so slow that its direction is stiff is followed by few implicit steps, to the
-digits of explicit ones.
+"""Claim: implicit steps follow a slide too slow for explicit steps in few pieces and agree with
+explicit steps to their digits.
 
 Source: collocation at Gauss-Chebyshev points (Hairer & Wanner 1996, IV.5), in polar slip. Oracle:
-the same slide in explicit steps, which are as short as the direction asks and of another method;
-the pieces of a motion, counted."""
+the same slide in explicit steps of another method, as short as the stiff direction requires; the
+number of pieces of a motion.
+"""
 
 import numpy as np
 import pytest
@@ -30,7 +31,8 @@ def equal(name, span, ratio=1.0):
 
 @pytest.mark.parametrize(("name", "span"), [("published", 2.0), ("hoop", 5.0), ("moffatt", 2.0)])
 def test_implicit_steps_follow_what_explicit_steps_follow(monkeypatch, name, span):
-    """Either step may err by ACCURACY, and what they add up to stays below their number of it."""
+    """Each step may err by ACCURACY; the total error stays below ACCURACY times the number of
+    steps."""
     ours = simulate(equal(name, span))
     monkeypatch.setattr(RollingDisk, "_is_stiff", lambda *_: False)
     explicit = simulate(equal(name, span))
@@ -43,16 +45,16 @@ def test_implicit_steps_follow_what_explicit_steps_follow(monkeypatch, name, spa
 
 
 def test_a_slide_without_a_jump_takes_no_more_pieces_than_one_with():
-    """Equal frictions bring as many pieces as unequal ones to a motion as long, where explicit
-    steps have no bound."""
+    """For equal coefficients of friction the number of pieces is comparable to that for unequal
+    ones; with explicit steps it is unbounded."""
     unequal = load_scene("published").replace("numerics.time_limit=12", "air.film=none")
     assert len(simulate(equal("published", 12.0)).t) < 2 * len(simulate(unequal).t)
 
 
 @pytest.mark.parametrize("ratio", [1.0, 1.001])
 def test_the_force_at_a_start_is_against_the_slip_that_begins(ratio):
-    """The direction of the slip a little later, extrapolated to the start by a parabola, whose
-    error is its cube."""
+    """A parabola extrapolates the slip direction from later instants to the start; its error is of
+    third order."""
     motion = simulate(equal("published", 4.0, ratio))
     starts = [e.t for e in motion.transitions if e.before == "roll" and e.after == "slide"]
     assert len(starts) > 10
@@ -68,7 +70,8 @@ def test_the_force_at_a_start_is_against_the_slip_that_begins(ratio):
 
 
 def test_the_weights_integrate_polynomials_exactly():
-    """Of degree below ORDER, from 0 to the nodes; the powers are those of the same integral."""
+    """The weights are exact for degrees below ORDER, from 0 to the nodes; the powers represent the
+    same integral."""
     for degree in range(ORDER):
         values = NODES**degree
         wanted = NODES ** (degree + 1) / (degree + 1)

@@ -1,9 +1,10 @@
-"""Claim: the pressure is the sum of its causes, calibrated, without clicks of its own, and
+"""Claim: the pressure is the sum of its sources, calibrated, free of artificial clicks and
 repeatable.
 
 Source: Newton's law for the heave, the equation of motion of the modes, Rayleigh's integral.
-Oracle: the monopole at the end of the chain in closed form; the frequencies and decay rates that go
-in; the files read back by libsndfile."""
+Oracle: the monopole at the end of the chain in closed form; the input frequencies and decay rates;
+the files read back by libsndfile.
+"""
 
 import hashlib
 from dataclasses import replace
@@ -53,7 +54,10 @@ TABLE = "surface={kind='infinite', thickness=0.01, young=70e9, poisson=0.22, den
 
 @pytest.mark.parametrize("change", ["name=published", "air.film=acts", TABLE])
 def test_another_ear_hears_what_a_listener_there_hears(scene, short, modes, change):
-    """And the first what it hears alone, bit for bit: the modes ring once for both."""
+    """A second ear hears the pressure of a listener at its position.
+
+    The first ear is unchanged, bit for bit, although the modes are computed once for both.
+    """
     scene, ear = scene.replace(change), listener_of(scene)
     both = Renderer(scene, short, modes, turn=1.0).sound().columns
     alone, there = (
@@ -65,7 +69,7 @@ def test_another_ear_hears_what_a_listener_there_hears(scene, short, modes, chan
     assert np.array_equal(both[:, :-1], alone)
     rounded = (
         4 * 2.0**-24 * np.abs(there).sum(axis=1)
-    )  # the stems, their sum, and what the other ear hears
+    )  # the stems, their sum, and the signal of the other ear
     assert (np.abs(both[:, -1] - there[:, 0]) <= rounded).all()
     assert np.abs(there - alone).max() > 0.1 * np.abs(alone).max()
 
@@ -96,8 +100,10 @@ def test_a_settled_disk_is_silent_but_for_its_ringing(scene, motion, stems):
 
 
 def test_the_end_is_no_click(scene, motion, stems):
-    """The rigid stems fall away over the last milliseconds by themselves: no sample steps more than
-    before the end."""
+    """The rigid stems decay continuously over the last milliseconds.
+
+    No step between samples is larger than before the end.
+    """
     end = int(motion.t[-1] * scene.audio.sample_rate)
     steps = np.abs(np.diff(stems[:, [HEAVE, TILT]].sum(axis=1)))
     assert steps[end - 100 : end + 1000].max() < steps[end - 9600 : end - 480].max()
@@ -128,8 +134,7 @@ def test_the_ring_down_has_the_pitch_and_the_decay_of_its_mode_at_any_sample_rat
 
 
 def test_the_energy_of_the_modes_falls_at_twice_the_decay_rate(scene, motion, modes):
-    """After the halt, when only the two slowest modes are left; the energy of each is exp(-2 d
-    t)."""
+    """Late after the halt only the two slowest modes remain; the energy of each is exp(-2 d t)."""
     sound = Renderer(scene, motion, modes).sound()
     t = sound.energy_time
     energy = sound.energy
@@ -187,7 +192,7 @@ def test_the_samples_do_not_depend_on_the_block(scene, short, modes):
 
 
 def test_a_renderer_and_its_sound_are_read_again_and_again(scene, short, modes, monkeypatch):
-    """One reading inside another, too; and from a file in the place of memory."""
+    """Readings may be nested, and sounds kept in memory and in a file give the same samples."""
     renderer = Renderer(scene, short, modes)
     once, again = (np.vstack(list(renderer.blocks(10_000))) for _ in range(2))
     pairs = list(zip(renderer.blocks(10_000), renderer.blocks(10_000), strict=True))
@@ -208,8 +213,10 @@ def test_a_renderer_and_its_sound_are_read_again_and_again(scene, short, modes, 
 
 @pytest.mark.parametrize("name", ["contour", "published"])
 def test_the_modes_ring_out_however_the_motion_ends(name):
-    """A fall, and a motion that is cut off: each mode decays at its own rate then, the rigid disk
-    is still."""
+    """The cases are a fall and a motion that is cut off.
+
+    Afterwards each mode decays at its own rate, and the rigid disk is silent.
+    """
     scene = load_scene(name).replace(
         "audio.sample_rate=8000", *(["numerics.time_limit=2.0"] * (name == "published"))
     )
@@ -224,7 +231,7 @@ def test_the_modes_ring_out_however_the_motion_ends(name):
     ringing = stems[end + 20 : -int(FADE_OUT * rate) - 1, [SMOOTH, JUMPS]].sum(axis=1)
     assert len(ringing) > rate / 2
     before = stems[end - rate // 2 : end, [SMOOTH, JUMPS]].sum(axis=1).reshape(10, -1)
-    assert rms(ringing[: rate // 20]) < 1.5 * rms(before.T).max()  # the end itself is no blow
+    assert rms(ringing[: rate // 20]) < 1.5 * rms(before.T).max()  # the end itself is not a blow
     t = np.arange(len(ringing)) / rate
     poles = -modes.decay_rate + 1j * np.sqrt(
         (2 * np.pi * modes.frequency) ** 2 - modes.decay_rate**2
@@ -236,11 +243,11 @@ def test_the_modes_ring_out_however_the_motion_ends(name):
 
 
 def test_a_motion_may_carry_its_own_modes(scene, short, modes):
-    """What the modes radiate is the same whether oscillators or the motion itself move them, to its
-    end and after."""
+    """The modes radiate the same sound when oscillators or the motion itself move them, during the
+    motion and afterwards."""
 
     def swinging(t):
-        """Each mode rings from 0 on, with velocity 1."""
+        """Each mode rings from t = 0 with unit initial velocity."""
         omega = 2 * np.pi * modes.frequency
         decay = modes.decay_rate
         c, s = free_response(omega, decay, np.asarray(t)[:, None])
@@ -267,8 +274,8 @@ def test_a_motion_may_carry_its_own_modes(scene, short, modes):
 
 
 def test_a_scene_may_have_any_causes_of_sound(scene, short, modes, tmp_path):
-    """One more source, which radiates the normal force at once: the stems of the others are what
-    they were."""
+    """A further source, which radiates the normal force without delay, leaves the other stems
+    unchanged."""
 
     class Weight(Source):
         names = ("weight",)
@@ -306,7 +313,7 @@ def test_the_two_contact_models_differ_and_both_sound(scene, short):
         np.vstack(list(Renderer(s, short, eigenmodes(s, below=20e3)).blocks()))
         for s in (scene, free)
     ]
-    count = min(map(len, sounds)) - int(FADE_OUT * 48000)  # their modes ring out for other times
+    count = min(map(len, sounds)) - int(FADE_OUT * 48000)  # their modes ring out at different times
     assert np.array_equal(*(sound[:count, [HEAVE, TILT]] for sound in sounds))
     levels = [rms(sound[:, [SMOOTH, JUMPS]].sum(axis=1)) for sound in sounds]
     assert min(levels) > 0
@@ -328,8 +335,8 @@ def test_the_frame_of_the_patch_keeps_size_and_work(motion):
 
 
 def test_the_angular_acceleration_is_that_of_the_motion(scene, motion):
-    """About the horizontal axis, rolling: J1 w1' of the solved motion, less the gyroscopic and the
-    resisting part."""
+    """About the horizontal axis of rolling, the expected value is J1 w1' of the solved motion less
+    the gyroscopic and the resisting moment."""
     disk = scene.disk
     t = np.linspace(1.0, 1.5, 200)
     h = 1e-5

@@ -1,8 +1,9 @@
-"""Claim: the copy for small loudspeakers is the pressure A-weighted and made loud by a gain alone,
-and every file says what it is.
+"""Claim: the copy for small loudspeakers is the A-weighted pressure, amplified by a constant gain,
+and every file describes its content.
 
 Source: IEC 61672-1, annex E; ITU-R BS.1770-4; EBU R 128. Oracle: the weighting in closed form;
-sines of known loudness and true peak; readers other than the writer."""
+sines of known loudness and true peak; readers other than the writer.
+"""
 
 import re
 import subprocess
@@ -43,8 +44,8 @@ def sine(frequency, seconds=2.0, size=1.0, phase=0.0):
 
 @pytest.mark.parametrize("rate", [8000, 44100, 48000, 192000])
 def test_the_filter_weighs_as_the_standard_at_any_sample_rate(rate):
-    """Within class 1 of IEC 61672-1, table 3: 1 dB from 20 Hz (there 2.5 dB) to 4 kHz, and 0.1 dB
-    to rate / 4."""
+    """The error is within class 1 of IEC 61672-1, table 3: 1 dB from 20 Hz (there 2.5 dB) to 4 kHz,
+    and 0.1 dB up to a quarter of the sample rate."""
     frequency = np.geomspace(20, rate / 3, 200)
     apart = 20 * np.log10(
         np.abs(sosfreqz(a_weighting(rate), worN=frequency, fs=rate)[1])
@@ -76,16 +77,16 @@ def test_a_click_is_held_below_the_true_peak_by_its_gain():
 
 
 def test_a_true_peak_lies_between_the_samples():
-    """BS.1770-4, annex 2: a sine of a quarter of the rate, sampled 45 degrees off its crests, reads
-    3 dB low."""
+    """BS.1770-4, annex 2: a sine at a quarter of the sample rate, sampled 45 degrees off its
+    crests, reads 3 dB low."""
     source = track(sine(RATE / 4, phase=np.pi / 4))
     assert np.abs(source.read()).max() == pytest.approx(0.5**0.5, rel=1e-6)
     assert 20 * np.log10(true_peak(source)) == pytest.approx(0.0, abs=0.2)
 
 
 def test_a_true_peak_is_found_in_whichever_part_it_is_and_no_quiet_part_can_hold_it():
-    """What is left out is so much quieter than the rest that no weights of the filter, signs aside,
-    make up for it."""
+    """The search skips parts so quiet that even the sum of all absolute filter weights cannot raise
+    them to the peak."""
     weights = (
         np.abs(resample_poly(np.eye(1, 401, 200)[0], TRUE_PEAK_OVERSAMPLING, 1))
         .reshape(-1, TRUE_PEAK_OVERSAMPLING)
@@ -149,7 +150,7 @@ def test_every_file_says_what_it_is(folder):
 
 @pytest.mark.parametrize("outcome", Outcome)
 def test_every_file_says_that_the_end_is_missing_where_it_is(folder, tmp_path, outcome):
-    """Of a motion that came to rest nothing is missing."""
+    """For a motion that came to rest no file reports a missing end."""
     write_sound(replace(folder.sound, outcome=outcome), tmp_path)
     comments = [soundfile.SoundFile(path).comment for path in tmp_path.rglob("*.wav")]
     assert len(comments) == 3 + len(folder.sound.names)

@@ -1,9 +1,10 @@
-"""Claim: the stem of the contact is what an elastic, rough contact adds to the force, radiated by
-the same disk.
+"""Claim: the contact stem is the sound of the additional force from an elastic, rough contact,
+radiated by the same disk.
 
 Source: linear systems; Rayleigh's integral over a disk; the resonance of the contact
 (dynamics/compliant/law/linearised.py). Oracle: transfer functions in closed form, the same force
-put in by hand, symmetry, repetition."""
+supplied directly, symmetry, repetition.
+"""
 
 import tracemalloc
 from concurrent.futures import ThreadPoolExecutor
@@ -31,7 +32,7 @@ from sonify.sound.sources.contact import ContactFilter, ContactVibration, decima
 
 RATE = 48000
 HEARD = RATE // 2
-"""Samples of the motion."""
+"""Number of evaluated samples."""
 
 
 @pytest.fixture(scope="module")
@@ -69,8 +70,11 @@ def test_the_other_stems_are_those_of_the_rigid_contact_and_the_sum_has_one_more
 
 
 def test_the_bits_depend_on_neither_block_nor_thread(rough, moved):
-    """Of the stem as it is written, and of the force behind it. In double precision, sums of
-    products differ in their last bits with where a thread's memory begins."""
+    """The stem, as written in single precision, is identical for every block size and thread.
+
+    In double precision the last bits of sums of products depend on the memory alignment of a
+    thread.
+    """
     once = rows(rough, moved)[:, 4].astype(np.float32)
     with ThreadPoolExecutor(2) as pool:
         others = list(
@@ -82,8 +86,8 @@ def test_the_bits_depend_on_neither_block_nor_thread(rough, moved):
 
 @pytest.mark.slow
 def test_another_seed_is_another_sound_as_loud(rough, moved):
-    """Noise a hundred hertz wide for half a second: correlations of 1/sqrt(100), levels that differ
-    by half of it."""
+    """Noise with a bandwidth of 100 Hz and a duration of 0.5 s has correlations of about
+    1/sqrt(100) and levels that scatter by half of that."""
     smooth = rows(without_roughness(rough), moved)[:, 4]
     stems = [
         (rows(rough.replace(f"roughness.seed={seed}"), moved)[:, 4] - smooth)[:HEARD]
@@ -128,11 +132,13 @@ def steadily(disk, beta, seconds):
 
 @pytest.mark.parametrize("beta", [0.1, 0.01])
 def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(rough, beta):
-    """The spectrum of N' by the mobility and the heights, times the pressure of a disk that heaves
-    and tilts.
+    """The spectrum is that of N' from the mobility and the heights, times the pressure of a heaving
+    and tilting disk.
 
-    A disk turning under the listener: of the tilt half the power, none together with the heave.
-    Without modes; only the table is rough, since the edge would repeat and have lines."""
+    The disk turns under the listener: half the power of the tilt counts, and its cross term with
+    the heave vanishes. The modes are omitted; only the table is rough, since the edge would repeat
+    and produce spectral lines.
+    """
     seconds = 8.0
     scene = rough.replace("roughness.rms_edge=0.0")
     disk = scene.disk
@@ -166,8 +172,8 @@ def test_a_steady_disk_that_slides_on_roughness_has_the_spectrum_of_closed_form(
 
 
 def test_decimation_keeps_what_is_below_half_the_rate():
-    """A Hann window of 16 samples falls within an eighth of the rate, to -44 dB; at the instants
-    that are said."""
+    """The Hann window of 16 samples attenuates to -44 dB within an eighth of the rate; the samples
+    belong to the stated instants."""
     over = 3
     weight = low_pass(3)
     t = np.arange(-len(weight) // 2 + 1, 3 * 400) / (over * RATE)
@@ -180,8 +186,11 @@ def test_decimation_keeps_what_is_below_half_the_rate():
 
 
 def test_filter_and_full_model_sound_alike_where_the_disk_rolls():
-    """Within 10 % where it rolls; the surfaces are the same, but the paths on them part by more
-    than a wave."""
+    """The levels agree within 10 % while the disk rolls.
+
+    The surfaces are the same, but the contact paths differ by more than one wavelength of the
+    roughness.
+    """
     scene = load_scene("polished").replace(
         "air.film=none", "numerics.time_limit=1.2", "material.loss_factor=0.05"
     )
@@ -201,7 +210,7 @@ def test_filter_and_full_model_sound_alike_where_the_disk_rolls():
 
 @pytest.mark.slow
 def test_memory_does_not_grow_with_the_length(rough):
-    """A steady disk for a tenth of a minute and for a whole one."""
+    """The test compares a steady disk over 6 s and over 60 s."""
     table = law_table(rough)
     peaks = []
     for seconds in (6.0, 60.0):

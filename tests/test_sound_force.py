@@ -1,8 +1,9 @@
 """Claim: the sampled contact force is the solved one, with its jumps at their exact times, and ends
 without a blow.
 
-Source: `Motion.force` and `Motion.jumps`. Oracle: the motion itself at instants that are no
-samples; the weight."""
+Source: `Motion.force` and `Motion.jumps`. Oracle: the motion evaluated between the samples; the
+weight.
+"""
 
 from types import SimpleNamespace
 
@@ -23,8 +24,8 @@ def cut_off(scene):
 
 
 def between(force, t):
-    """The force at t (k,) inside a block, put together from samples, bends and jumps as the
-    oscillators do."""
+    """The force at t (k,) inside a block, composed from samples, bends and jumps as in the
+    oscillators."""
     knots = np.sort(np.concatenate([force.t, force.jump_time]))
     n = np.searchsorted(force.t, force.jump_time, side="left") - 1
     at_jump = np.empty_like(force.bend)
@@ -105,7 +106,7 @@ def test_a_settled_disk_rests_on_its_weight_and_gets_there_without_a_blow(motion
     after = force.t > motion.t[-1] + (LOW_PASS_HALF_WIDTH + 1) / RATE
     size = (
         np.abs(motion.jumps.after - motion.jumps.before).sum(axis=0).max()
-    )  # the steps add up, and are taken away
+    )  # the steps accumulate and are subtracted
     assert force.samples[after, 2] == pytest.approx(
         scene.disk.weight, rel=0, abs=gamma(2 * len(motion.jumps.t)) * size
     )
@@ -116,8 +117,8 @@ def test_a_settled_disk_rests_on_its_weight_and_gets_there_without_a_blow(motion
 
 
 def test_what_turns_faster_than_the_samples_leaves_no_alias(motion):
-    """A load that turns with the contact is heard at 8 kHz until it turns faster than 4 kHz, and
-    not after that."""
+    """At a sample rate of 8 kHz, a load that turns with the contact is kept up to 4 kHz and
+    suppressed above."""
 
     def turning(force, attitude):
         return np.stack([np.cos(attitude[:, 0]), np.sin(attitude[:, 0])], axis=1)
@@ -145,8 +146,11 @@ def test_before_the_motion_the_force_is_its_first(motion):
 
 
 def test_a_disk_that_stands_still_at_its_last_instant_is_not_silent(motion):
-    """On waves it may; its end is as short as that of a disk that turns half as fast as a steady
-    one, 2/(chi sqrt(beta)). A rigid motion ends with its own rate."""
+    """On waves the disk may stand still at its last instant.
+
+    The end is then as short as for a disk that turns at half the steady rate, 2/(chi sqrt(beta)); a
+    rigid motion ends with its own rate.
+    """
     assert final_contact_rate(motion) == abs(precession_rate(motion.at(motion.t[-1:]))[0])
     state = np.zeros((1, 11))
     state[0, 1] = 1e-5

@@ -1,8 +1,9 @@
-"""Claim: levels, A-weighting, threshold and loudness are those of the standards.
+"""Claim: levels, A-weighting, threshold and loudness follow the standards.
 
 Source: IEC 61672-1, table 3 (A-weighting at nominal frequencies, +-0.05 dB of rounding), ISO
-226:2003, table 1, ITU-R BS.1770, the definition of the asper. Oracle: values printed in those
-tables; a sine of known pressure."""
+226:2003, table 1, ITU-R BS.1770, the definition of the asper. Oracle: the values printed in these
+tables; a sine of known pressure.
+"""
 
 import sys
 from itertools import pairwise
@@ -79,8 +80,11 @@ def test_loudness_of_a_full_scale_tone(tmp_path):
 
 @pytest.mark.parametrize("rate", [44100, 48000])
 def test_an_asper_is_a_tone_of_60_db_fully_modulated_at_70_hz(tmp_path, rate):
-    """By definition; at 20 Hz and at 160 Hz it is far less rough, and a steady tone is not (Zwicker
-    & Fastl, 11.1)."""
+    """The value of 1 asper holds by definition.
+
+    Modulation at 20 Hz and at 160 Hz is far less rough, and a steady tone has no roughness (Zwicker
+    & Fastl, 11.1).
+    """
     pytest.importorskip("mosqito", reason="the extra `roughness` is not installed")
     t = np.arange(3 * rate) / rate
     rough = {}
@@ -124,7 +128,7 @@ def test_a_file_shorter_than_the_window_is_seen_in_it(tmp_path, seconds):
 
 
 class InBlocks:
-    """A source that hands out samples (n, c) in uneven blocks."""
+    """An audio source that yields samples (n, c) in uneven blocks."""
 
     sample_rate = RATE
 
@@ -145,7 +149,7 @@ def test_pieces_are_the_samples_however_they_come(step, overlap, start):
     samples = np.random.default_rng(0).normal(size=(60_001, 2))
     source = InBlocks(samples)
     padded = np.pad(samples, ((0, 100_000), (0, 0)))
-    for reading in range(2):  # the second finds what the first found
+    for reading in range(2):  # the second search finds the results of the first
         for i, piece in enumerate(pieces(source, step, overlap, start)):
             assert np.array_equal(piece, padded[start + i * step :][: step + overlap]), reading
             if i > 100:

@@ -1,10 +1,11 @@
-"""Claim: from a recording alone the end, the exponent and the pitch of a rising tone are found,
-with the errors stated.
+"""Claim: the analysis of a recording finds the end, the exponent and the pitch of a rising tone
+within the stated errors.
 
 Source: the law f = a (t_end - t)^-p of a disk near its end. Oracle: synthetic recordings of known
 law, with a harmonic, steady carriers, hum, white noise from 30 to -10 dB, a room of 0.5 s
-reverberation time, and a second line from which the sound passes to the first; every error below is
-asserted."""
+reverberation time, and a second line that hands the sound over to the first; every error below is
+asserted.
+"""
 
 import json
 import struct
@@ -26,13 +27,13 @@ from sonify.report.recording import own_folder
 
 RATE, END, LENGTH = 22050, 8.0, 10.0
 LAWS = [(1.0, 60.0), (0.5, 100.0), (0.33, 120.0)]
-"""Exponent and pitch one second before the end [Hz]: k2-type rolling friction, and two slower
+"""Exponent and pitch one second before the end [Hz]: rolling friction of type k2, two slower
 laws."""
 
 
 def recording(exponent, pitch, snr_db, room=False, seed=0, rate=RATE):
-    """A rising tone with its octave; it swells towards the end, then there is silence; noise over
-    all of it."""
+    """A rising tone with its octave, which swells towards the end and then stops, plus noise
+    throughout."""
     rng = np.random.default_rng(seed)
     t = np.arange(int(LENGTH * rate)) / rate
     left = np.maximum(END - t, 1e-3)
@@ -62,8 +63,10 @@ def test_errors_in_noise(exponent, pitch, snr_db):
 @pytest.mark.parametrize("snr_db", [20, 0])
 @pytest.mark.parametrize(("exponent", "pitch"), LAWS)
 def test_errors_in_a_room(exponent, pitch, snr_db):
-    """The tone lingers in a room: the end is found late, by up to half the reverberation time for
-    the slowest law."""
+    """The tone lingers in a room.
+
+    For the slowest law the end is found late by up to half the reverberation time.
+    """
     tone = rising_tone(recording(exponent, pitch, snr_db, room=True), RATE)
     assert -0.02 < tone.end - END < 0.25
     assert tone.exponent == pytest.approx(exponent, abs=0.09)
@@ -89,7 +92,7 @@ def test_steady_carriers_do_not_distract(tmp_path):
 
 @pytest.mark.parametrize("hum", [0.0, 0.1, 1.0, 3.0])
 def test_hum_does_not_distract(hum):
-    """35 Hz s/(t_end - t), less than 8 Hz for the first seconds, crosses the hum of the mains."""
+    """The tone of 35 Hz s/(t_end - t), below 8 Hz in the first seconds, crosses the mains hum."""
     t = np.arange(int(LENGTH * RATE)) / RATE
     phase = -2 * np.pi * 35.0 * np.log(np.maximum(END - t, 5e-3))
     tone = rising_tone(
@@ -100,7 +103,7 @@ def test_hum_does_not_distract(hum):
 
 
 def test_a_tone_far_below_what_rings_at_its_end_is_found():
-    """As of a hoop: the modes ring 50 dB louder than the tone that excites them."""
+    """In the sound of a hoop the modes ring 50 dB louder than the tone that excites them."""
     t = np.arange(int(LENGTH * RATE)) / RATE
     after = np.maximum(t - END + 0.05, 0)
     ringing = sum(
@@ -112,9 +115,12 @@ def test_a_tone_far_below_what_rings_at_its_end_is_found():
 
 
 def passing(seed, rate=16000):
-    """A recording of a law, exponent, end and noise drawn by chance, under hum; in two of three its
-    loudest line is first one 0.75 to 0.85 times as high (the nutation), which vanishes or stays.
-    Returns it, the exponent and end."""
+    """Return a recording with mains hum, its exponent and its end [s]; law, end and noise are
+    random.
+
+    In two of three recordings the initially loudest line is another one, at 0.75 to 0.85 times the
+    frequency (the nutation), which vanishes or remains.
+    """
     rng = np.random.default_rng(seed)
     exponent = rng.choice([0.25, 0.33, 0.5, 0.67, 0.8, 1.0, 1.2, 1.33])
     end = rng.uniform(7, 9)
@@ -137,8 +143,10 @@ def passing(seed, rate=16000):
 
 
 def assert_errors_cover(seeds):
-    """Nine of ten are heard, of these nine of ten are within twice the errors stated, which are
-    small, and none is far off."""
+    """At least 90 % of the tones are found, and 90 % of these within twice the stated errors.
+
+    The stated errors are small, and no result has a large error.
+    """
     apart = []
     stated = []
     for seed in seeds:
@@ -165,7 +173,7 @@ def test_the_errors_stated_hold_the_truth_of_many():
 
 
 def test_the_repetition_of_the_envelope_is_found(tmp_path):
-    """Noise that comes in bursts, ever faster: no tone rises, but the rate of the bursts does."""
+    """The noise bursts have no tone, but their repetition rate rises."""
     t = np.arange(int(LENGTH * RATE)) / RATE
     phase = 2 * np.pi * np.cumsum(np.minimum(40.0 / np.maximum(END - t, 1e-3), 2000)) / RATE
     bursts = (

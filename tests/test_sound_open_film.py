@@ -1,9 +1,10 @@
-"""Claim: a disk that vibrates as a whole over an open film is heard as its face and the air out of
-its rim radiate.
+"""Claim: the sound of a disk that vibrates as a rigid body over an open film is that of its face
+and of the air flow out of its rim.
 
-Source: the air of narrow gaps (Tijdeman 1975) that meets the air outside. Oracle: elements on one
-domain of air, film and outside together, of a flat disk and of one that leans; Rayleigh's integral
-over a thin disk; numbers found by other programs; a steady tone."""
+Source: the air of narrow gaps (Tijdeman 1975), coupled to the air outside. Oracle: finite elements
+on one domain of air, film and exterior together, for a flat and for an inclined disk; Rayleigh's
+integral over a thin disk; values from other programs; a steady tone.
+"""
 
 import json
 from itertools import pairwise
@@ -62,13 +63,13 @@ def flush(n, k):
 @pytest.mark.parametrize("n", [0, 1])
 @pytest.mark.parametrize("k", [0.3, 1.5, 3.0])
 def test_a_thin_disk_is_a_piston_in_the_baffle(n, k):
-    """What its height of 0.0025 adds falls with it, and is 1.2 % at most."""
+    """The effect of the height 0.0025 vanishes with the height and is 1.2 % at most."""
     found = at_listener(n, k, ExteriorField(0.00125, 0.00125, FAR).solve(n, [k]))[n]
     assert found == pytest.approx(flush(n, k), rel=0.015)
 
 
 def test_at_low_frequency_height_acts_as_another_program_found():
-    """a0, b0, a1, b1 of dynamics/film at 0.5 m and 45 degrees, within 2 %."""
+    """The coefficients a0, b0, a1, b1 of dynamics/film agree within 2 % at 0.5 m and 45 degrees."""
     air = ExteriorField(THICKNESS, 0.005, FAR)
     k = 0.1
     heave, tilt = (at_listener(n, k, air.solve(n, [k])) / flush(n, k) for n in (0, 1))
@@ -80,8 +81,8 @@ def test_at_low_frequency_height_acts_as_another_program_found():
 
 
 class Floating(ExteriorField):
-    """A disk over an even gap, whose air is of one piece with that outside: no law of films and of
-    rims."""
+    """A disk over a uniform gap, with the gap air and the exterior in one mesh, without a film or
+    rim law."""
 
     def __init__(self, gap):
         super().__init__(THICKNESS, gap, FAR, face_cells=16, radial_cells=8)
@@ -118,8 +119,8 @@ class Floating(ExteriorField):
 
 
 def rim_and_beyond(gap, k):
-    """What `coupled` is told of the air outside a disk on this gap: pressures at the rim,
-    multipoles."""
+    """Return the exterior solution for `couple_at_rim`: rim pressures and multipoles for a disk on
+    this gap."""
     parts = [ExteriorField(THICKNESS, gap, FAR).solve(n, [k]) for n in range(RIM_ORDERS + 1)]
     rim, beyond = (np.array([part[j][0] for part in parts]) for j in (0, 1))
     rim[:, 2] += 2 / np.pi * np.log(gap)
@@ -129,8 +130,11 @@ def rim_and_beyond(gap, k):
 @pytest.mark.parametrize("gap", [0.02, 0.2])
 @pytest.mark.parametrize("k", [0.7, 2.1, 3.5])
 def test_film_and_air_outside_sound_as_one_air(gap, k):
-    """Without losses, over an even gap: 24 dB below the closed film to 15 dB above it, within 0.5
-    dB; the tilt of low frequency, which is 16 dB below, within 1 dB."""
+    """The coupled and the single-domain solutions agree without losses over a uniform gap.
+
+    The tolerance is 0.5 dB at levels from 24 dB below to 15 dB above the closed film, and 1 dB for
+    the tilt at low frequency, which is 16 dB below.
+    """
     mesh = FilmMesh(12, lambda x, y: 1 + 0 * x, nearest=9.0)
     velocities = [np.ones_like(mesh.height), mesh.points.real, mesh.points.imag]
     film = mesh.at_rim(gap * mesh.height, -k * k * gap * mesh.height, velocities, RIM_ORDERS)
@@ -147,8 +151,10 @@ def test_film_and_air_outside_sound_as_one_air(gap, k):
     [(50e-6, 100, 0.958 - 0.146j), (20e-6, 170, 0.487 - 0.298j), (10e-6, 250, 0.205 - 0.172j)],
 )
 def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share):
-    """p = 1 - g0 of the flush piston, with g0 that another program found without the pressure of
-    the air outside."""
+    """The pressure is p = 1 - g0 of the flush piston.
+
+    Another program found g0 without the pressure of the exterior.
+    """
     k = 2 * np.pi * hertz * RADIUS / Air().sound_speed
     air = Air()
     film = film_at(FilmMesh(MESH_CELLS, nearest=MESH_GRADING), gap / RADIUS, k, RADIUS, air)
@@ -159,8 +165,11 @@ def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share
 
 
 def test_the_resonances_of_film_and_air_stay_while_the_disk_falls():
-    """From 0.12 to 0.01 rad a heave is loudest at 2.7 to 3 kHz, a tilt at 4.5 to 4.7 kHz, between
-    by 10 dB and more above half an octave below; a closed film has no such peak of a heave."""
+    """From 0.12 to 0.01 rad a heave is loudest at 2.7 to 3 kHz and a tilt at 4.5 to 4.7 kHz.
+
+    At intermediate inclinations the peak is at least 10 dB above the level half an octave lower; a
+    closed film has no such peak of the heave.
+    """
     scene = load_scene("granite")
     pressure = np.abs(radiated_multipoles(scene.disk, scene.air).pressure_at(DISTANCE, ELEVATION))
     open_film = (MEAN_GAPS > 0.008) & (MEAN_GAPS < 0.15)
@@ -173,8 +182,10 @@ def test_the_resonances_of_film_and_air_stay_while_the_disk_falls():
 
 
 def tone(hertz, rate, gap, seconds=0.5):
-    """A block of the vibration of a disk on a mean gap over the radius, which does not turn, with
-    the listener at right angles; its heave and its tilt are 1 and 2 m/s^2."""
+    """Return a block of heave 1 m/s^2 and tilt 2 m/s^2 of a disk on a mean gap over the radius.
+
+    The disk does not turn; the listener is at right angles.
+    """
     t = np.arange(int(seconds * rate) + 1) / rate
     swing = np.cos(2 * np.pi * hertz * t)
     none = np.zeros((0, 6))
@@ -188,7 +199,8 @@ def tone(hertz, rate, gap, seconds=0.5):
 
 
 def test_a_steady_tone_is_heard_as_the_table_says():
-    """Where heave and tilt both count and the film is open, at a place of the table."""
+    """At this grid point of the tabulated pressure the film is open and both heave and tilt
+    contribute."""
     scene = load_scene("granite")
     gap = 5
     number = 18
@@ -246,9 +258,12 @@ STEEP_AIR = json.loads((Path(__file__).parent / "references" / "steep_air.json")
     "found", STEEP_AIR["disks"], ids=lambda found: f"height {found['height']:.2g}"
 )
 def test_a_disk_that_leans_is_heard_as_elements_in_space_found(found):
-    """Without losses, 0.1 to 0.8 radii thick, from 0.1 to 0.6 rad and k R = 0.3 to 5: as far off as
-    the plan says. To that comes what the elements miss: 0.4 dB at 0.1 rad, where their contact is
-    not quite closed, and 0.2 dB."""
+    """The levels agree within the plan's error for 0.1 to 0.8 radii of thickness, 0.1 to 0.6 rad
+    and k R = 0.3 to 5, without losses.
+
+    The errors of the elements add 0.4 dB at 0.1 rad, where their contact is not quite closed, and
+    0.2 dB.
+    """
     scene = load_scene("granite")
     scene = scene.replace(
         f"air.viscosity={1e-4 * scene.air.viscosity}",
@@ -274,7 +289,7 @@ def test_a_disk_that_leans_is_heard_as_elements_in_space_found(found):
 
 @pytest.mark.slow
 def test_nothing_of_the_beginning_is_lost_to_the_filter():
-    """The stem of the contact begins with the motion, while its filter answers 41 ms late."""
+    """The contact stem starts with the motion, although its filter has a delay of 41 ms."""
     scene = load_scene("granite").replace("numerics.time_limit=0.2", "material.loss_factor=0.05")
     motion = simulate(scene)
     modes = eigenmodes(scene, below=12e3)

@@ -2,7 +2,8 @@
 
 Source: Rayleigh, The Theory of Sound, section 278. Oracle: the baffled piston in closed form, on
 its axis and far away (Kinsler & Frey, chapter 7), the monopole at low frequency, and the integral
-itself by Gauss quadrature."""
+by Gauss quadrature.
+"""
 
 import numpy as np
 import pytest
@@ -28,7 +29,7 @@ FREQUENCY = np.array([10.0, 300.0, 1000.0, 3000.0, 6000.0, 10000.0])
 
 @pytest.fixture(scope="module")
 def face():
-    """Points (p, 2), weights (p,), and the shapes 1 and x/R (2, p) on a disk."""
+    """Return points (p, 2), weights (p,) and the shapes 1 and x/R (2, p) on a disk."""
     x, w = np.polynomial.legendre.leggauss(30)
     radius = (x + 1) / 2 * RADIUS
     angle = 2 * np.pi * np.arange(90) / 90
@@ -113,8 +114,7 @@ def test_the_kernels_of_a_face_with_a_hole_are_rayleighs_integral_over_what_is_l
 @pytest.mark.parametrize("hole", [0.0, 0.9 * RADIUS])
 @pytest.mark.parametrize("kernel", [heave_kernel, tilt_kernel])
 def test_the_step_response_is_that_of_the_taps(kernel, hole):
-    """Over many samples a step between samples is the same as a ramp from one sample to the
-    next."""
+    """Over many samples a step between two samples equals the ramp from one to the next."""
     listener = Listener(distance=1.0, elevation=0.3)
     h = 1e-7
     step, taps = kernel(listener, RADIUS, h, hole)

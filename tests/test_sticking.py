@@ -1,8 +1,8 @@
-"""Claim: sign() at zero is set-valued, for all three moments, and the disk sticks and leaves when
-the laws say so.
+"""Claim: sign() at zero is set-valued for all three moments, and sticking starts and ends according
+to the laws.
 
-Source: (3.3) of the paper, read as Filippov's inclusion.
-Oracle: the times of independent event-driven runs; the multipliers themselves; a second integrator.
+Source: (3.3) of the paper, read as Filippov's inclusion. Oracle: the times of independent event-
+driven runs; the multipliers themselves; a second integrator.
 """
 
 from importlib.util import find_spec
@@ -109,8 +109,8 @@ def test_several_surfaces_stick_at_once():
 @pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 @pytest.mark.parametrize("k1", [0.001, 0.002, 0.003, 0.005])
 def test_a_reversal_soon_after_another_is_not_missed(k1):
-    """Between two reversals of the nutation there may be less than a step, and the first is zero
-    where it begins."""
+    """Two reversals of the nutation may be less than a step apart; the event function of the first
+    is zero at the start of that step."""
     span = {"time_limit": 8 * scene().disk.time_unit}
     runs = [simulate(scene({"integrator": name, **span}, k1=k1)) for name in ("taylor", "dop853")]
     ours, other = ([(e.guard, e.after) for e in run.transitions] for run in runs)

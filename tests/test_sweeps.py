@@ -1,9 +1,9 @@
-"""Claim: a sweep runs the points that its file names, once each, and its table holds what `summary`
-says of every run.
+"""Claim: a sweep runs each point of its file once, and its table contains the `summary` of every
+run.
 
 Source: the README's `sweep`; numpy and scipy.stats for the points. Oracle: `solve` and `simulate`
-of the same scenes; counting; real processes, files that are really cut, a file system that really
-refuses."""
+of the same scenes; counts; real processes, truncated files, a file system that refuses to write.
+"""
 
 import json
 import re
@@ -80,7 +80,7 @@ def test_samples_are_those_of_scipy_and_of_their_seed(method):
     drawn = values("a.x", axes, Samples(method=method, n=64, seed=3))
     assert drawn == values("a.x", axes, Samples(method=method, n=64, seed=3))
     assert drawn != values("a.x", axes, Samples(method=method, n=64, seed=4))
-    if method == "latin":  # a point in each of 64 bins, in the logarithm
+    if method == "latin":  # one point in each of 64 bins of the logarithm
         assert sorted((np.log(drawn) / np.log(100) * 64).astype(int)) == list(range(64))
     names = values("a.y", axes, Samples(method=method, n=64, seed=3))
     assert names.count("one") == 32
@@ -196,8 +196,7 @@ def test_more_than_a_million_runs_are_asked_for_with_their_hours(tmp_path, monke
 
 
 def test_a_combination_that_is_impossible_is_a_row_and_the_grid_goes_on(tmp_path):
-    """Each coefficient is allowed; only mu_dynamic = 0.9 above the scene's mu_static = 0.5 is
-    not."""
+    """Each coefficient alone is allowed; mu_dynamic = 0.9 exceeds the scene's mu_static = 0.5."""
     corner = QUICK | {"axes": {"friction.mu_dynamic": [0.3, 0.9]}}
     rows = read_table(sonify.sweep(corner, out=tmp_path, processes=1))[0].to_pylist()
     assert [row["outcome"] for row in rows] == ["SETTLED", None]
@@ -206,7 +205,7 @@ def test_a_combination_that_is_impossible_is_a_row_and_the_grid_goes_on(tmp_path
 
 
 def test_the_time_of_a_sweep_counts_the_first_run_of_every_process():
-    """Each process pays its first run once, and the later ones share the rest; by hand."""
+    """Each process incurs the cost of a first run; the expected totals are computed by hand."""
     time = RunTime(first=17.0, later=0.5, measured=4)
     assert [time.total(runs, 2) for runs in (1, 2, 3, 100)] == [17.0, 17.0, 17.5, 17.0 + 49 * 0.5]
 
@@ -221,7 +220,7 @@ def test_a_duration_is_in_the_unit_that_people_use(seconds, words):
 
 
 def test_a_run_time_is_measured_on_runs_that_are_possible(monkeypatch):
-    """A process sees the runs that it would get in the sweep; of these two the second is
+    """A process measures the runs that it would get in the sweep; the second of these two is
     impossible."""
     solved = []
     note = solved.append
@@ -237,7 +236,7 @@ def test_a_run_time_is_measured_on_runs_that_are_possible(monkeypatch):
 
 @pytest.mark.slow
 def test_a_plan_is_measured_with_start_and_compilation_and_covers_every_point():
-    """Two processes solve two runs each; the estimate follows from what they took."""
+    """Two processes solve two runs each; the estimate follows from their durations."""
     told = plan(QUICK | {"axes": {AXIS: {"from": 0.31, "to": 0.6, "n": 100_000}}}, processes=2)
     assert told[0] == f"runs     100000, a grid over 100000 of {AXIS}"
     line = r"a run    (\S+) s; the first of each process (\S+) s, .* \(4 measured\)"
@@ -269,7 +268,8 @@ FALLING = load_scene("published").replace(
 
 
 def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
-    """Stage by stage the same as all at once; nothing of a stage is missing that needs no other."""
+    """Rows of single stages agree with the full run; a stage without dependencies has all its
+    quantities."""
     solved = []
     alone = run_row.eigenmodes
     monkeypatch.setattr(
@@ -299,7 +299,7 @@ def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
 
 @pytest.fixture(scope="module")
 def done(tmp_path_factory):
-    """The table of the quick sweep, by the command line."""
+    """Return the table of the quick sweep, produced by the command line."""
     folder = tmp_path_factory.mktemp("sweep")
     told = json.dumps(QUICK["axes"]).replace(":", " =")
     keys = "\n".join(
@@ -350,7 +350,7 @@ def test_maps_are_drawn_from_the_table_alone(done, tmp_path):
             ([], "outcome"),
             (["--x", AXIS], "passed"),
             (["--x", "outcome"], "t_end"),
-            (["--x", "t_end", "--y", "t_end"], "t_end"),  # on a line
+            (["--x", "t_end", "--y", "t_end"], "t_end"),  # on a straight line
         ]
     ):
         asked = CliRunner().invoke(
@@ -381,8 +381,8 @@ def table(folder, **options):
 
 
 def test_rows_are_on_the_disk_when_added_wherever_the_journal_is_cut(tmp_path):
-    """A process that dies leaves the journal as it is; the power that fails cuts at most what was
-    not yet added."""
+    """A killed process leaves the journal intact; a power failure truncates at most the row being
+    added."""
     killed = table(tmp_path / "killed")
     with killed:
         for row in ROWS[:4]:
@@ -413,7 +413,7 @@ def _all(tmp_path):
 
 
 def test_a_row_that_is_in_table_and_journal_counts_once(tmp_path):
-    """So it is when a process dies after the table was replaced and before the journal went."""
+    """This happens if a process dies between replacing the table and removing the journal."""
     with table(tmp_path) as first:
         first.add(ROWS)
         left = (tmp_path / JOURNAL).read_bytes()
@@ -448,8 +448,10 @@ def test_failed_runs_are_missing_only_if_they_are_to_be_solved_again(tmp_path):
 
 @pytest.mark.parametrize("room", [100, 1500, 4000])
 def test_a_full_disk_loses_no_row_that_was_added(tmp_path, room):
-    """The system refuses to let a file grow beyond `room` bytes; what was added before stays, and
-    the rest follows."""
+    """The system refuses to let a file grow beyond `room` bytes.
+
+    Rows added before are kept, and the rest follow.
+    """
     with table(tmp_path):
         pass
     resource = pytest.importorskip("resource", reason="Windows limits no file")
@@ -533,7 +535,8 @@ def test_found_leaves_out_times_only(done):
 
 
 def test_the_conclusion_on_friction_is_that_of_its_table():
-    """The powers that the table is made with, and the friction from which it falls."""
+    """The lines report the exponents used to make the table and the friction above which the disk
+    falls."""
     mu, arm = (
         grid.ravel() for grid in np.meshgrid(np.geomspace(0.1, 1, 9), np.geomspace(1e-5, 1e-4, 9))
     )
@@ -551,8 +554,7 @@ def test_the_conclusion_on_friction_is_that_of_its_table():
 
 
 def test_the_conclusion_on_a_table_that_acts_back_is_that_of_its_table():
-    """Two masses at two pressures: the light mode breaks the contact, and ends the motion twice as
-    early."""
+    """Two masses at two pressures: the light mode breaks the contact and halves the duration."""
     told = {
         "surface.modes.0.modal_mass": [0.1, 0.1, 30.0, 30.0],
         "air.pressure": [1.01325, 101325.0] * 2,
@@ -583,7 +585,7 @@ def test_the_conclusion_on_a_table_that_acts_back_is_that_of_its_table():
 
 
 def test_the_conclusions_on_halt_and_pitch_are_those_of_their_tables():
-    """Of six runs of each, made so that the answers are seen by eye."""
+    """Each table has six runs, with answers that are obvious by inspection."""
     air = "the film of air"
     told = {
         "air.pressure": [1.0, 1.0, 10132.5, 10132.5, 1e5, 1e5],

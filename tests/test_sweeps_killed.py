@@ -1,9 +1,10 @@
-"""Claim: whatever is killed in the middle of a sweep, at any moment and without notice, the same
-command ends with the table that an undisturbed sweep has; and a cluster on the loopback finds what
-this machine finds.
+"""Claim: if any process of a sweep is killed at any moment without warning, the same command
+resumes and ends with the table of an undisturbed sweep; a cluster on the loopback gives the results
+of the local machine.
 
 Source: the README's `sweep`. Oracle: the table of an undisturbed sweep, value by value; real
-processes, really killed."""
+processes that are really killed.
+"""
 
 import json
 import os
@@ -51,7 +52,7 @@ def file(tmp_path):
 
 
 def until(true, what):
-    """Wait until something is true."""
+    """Wait until true() returns a true value, and return it."""
     end = time.monotonic() + PATIENCE
     while not (answer := true()):
         assert time.monotonic() < end, what
@@ -62,9 +63,7 @@ def until(true, what):
 def start(module, *arguments):
     call = [sys.executable, "-m", module, *map(str, arguments)]
     environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    ours = signal.signal(
-        signal.SIGINT, signal.default_int_handler
-    )  # who started the tests may have it ignored
+    ours = signal.signal(signal.SIGINT, signal.default_int_handler)  # the parent may ignore SIGINT
     try:
         return subprocess.Popen(
             call, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
@@ -75,7 +74,7 @@ def start(module, *arguments):
 
 @contextmanager
 def begun(file, *options, rows=5):
-    """Yield a driver that is in the middle of its sweep."""
+    """Yield the driver process of a sweep in progress."""
     out = file.parent / "out"
     driver = start("sonify", "sweep", file, "--out", out, *options)
     try:
@@ -92,7 +91,7 @@ def _lines(journal):
 
 
 def hands(process):
-    """The processes that solve for a process, or for what it started."""
+    """Return the worker processes started by a process or its descendants."""
     below = psutil.Process(process.pid).children(recursive=True)
     return [one for one in below if WORKER in one.cmdline()]
 
@@ -148,7 +147,7 @@ def port():
 
 @contextmanager
 def cluster(port, folder):
-    """Yield address, scheduler and two workers."""
+    """Yield the address, the scheduler and two workers."""
     address = f"tcp://127.0.0.1:{port}"
     scheduler = ["scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard"]
     worker = [
@@ -217,7 +216,7 @@ def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
 
 
 def test_a_cluster_without_workers_is_one_line(file, port):
-    """The scheduler answers but has no worker; a user would otherwise wait for ever."""
+    """The scheduler answers but has no worker; without the error the user would wait for ever."""
     scheduler = start("dask", "scheduler", "--host", "127.0.0.1", "--port", port, "--no-dashboard")
     address = f"tcp://127.0.0.1:{port}"
     try:

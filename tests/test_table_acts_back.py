@@ -1,8 +1,10 @@
-"""Claim: a table that vibrates acts back on the disk, in steps that cannot gain energy.
+"""Claim: in two-way coupling a vibrating table reacts on the disk, and the time steps cannot gain
+energy.
 
 Source: the docstrings of waving.py and waves.py; the wave drag of a steady precession over one
 mode. Oracle: energies of the states, the closed form of a driven oscillator, an independent program
-for one case."""
+for one case.
+"""
 
 import json
 from dataclasses import replace
@@ -60,8 +62,8 @@ def elastic():
 
 
 def standing(scene, rate, friction, *modes, damps=True):
-    """Return the model of a disk without creep on a table of modes (order, frequency, damping
-    ratio, modal mass)."""
+    """Return the model of a disk without creep on table modes (order, frequency, damping ratio,
+    modal mass)."""
     names = "order", "frequency", "damping_ratio", "modal_mass"
     surface = ModesSurface(
         modes=tuple(SurfaceMode(**dict(zip(names, mode, strict=True))) for mode in modes)
@@ -78,15 +80,14 @@ def standing(scene, rate, friction, *modes, damps=True):
 
 
 def steady(disk, beta):
-    """Return the columns of the steady motion with a fixed centre, and its precession rate
-    [rad/s]."""
+    """Return the columns of the steady motion, centre fixed, and its precession rate [rad/s]."""
     rate = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit
     w3 = rate * np.sin(beta)
     return np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0]), rate
 
 
 def run(model, y, every, stop):
-    """Return the energy at first, times, states, losses of contact, and why it stopped."""
+    """Return the initial energy, times, states, losses of contact and the reason of the stop."""
     waves = model.waves(y)
     first = energy(model, y[None])[0]
     pieces = list(model.run(y, every, stop, waves=waves))
@@ -96,8 +97,8 @@ def run(model, y, every, stop):
 
 @pytest.mark.parametrize("damping", [0.0, 0.05])
 def test_energy_is_kept_and_never_gained(elastic, damping):
-    """On a soft table, through losses of contact and places where the rim stands on two waves at
-    once."""
+    """The table is soft; the motion includes losses of contact and instants with the rim on two
+    waves."""
     modes = (2, 600.0, damping, 0.5), (3, 900.0, damping, 0.8), (0, 300.0, damping, 2.0)
     model = standing(elastic, 2e5, elastic.friction, *modes, damps=damping > 0)
     y = released_state(model, steady(elastic.disk, 4e-4)[0])
@@ -111,12 +112,14 @@ def test_energy_is_kept_and_never_gained(elastic, damping):
 
 @pytest.mark.parametrize("x", [0.3, 0.5, 0.8, 0.9, 1.1, 1.4, 2.2])
 def test_wave_drag(elastic, x):
-    """A steady precession at x = n Omega/w loses m g R beta Omega k_eff/R to a mode, of the mass M
-    and damping zeta.
+    """A steady precession at x = n Omega/w over a mode of mass M and damping zeta loses power to
+    wave drag.
 
-    With k_eff/R = (m/M) x^2/(n Omega^2 beta R/g) 2 zeta x/((1 - x^2)^2 + (2 zeta x)^2), from its
-    first turn on, since the table is handed over as it moves under that force; what is left is of
-    the order of the inclination, 2e-3."""
+    The power is m g R beta Omega k_eff/R, with
+    k_eff/R = (m/M) x^2/(n Omega^2 beta R/g) 2 zeta x/((1 - x^2)^2 + (2 zeta x)^2).
+    It holds from the first turn on, since the table starts in its steady motion under that force;
+    the remaining error is of the order of the inclination, 2e-3.
+    """
     n = 2
     zeta = 0.02
     mass = 300.0
@@ -135,8 +138,11 @@ def test_wave_drag(elastic, x):
 
 
 def halts(elastic, friction, rate, starts):
-    """Return rows of when [s] after tau = 250 the precession passes 300 Hz, contact is lost, the
-    disk is flat for good, for so many starts turned by different angles."""
+    """Return rows of times [s] after tau = 250: the precession passes 300 Hz, contact is first
+    lost, the disk stays flat.
+
+    There is one row for each of `starts` initial angles.
+    """
     motion = solve_motion(elastic.replace("contact.law=rigid"))
     t0 = 250 * elastic.disk.time_unit
     model = standing(elastic, rate, friction, (2, 600.0, 0.02, 1.0))
@@ -167,8 +173,11 @@ OTHER = json.loads((Path(__file__).parent / "references" / "one_mode.json").read
 
 
 def third_program_agrees(found):
-    """Whether the means of runs are within the error of its one run: 0.01 s, and how far another
-    run of the scatter of the second program's may lie from their mean, at 99.9 %."""
+    """Return True if the mean times agree with the only run of the third program.
+
+    The tolerance combines 0.01 s with the 99.9 % prediction interval of one run, from the scatter
+    of the second program.
+    """
     runs = np.transpose([times["4e+06"] for times in OTHER.values()])
     scatter = (
         t_of(len(runs) - 1).ppf(0.9995) * np.std(runs, axis=0, ddof=1) * np.sqrt(1 + 1 / len(runs))
@@ -178,19 +187,20 @@ def third_program_agrees(found):
 
 @pytest.mark.slow
 def test_the_halt_on_one_mode(elastic):
-    """From the published motion at tau = 250: 300 Hz, first loss, flat for good, s later; by three
-    programs.
+    """Three programs agree on the times [s] of 300 Hz, first loss and flat disk, from the published
+    motion at tau = 250.
 
-    That of references/one_mode.py has another method throughout, of first order in the step: what
-    its crossing still moves with the last halving is its error. Its contact keeps one stiffness,
-    ours stiffens as the disk falls: twice the stiffness moves ours by STIFFER. From the first loss
-    on the motion is chaotic: beyond that, two programs agree where Welch's interval of the
-    difference of their means, over runs from turned starts, holds zero at 99.99 %. A third program,
-    of which one run is known, says 0.928, 0.933, 0.958 s, each within 0.01 s by itself; it is one
-    of such runs."""
+    The program references/one_mode.py uses different methods throughout, of first order in the
+    step; the change of its crossing at the last halving of the step estimates its error. Its
+    contact has a constant stiffness, ours stiffens as the disk falls: doubling the stiffness
+    changes our times by STIFFER. After the first loss the motion is chaotic. Two programs then
+    agree if Welch's 99.99 % interval for the difference of their means, over runs with rotated
+    initial positions, contains zero. A third program gives 0.928, 0.933, 0.958 s in a single run,
+    with an error of 0.01 s each.
+    """
     found = halts(elastic, elastic.friction, 1e6, 8)
     before, last = (np.mean(times) for times in OTHER["crossing"].values())
-    assert np.ptp(found, axis=0)[0] < 1e-4  # a table that is turned with the disk
+    assert np.ptp(found, axis=0)[0] < 1e-4  # the table is turned with the disk
     assert np.mean(found, axis=0)[0] == pytest.approx(
         2 * last - before, abs=abs(last - before) + STIFFER[0]
     )
@@ -204,13 +214,14 @@ def test_the_halt_on_one_mode(elastic):
 
 @pytest.mark.slow
 def test_the_halt_on_one_mode_hangs_on_how_friction_holds(elastic):
-    """Slides damp the nutation with which the disk comes to the resonance, and move all three times
+    """Slides damp the nutation with which the disk reaches the resonance, and shift all three times
     together.
 
-    From the published motion, static friction 0.5 and dynamic 0.3 let it slide on; where one
-    coefficient holds the contact and slows it, the halt comes the later the greater that is, by 10
-    to 20 ms between 0.2, 0.3 and 0.5, some ten standard errors of such means. With 0.3 for both,
-    the third program's three times are met as well."""
+    Static friction 0.5 and dynamic friction 0.3 let the published motion continue to slide. With
+    one coefficient for both, the halt comes later for a larger coefficient: by 10 to 20 ms between
+    0.2, 0.3 and 0.5, about ten standard errors of these means. With 0.3 for both, the third
+    program's three times agree as well.
+    """
     two = np.mean(halts(elastic, elastic.friction, 4e5, 4), axis=0)
     runs = [
         halts(elastic, Friction(**held, **ARMS), 4e5, starts)
@@ -224,10 +235,10 @@ def test_the_halt_on_one_mode_hangs_on_how_friction_holds(elastic):
 
 
 STIFFER = 0.0011, 0.0027, 0.0022
-"""What a contact twice as stiff brings forward in the means of sixteen runs: 300 Hz, first loss,
-flat [s]."""
+"""Shifts [s] of the mean times of 300 Hz, first loss and flat disk over sixteen runs, for a contact
+twice as stiff."""
 ARMS = {"arm_nutation": 3.755e-6, "arm_rolling": 3.004e-5, "arm_pivoting": 3.004e-4}
-"""Of the published disk [m]."""
+"""Arms of the resisting moments of the published disk [m]."""
 SINGLE = tuple({"mu_static": mu, "mu_dynamic": mu} for mu in (0.2, 0.3, 0.5))
 MODE = "{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}"
 TABLE = f"surface={{kind='modes', action='motion', modes=[{MODE}]}}"
@@ -244,12 +255,12 @@ def test_what_is_not_solved_is_refused_in_one_line(elastic):
         elastic.replace(TABLE, "numerics.accuracy=draft", "numerics.contact_rate=1.5e5")
     assert (
         step_rate(elastic.replace(TABLE, "numerics.accuracy=draft")) < 4e5
-    )  # which a draft then takes
+    )  # a draft then uses this rate
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.05])
 def test_a_rough_contact_keeps_its_energy_on_a_table_that_acts_back(elastic, damping):
-    """Heights that would break the contact, on a light table, down to where the rim stands on
+    """The heights would break the contact; the table is light, and at the end the rim touches
     several waves."""
     model = standing(elastic, 2e5, elastic.friction, (2, 600.0, damping, 0.5), damps=damping > 0)
     model = replace(model, profiles=profiles(Roughness(rms=1e-7), elastic.disk.radius))
@@ -264,9 +275,12 @@ def test_a_rough_contact_keeps_its_energy_on_a_table_that_acts_back(elastic, dam
 
 
 def test_a_rough_contact_on_a_heavy_table_is_that_of_a_rigid_one(elastic):
-    """Another program, normal.py, reads them at the lowest point of the rim, not at the least gap.
-    What they are is the same; friction holds the disk elsewhere, which without creep changes the
-    force that they ring by 4 %."""
+    """Another program, normal.py, reads the heights at the lowest point of the rim, not at the
+    minimum gap.
+
+    The heights are the same. Friction acts on the disk at another point; without creep this changes
+    the excited force by 4 %.
+    """
     model = standing(elastic, 4e5, GRIPS, (2, 600.0, 0.02, 1e9))
     model = replace(model, profiles=profiles(Roughness(rms=3e-9), elastic.disk.radius))
     each = model, replace(model, modes=None)
@@ -301,10 +315,9 @@ def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(
 
 @pytest.mark.parametrize("order", [1, 2])
 def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
-    """A tilted table, or one of two waves, on which a disk would rattle on for as long as it is
-    followed.
+    """On a tilted table, or on one with two waves, a disk could rattle indefinitely.
 
-    The rattle is chaotic: whether the disk still turns as it comes flat hangs on the last bits.
+    The rattle is chaotic: rounding decides whether the disk still turns when it becomes flat.
     """
     low = (
         "release.inclination_deg=0.3",
@@ -320,8 +333,8 @@ def test_a_disk_that_lies_on_several_waves_at_once_ends(elastic, order):
 
 
 def test_a_heavy_table_is_a_rigid_one(elastic):
-    """A thousand times the mass: the motion is that on the elastic contact alone, within its
-    vibration."""
+    """With a thousand times the mass, the motion equals that on the elastic contact alone, within
+    its vibration."""
     low = "release.inclination_deg=0.2", "release.omega=[0.0, 0.0, 1.8]", "numerics.time_limit=0.05"
     scene = elastic.replace(*low, "numerics.contact=full", "numerics.contact_rate=2e5")
     heavy = scene.replace(TABLE.replace("modal_mass=1.0", "modal_mass=1e5"))
@@ -337,7 +350,7 @@ LATE = (
     "release.omega=[0.0, 0.461, 2.70]",
     "numerics.contact_rate=2e5",
 )
-"""A release shortly before the end, in the steady motion."""
+"""A release in steady motion shortly before the end."""
 
 
 def test_a_massive_table_is_never_handed_over(elastic):
@@ -357,7 +370,7 @@ def test_a_massive_table_is_never_handed_over(elastic):
 
 @pytest.fixture(scope="module")
 def handed(elastic):
-    """A scene whose table acts back late, its modes, and its motion."""
+    """Return a scene that switches to two-way coupling late, its modes and its motion."""
     scene = elastic.replace(
         *LATE, TABLE.replace("modal_mass=1.0", "modal_mass=10.0").replace("motion", "auto")
     )
@@ -366,8 +379,7 @@ def handed(elastic):
 
 
 def test_a_table_is_handed_over_where_the_plan_says(handed):
-    """What its energy and its wave drag are there: in closed form, of one mode under the turning
-    weight."""
+    """The shares of energy and wave drag have a closed form for a mode under a rotating weight."""
     scene, modes, motion = handed
     disk = scene.disk
     n = 2
@@ -406,8 +418,8 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
 
 
 def test_what_each_cause_takes_of_a_motion_in_two_parts_adds_up(handed):
-    """The table is among them, which had counted as friction; and a film that acts is that of both
-    parts."""
+    """Losses to the table are listed separately, not as friction, and the film acts in both parts
+    of the motion."""
     *_, motion = handed
     lost = {cause: energy[0] for cause, energy in motion.energy_lost(motion.t[-1:]).items()}
     assert lost["table"] > 0
@@ -419,9 +431,12 @@ def test_what_each_cause_takes_of_a_motion_in_two_parts_adds_up(handed):
 
 
 def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
-    """Of all that is lost: the power of the moments and of slip along the rigid part, integrated
-    anew on a grid; and after that what the energy falls by. The contact is compressed in the second
-    part alone."""
+    """The impacts are compared with the total loss of energy.
+
+    It consists of the power of the moments and of slip along the rigid part, integrated
+    independently on a grid, and of the energy lost afterwards. The contact is compressed in the
+    second part only.
+    """
     lighter = TABLE.replace("modal_mass=1.0", "modal_mass=4.0").replace("motion", "auto")
     scene = elastic.replace(*LATE, lighter)
     motion = solve_motion(scene, table=surface_modes(scene))
@@ -450,11 +465,10 @@ def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
 
 
 def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
-    """The budget closes, and the halt is as much earlier as beside a table that is too heavy to
-    move."""
+    """The budget closes; the halt precedes that on an immovably heavy table by the stated time."""
     scene, _, motion = handed
     others = two_way.reruns(scene, motion.then)
-    monkeypatch.setattr(two_way, "reruns", lambda *_: others)  # they need not be solved again
+    monkeypatch.setattr(two_way, "reruns", lambda *_: others)  # avoids solving them again
     found = {finding.key: finding for finding in two_way.motion_findings(scene, motion)}
     t = np.linspace(motion.handed_over, motion.t[-1], 500)
     budget = two_way.energy_budget(motion, t)
@@ -513,8 +527,10 @@ def test_a_sweep_of_motions_hands_over_as_a_run_does(handed, monkeypatch):
 
 
 def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
-    """A pressure that stays is power times time; the budget has it beside the losses, of which it
-    is a part."""
+    """A constant pressure radiates power times time.
+
+    The budget lists the sound separately from the losses, which include it.
+    """
     scene, _, motion = handed
     listener = Listener(distance=0.5, elevation=np.pi / 4)
     rate = 48000
@@ -542,7 +558,7 @@ def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
 
 @pytest.mark.slow
 def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(monkeypatch):
-    """The halt is 0.5 s before that of the same disk, on the same contact, on a table without
+    """The halt comes 0.1 to 1 s earlier than for the same disk and contact on a table without
     modes."""
     scene = load_scene("glass-plate").replace(
         "contact.law=elastic", "friction.mu_static=0.6", "surface.action=auto"
@@ -559,8 +575,8 @@ def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(mon
 
 @pytest.mark.slow
 def test_the_map_of_halts():
-    """A light mode breaks the contact and brings the halt forward; a heavy one does neither, to the
-    creep of 1 %."""
+    """A light mode breaks the contact and advances the halt; a heavy mode does neither, within the
+    1 % effect of creep."""
     light = halt(2.0, 0.02, 2 * np.pi * 300, 2)
     heavy = halt(1e4, 0.02, 2 * np.pi * 300, 2)
     assert light.contact_lost
@@ -578,10 +594,10 @@ def test_the_map_of_halts():
 
 
 def test_no_instant_of_the_picture_of_energies_lies_before_the_table_acts_back():
-    """By round-off one had, and the page of such a run was not written."""
+    """By round-off one instant preceded the switch, and the page of such a run was not written."""
     ends = np.linspace(1.0, 1.01, 1000)
     assert all(
         pictures.nearing(0.1, end).min() >= 0.1 and pictures.nearing(0.1, end).max() < end
         for end in ends
     )
-    assert any(end - (end - 0.1) < 0.1 for end in ends)  # which is what round-off does
+    assert any(end - (end - 0.1) < 0.1 for end in ends)  # the round-off in question

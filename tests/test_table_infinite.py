@@ -1,9 +1,10 @@
-"""Claim: an endless plate sounds as its closed form, and a large plate that waves do not cross
-tends to it.
+"""Claim: the sound of an infinite plate follows its closed form, and a large plate with strong
+damping tends to it.
 
 Source: Cremer, Heckl & Petersson, Structure-Borne Sound, section 6.5. Oracle: the sum over the
-modes of a finite plate with Rayleigh's integral, which knows nothing of wave numbers; the formula
-itself at single frequencies; superposition of arrivals."""
+modes of a finite plate with Rayleigh's integral, which does not use wavenumbers; the formula itself
+at single frequencies; superposition of arrivals.
+"""
 
 from types import SimpleNamespace
 
@@ -25,15 +26,17 @@ from sonify.sound.sources.tabletop import table_radiation
 
 GLASS = {"young": 70e9, "poisson": 0.22, "density": 2500.0}
 LOSS = 0.6
-"""Of the finite plate, on its inertia: of a loss in its stiffness modes far above would take their
-share."""
+"""Loss factor of the finite plate, applied to its inertia; in the stiffness it would
+let modes far above the frequency contribute."""
 ENDLESS = InfiniteSurface(thickness=0.003, **GLASS)
 
 
 @pytest.fixture(scope="module")
 def plate():
-    """50 cm in radius: at 2 kHz its waves fall by exp(eta k R/4) = 48 on the way to the edge, which
-    radiates well."""
+    """Return a plate of 50 cm radius.
+
+    At 2 kHz its waves fall by exp(eta k R/4) = 48 on the way to the edge, which radiates well.
+    """
     scene = SimpleNamespace(
         disk=None, surface=PlateSurface(radius=0.5, thickness=0.003, edge="supported", **GLASS)
     )
@@ -42,7 +45,8 @@ def plate():
 
 
 def response(plate, frequency):
-    """Velocity at the middle, and acceleration of every mode, under a force of 1 N there."""
+    """Return the velocity at the centre and the acceleration of every mode under a force of 1 N
+    there."""
     w = 2 * np.pi * frequency
     own = 2 * np.pi * plate.frequency
     shape = plate.at(np.zeros(1), np.zeros(1))[0]
@@ -53,8 +57,10 @@ def response(plate, frequency):
 @pytest.mark.parametrize("elevation", [20.0, 45.0])
 @pytest.mark.parametrize("frequency", [1250.0, 1750.0, 2250.0])
 def test_a_large_damped_plate_tends_to_the_endless_one(plate, frequency, elevation):
-    """Mobility and sound within 1 dB; the loss makes m'' complex in both. In the plane coincidence
-    is at 4 kHz."""
+    """Mobility and sound agree within 1 dB; the loss makes m'' complex in both.
+
+    Coincidence in the plane is at 4 kHz.
+    """
     lossy = 1 - 1j * LOSS
     velocity, acceleration = response(plate, frequency)
     assert 20 * np.log10(
@@ -69,7 +75,7 @@ def test_a_large_damped_plate_tends_to_the_endless_one(plate, frequency, elevati
 
 
 def test_power_far_below_coincidence_adds_up():
-    """Over the half space p^2/(rho c) of a monopole gives rho F^2/(2 pi c m''^2)."""
+    """The integral of p^2/(rho c) of a monopole over the half space is rho F^2/(2 pi c m''^2)."""
     listener = Listener(distance=2.0, elevation=np.pi / 2)
     air = listener.air
     mass = ENDLESS.density * ENDLESS.thickness
@@ -90,7 +96,7 @@ def source(listener):
 
 
 def pressure(table, normal, ahead, blocks=1):
-    """What is heard of normal forces (k + 1,) that arrive `ahead` (k + 1,) samples early."""
+    """Return the pressure of normal forces (k + 1,) that arrive `ahead` (k + 1,) samples early."""
     first = np.array([normal[0], ahead[0]])
     out = []
     advance = table.start_rendering(first, lambda *noted: None)
@@ -119,8 +125,10 @@ def test_a_swinging_force_sounds_as_the_formula_says(frequency):
 
 
 def test_a_constant_force_is_heard_only_where_it_moves():
-    """A force that goes round sends p = -rho F/(2 pi r m'') d(arrival)/d(sending), to first order,
-    less its mean."""
+    """A force that moves in a circle radiates p = -rho F/(2 pi r m'') d(arrival)/d(sending).
+
+    The result is to first order and without its mean.
+    """
     listener = Listener(distance=0.5, elevation=np.radians(45))
     table, weight = source(listener)
     t = np.arange(9601) / 48000

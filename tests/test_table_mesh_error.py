@@ -1,10 +1,11 @@
-"""Claim: the modes of a meshed table are near, from above, and say how wrong they are within 1.2 to
-5 times.
+"""Claim: the modal frequencies of a meshed table are accurate upper bounds, and their error
+estimates are 1.2 to 5 times the true errors.
 
-Source: Strang & Fix, An Analysis of the Finite Element Method, 6.3; Williams (1952) for endless
-stress. Oracle: hexahedra of degree 3 of another program, graded towards the edges of the feet, with
-their uncertainty (tests/references/wood_table.json); the same mesh with finer cells; the whole mesh
-without its mirrors."""
+Source: Strang & Fix, An Analysis of the Finite Element Method, 6.3; Williams (1952) for singular
+stress. Oracle: hexahedra of degree 3 from another program, graded towards the edges of the feet,
+with their uncertainty (tests/references/wood_table.json); the same mesh with finer cells; the whole
+mesh without symmetry.
+"""
 
 import json
 from pathlib import Path
@@ -39,14 +40,14 @@ WOOD, HELD = Material(young=11e9, poisson=0.3, loss_factor=0.02), Support().held
 
 
 def board(x, y, z, clamped):
-    """A mesh of a board with cells at these numbers [m], and its facets at the least x if it is
-    clamped there."""
+    """Return a mesh of a board with the given sizes [m] and cell counts, and its clamped facets at
+    the minimum x, if any."""
     mesh = MeshHex.init_tensor(*(np.linspace(0, size, n + 1) for size, n in (x, y, z)))
     return mesh, mesh.facets_satisfying(lambda p: p[0] < 1e-9) if clamped else np.zeros(0, int)
 
 
 def levels(mesh, facets):
-    """The `DiscreteBody` of the mesh as given, and of its cells divided into eight."""
+    """Return the `DiscreteBody` of the given mesh and of its cells divided into eight."""
     whole = lagrange_elements(mesh)[1]
     return [
         discretise(mesh, facets, whole, places, WOOD, 700.0)
@@ -56,7 +57,7 @@ def levels(mesh, facets):
 
 @pytest.mark.parametrize("kind", [MeshHex, MeshTet])
 def test_what_the_mesh_can_do_its_parts_can(kind):
-    """Places are displacements too: cutting cells moves no point."""
+    """Positions are displacements too: dividing cells moves no point."""
     mesh = kind.init_tensor(*[np.array([0.0, 0.4, 1.0])] * 3)
     coarse, fine = levels(mesh, np.zeros(0, int))
     taken = prolongation(fine.solid, coarse, nodes_of_eighths(lagrange_elements(mesh)[1]))
@@ -67,7 +68,7 @@ def test_what_the_mesh_can_do_its_parts_can(kind):
 
 @pytest.mark.parametrize("clamped", [True, False])
 def test_mirrors_leave_the_modes_as_they_are(clamped):
-    """A clamped board is its own image in y alone; a box with an odd corner in neither."""
+    """A clamped board is symmetric in y only; a free board is symmetric in x and y."""
     mesh, facets = board((0.3, 3), (0.2, 2), (0.02, 1), clamped)
     given = levels(mesh, facets)[0]
     assert len(mirrors(given)) == (1 if clamped else 2)
@@ -90,7 +91,7 @@ def test_mirrors_leave_the_modes_as_they_are(clamped):
 
 
 def test_cells_beside_an_edge_where_stress_is_endless_are_found():
-    """Of an L the angle about one edge is three right ones; a clamp ends at the sides of the
+    """The reentrant edge of an L has an angle of 270 degrees; a clamp ends at the sides of the
     clamped face."""
     mesh, facets = board((0.4, 4), (0.2, 2), (0.02, 1), True)
     assert angles_about_edges(mesh).max() == pytest.approx(2 * np.pi)
@@ -103,7 +104,7 @@ def test_cells_beside_an_edge_where_stress_is_endless_are_found():
 @pytest.mark.slow
 @pytest.mark.parametrize(("clamped", "share"), [(True, 1 / 2.4), (False, 1 / 4)])
 def test_the_error_is_right_within_a_factor_of_five(clamped, share):
-    """Cells half as wide leave at most `share` of it, and at least a sixteenth."""
+    """Cells of half the width leave at most `share` of the error, and at least a sixteenth."""
     cells = (6, 4, 1)
     size = (0.3, 0.2, 0.02)
     mesh, facets = board(*zip(size, cells, strict=True), clamped)

@@ -1,8 +1,9 @@
-"""Claim: the modes of a table are those of its plate or its mesh, whichever way they are found.
+"""Claim: the modes of a table are those of its plate or its mesh, for every method of solution.
 
 Source: Leissa, Vibration of Plates, ch. 2; Timoshenko & Woinowsky-Krieger, Theory of Plates and
 Shells, section 16. Oracle: thin plates in closed form, the static deflection under a point load,
-the spectral method against finite elements on a mesh, modal mass and shapes by quadrature."""
+the spectral method against finite elements on a mesh, modal mass and shapes by quadrature.
+"""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -44,7 +45,7 @@ def modes_of(surface, below, accuracy="standard"):
     ],
 )
 def test_other_thin_plates_are_too(radius, poisson, edge):
-    """Whatever radius and Poisson's ratio; of R/h = 200 the lowest roots, to 2e-3 as above."""
+    """The lowest roots agree to 2e-3 for any radius and Poisson's ratio, for R/h = 200."""
     size = {"radius": radius, "thickness": radius / 200}
     matter = GLASS | {"poisson": poisson}
     thin = [thin_plate_frequencies(n, 2, **size, **matter, edge=edge) for n in range(4)]
@@ -58,8 +59,8 @@ def test_other_thin_plates_are_too(radius, poisson, edge):
 
 
 def test_a_stiff_ring_under_the_edge_supports_it():
-    """Of a free plate; the ring is soft against shear through the thickness, which is 1/100 of the
-    radius."""
+    """The plate is free; the ring is soft compared with the shear through the thickness of 1/100 of
+    the radius."""
     size = {"radius": 0.2, "thickness": 0.002}
     ring = PlateSurface(**size, **GLASS, edge="free", ring_radius=0.2, ring_stiffness=1e12)
     held, supported = (modes_of(plate, 400.0) for plate in (ring, PlateSurface(**size, **GLASS)))
@@ -68,8 +69,10 @@ def test_a_stiff_ring_under_the_edge_supports_it():
 
 @pytest.mark.parametrize("edge", ["free", "supported", "clamped"])
 def test_thin_plates_are_those_of_the_closed_forms(edge):
-    """R/h = 200: shear and rotary inertia change a frequency by some (n pi h/R)^2, below 1e-3; a
-    clamped edge converges slowest."""
+    """For R/h = 200, shear and rotary inertia change a frequency by about (n pi h/R)^2, below 1e-3.
+
+    A clamped edge converges slowest.
+    """
     size = {"radius": 0.2, "thickness": 0.001}
     found = modes_of(PlateSurface(**size, **GLASS, edge=edge), 500.0)
     for n in range(4):
@@ -78,7 +81,7 @@ def test_thin_plates_are_those_of_the_closed_forms(edge):
         assert frequency == pytest.approx(thin, rel=2e-3)
     assert found.residual.max() < 1e-6
     assert found.mass == pytest.approx(2500 * np.pi * 0.2**2 * 0.001)
-    assert (found.frequency > 1).all()  # no rigid body among them
+    assert (found.frequency > 1).all()  # excludes rigid-body modes
 
 
 def test_the_glass_plate_of_the_levels():
@@ -96,7 +99,7 @@ def test_the_glass_plate_of_the_levels():
 def test_shapes_have_modal_mass_1_and_are_the_same_on_the_face_and_between_its_points():
     found = modes_of(PlateSurface(radius=0.2, thickness=0.002, **GLASS), 1500.0)
     mass = 2500 * 0.002 * (found.face**2 @ found.weights)
-    assert mass == pytest.approx(1, abs=2e-3)  # the rest, (h k)^2/6, moves in the plane
+    assert mass == pytest.approx(1, abs=2e-3)  # the remainder, (h k)^2/6, moves in the plane
     inside = np.hypot(*found.points.T) < 0.165  # five steps of the splines from the edge
     assert (
         np.abs(found.at(*found.points[inside].T).T - found.face[:, inside]).max()
@@ -109,14 +112,16 @@ def test_shapes_have_modal_mass_1_and_are_the_same_on_the_face_and_between_its_p
 
 
 def test_nowhere_has_no_values():
-    """A motion without slides has no jumps at which the shapes are asked for."""
+    """A motion without slides has no jumps, so the shapes are evaluated at no points."""
     found = modes_of(PlateSurface(radius=0.2, thickness=0.002, **GLASS), 300.0)
     assert found.at(np.zeros(0), np.zeros(0)).shape == (0, len(found))
 
 
 def test_the_modes_add_up_to_the_static_deflection():
-    """w(0) = P R^2 (3 + nu)/(16 pi B (1 + nu)); what modes above the highest add is below the
-    spacing's share."""
+    """w(0) = P R^2 (3 + nu)/(16 pi B (1 + nu)).
+
+    The truncated modes contribute less than the tolerance.
+    """
     plate = PlateSurface(radius=0.15, thickness=0.003, **GLASS)
     stiffness = plate.young * plate.thickness**3 / (12 * (1 - plate.poisson**2))
     exact = plate.radius**2 * (3 + plate.poisson) / (16 * np.pi * stiffness * (1 + plate.poisson))
@@ -136,8 +141,10 @@ def test_an_elastic_ring_carries_a_free_plate():
 
 
 def test_a_mesh_and_the_spectral_method_agree(tmp_path):
-    """A free disk of 72 straight cells is too stiff by up to 5 %; pairs move alike, however they
-    are turned."""
+    """A free disk of 72 straight cells is too stiff by up to 5 %.
+
+    The sums of squares over pairs do not depend on their orientation.
+    """
     path = own_mesh.disk(tmp_path / "disk.vtu", radius=0.1, thickness=0.01)
     meshed = modes_of(MeshSurface(file=str(path), **GLASS), 8000.0)
     round_ = modes_of(PlateSurface(radius=0.1, thickness=0.01, **GLASS, edge="free"), 8000.0)
@@ -152,8 +159,11 @@ def test_a_mesh_and_the_spectral_method_agree(tmp_path):
 
 
 def test_the_table_that_comes_with_the_program_stands_on_its_feet(tmp_path):
-    """The file is what its script makes; held by a surface or by the same nodes it is the same,
-    free it floats."""
+    """The shipped file equals the output of its script.
+
+    Holding a surface and holding the same nodes give the same modes; without a support the table
+    floats.
+    """
     shipped = load_scene("wood-table").surface
     made = table_mesh.table(tmp_path / "table.msh")
     assert made.read_bytes() == Path(shipped.file).read_bytes()
@@ -182,8 +192,8 @@ def test_the_table_that_comes_with_the_program_stands_on_its_feet(tmp_path):
 
 
 def test_the_record_of_a_run_on_a_mesh_is_a_scene_wherever_it_is(tmp_path):
-    """The mesh is kept beside run.json, which holds no path of this machine; what it says is what
-    was run."""
+    """The mesh is stored next to run.json, which contains no path of this machine and reproduces
+    the scene."""
     scene = load_scene("wood-table")
     there = tmp_path / "there"
     (tmp_path / "here").mkdir()
@@ -194,7 +204,7 @@ def test_the_record_of_a_run_on_a_mesh_is_a_scene_wherever_it_is(tmp_path):
     again = load_scene(there / "run.json")
     assert again.replace(f"surface.file={scene.surface.file}") == scene
     assert Path(again.surface.file).read_bytes() == Path(scene.surface.file).read_bytes()
-    keep_mesh(Path(again.surface.file), there)  # onto itself
+    keep_mesh(Path(again.surface.file), there)  # copies the mesh onto itself
 
 
 def test_a_mesh_without_a_top_face_is_refused(tmp_path):
@@ -223,7 +233,7 @@ def test_modes_by_number_are_what_they_say():
 
 
 def test_a_mode_given_twice_is_two_pairs():
-    """Each with its cosine and its sine, and none of order 0 a sine, which would not move."""
+    """Each pair has a cosine and a sine mode; order 0 has no sine mode, since it would not move."""
     one, other = (
         SurfaceMode(order=n, frequency=600.0, damping_ratio=0.0, modal_mass=1.0) for n in (0, 2)
     )
@@ -263,7 +273,7 @@ def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(tmp_path
 
 
 def test_a_disk_that_goes_over_the_edge_is_said_to():
-    """The contact circle of a flat disk, turning about a centre that drifts by 1 cm a second."""
+    """The contact circle of a flat disk turns about a centre that drifts by 1 cm/s."""
     scene = load_scene("glass-plate").replace("surface.radius=0.05")
     t = np.array([0.0, 2.0])
 
@@ -274,13 +284,15 @@ def test_a_disk_that_goes_over_the_edge_is_said_to():
         return state
 
     motion = SimpleNamespace(t=t, at=at)
-    assert off_since(scene, motion) == pytest.approx(1.245, abs=0.13)  # a turn takes 0.126 s
+    assert off_since(scene, motion) == pytest.approx(1.245, abs=0.13)  # one turn: 0.126 s
     assert off_since(load_scene("glass-plate"), motion) is None
 
 
 def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
-    """The wooden table is 0.4 m wide in y: with its place 0.14 m from the middle the contact circle
-    reaches the edge when its centre has gone 0.06 m less the radius."""
+    """The wooden table is 0.4 m wide in y, and the motion starts 0.14 m from the middle.
+
+    The contact circle reaches the edge when its centre has moved by 0.06 m less the radius.
+    """
     t = np.array([0.0, 4.0])
     scene = load_scene("wood-table").replace("surface.place=[0.0, 0.14]")
 
@@ -296,8 +308,10 @@ def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
 
 
 def test_the_edge_of_a_plate_ends_the_motion():
-    """Slower than it could roll in a circle the disk runs outwards; until then it goes as on a wide
-    plate."""
+    """The disk is too slow to roll in a circle and runs outwards.
+
+    Up to the edge its motion equals that on a wide plate.
+    """
     wide = load_scene("glass-plate").replace("numerics.time_limit=1.0", "surface.action=sound")
     narrow = wide.replace("surface.radius=0.045")
     motion = solve_motion(narrow)

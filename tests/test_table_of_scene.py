@@ -1,8 +1,9 @@
-"""Claim: `simulate(scene)` never ignores a table that acts on the motion, and gives the motion of a
-run.
+"""Claim: `simulate(scene)` never ignores a table that reacts on the motion, and gives the motion of
+a run.
 
-Source: the docstring of `dynamics.simulate`. Oracle: the same scene with the modes that
-`modal.surface_modes` finds; the run of the scene; the motion on a rigid table."""
+Source: the docstring of `dynamics.simulate`. Oracle: the same scene with the modes from
+`modal.surface_modes`; the run of the scene; the motion on a rigid table.
+"""
 
 from types import SimpleNamespace
 
@@ -36,13 +37,13 @@ def scene():
 
 
 def same(one, other):
-    """Return True if two motions are equal bit by bit, as far as their rows tell."""
+    """Return True if times, states and forces of two motions are equal bit by bit."""
     pairs = [(one.t, other.t), (one.state, other.state), (one.force(one.t), other.force(other.t))]
     return all(np.array_equal(first, second) for first, second in pairs)
 
 
 def test_a_light_mode_in_the_scene_halts_the_published_disk_earlier(scene):
-    """1.3 s before the disk on a rigid table, which `simulate` had returned."""
+    """The halt precedes that on a rigid table, formerly the result here, by more than 1 s."""
     on_table = scene.replace(LIGHT_MODE)
     motion = simulate(on_table)
     assert same(motion, simulate(on_table, surface_modes=surface_modes(on_table)))
@@ -56,7 +57,7 @@ def test_a_light_mode_in_the_scene_halts_the_published_disk_earlier(scene):
 
 
 def test_modes_in_the_scene_are_those_of_modal(scene):
-    """The two packages do not know each other; each evaluates the shapes."""
+    """The two packages are independent; each evaluates the shapes itself."""
     on_table = scene.replace(THREE_MODES, "contact.law=elastic")
     ours = modes_from_numbers(on_table.surface, on_table.disk.radius)
     theirs = surface_modes(on_table)
@@ -65,7 +66,7 @@ def test_modes_in_the_scene_are_those_of_modal(scene):
     for name in ("frequency", "decay_rate", "order", "coefficients", "place"):
         assert np.array_equal(getattr(ours, name), getattr(theirs, name)), name
     assert all(np.array_equal(*knots) for knots in zip(ours.knots, theirs.knots, strict=True))
-    x, y = np.random.default_rng(1).uniform(-0.05, 0.05, (2, 50))  # some outside the contact circle
+    x, y = np.random.default_rng(1).uniform(-0.05, 0.05, (2, 50))  # beyond the contact circle too
     assert np.array_equal(ours.at(x, y), theirs.at(x, y))
     radius = on_table.disk.radius
     assert ours.compliance(radius) == theirs.compliance(radius) > 0
@@ -76,7 +77,7 @@ def test_modes_in_the_scene_are_those_of_modal(scene):
 
 
 def test_a_scene_needs_no_more_sections_than_its_motion_reads(scene):
-    """The others have their defaults: a rigid contact, smooth, without a film."""
+    """The other sections have their defaults: a rigid contact, smooth, without a film."""
     draft = scene.replace("numerics.accuracy=draft")
     names = ("disk", "friction", "dissipation", "release", "surface", "numerics")
     sections = {name: vars(draft)[name] for name in names}
@@ -86,8 +87,7 @@ def test_a_scene_needs_no_more_sections_than_its_motion_reads(scene):
 
 @pytest.mark.parametrize("action", ["auto", "motion"])
 def test_a_run_and_simulate_give_the_same_motion(scene, action):
-    """With a mode that no one hears and a rate of samples that leaves out another: the motion has
-    both."""
+    """One mode is inaudible, another above the Nyquist frequency; the motion includes both."""
     heard_little = "audio.sample_rate=8000", "numerics.time_limit=0.3", "contact.law=elastic"
     modes = THREE_MODES.replace("30000.0", "6000.0").replace("modal_mass=3.0", "modal_mass=1e5")
     wanted = scene.replace(*RELEASED_FLAT, *heard_little, modes.replace("motion", action))

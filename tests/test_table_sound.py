@@ -1,10 +1,11 @@
-"""Claim: a table sounds under the published motion as its modes, the moving contact and Rayleigh's
-integral say.
+"""Claim: the sound of a table under the published motion follows from its modes, the moving contact
+and Rayleigh's integral.
 
-Source: Kirchhoff's plate in a baffle, driven by the published force where the contact is; Leissa,
-Vibration of Plates. Oracle: levels of another program's thin plate under the same force, A-weighted
-by its own filter; Rayleigh's integral of a supported plate's modes in closed form (Hankel
-transforms of Bessel functions); superposition; statics."""
+Source: Kirchhoff's plate in a baffle, driven by the published force at the contact; Leissa,
+Vibration of Plates. Oracle: levels from another program's thin plate under the same force,
+A-weighted by its own filter; Rayleigh's integral of a supported plate's modes in closed form
+(Hankel transforms of Bessel functions); superposition; statics.
+"""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -45,8 +46,8 @@ LEVELS = {
     (18, 18.5): 44.8,
 }
 LEVELS |= {(18.5, 19): 69.0}
-"""Of the published force on a supported glass plate, 300 mm across and 6 mm thick, damping ratio
-0.01 [dB(A)]."""
+"""Levels [dB(A)] of the published force on a supported glass plate, 300 mm across and 6 mm thick,
+damping ratio 0.01."""
 
 
 TABLE_BY_MODES = (
@@ -78,8 +79,8 @@ def sound(scene, motion, table):
 
 
 def weighted_levels(track, spans):
-    """A-weighted levels [dB re 20 uPa] of stretches [s], weighted as a whole in the frequency
-    domain."""
+    """Return A-weighted levels [dB re 20 uPa] of time spans [s]; the weighting acts on the whole
+    track."""
     samples = track.read().astype(float)
     size = next_fast_len(len(samples), real=True)
     weight = 10 ** (a_weighting_db(np.fft.rfftfreq(size, 1 / track.sample_rate)) / 20)
@@ -92,8 +93,10 @@ def weighted_levels(track, spans):
 
 
 def test_the_glass_plate_is_as_loud_as_an_independent_program_finds(sound):
-    """The thin plate of the reference is up to 0.5 % sharper; later its modes are passed at other
-    instants."""
+    """The frequencies of the reference's thin plate are up to 0.5 % higher.
+
+    Late in the motion the force therefore passes the modes at other instants.
+    """
     for (begin, end), found in zip(
         LEVELS, weighted_levels(sound.track("table"), LEVELS), strict=True
     ):
@@ -111,8 +114,10 @@ def test_the_stems_add_up(sound):
 
 @pytest.mark.slow
 def test_what_the_plan_leaves_out_of_the_table_is_not_heard(scene, motion, table, sound):
-    """All modes, and the force read at every sample: within the range of the accuracy, 60 dB below,
-    and 1 % calm."""
+    """The reference keeps all modes and reads the force at every sample.
+
+    The difference is within the accuracy setting: 60 dB below, plus 1 % for sparse sampling.
+    """
     part = 3.0
     short = replace_time(motion, part)
     modes = planned(scene)[1]
@@ -136,8 +141,11 @@ def answers(motion, sound, tone):
 
 
 def test_the_findings_on_a_table_say_yes_and_no(motion, sound):
-    """The same sound with another table: a thousandth of it neither carries the tone nor takes
-    energy, noise does not rise, and a rigid one has no findings."""
+    """The test repeats the findings with other tables.
+
+    A much fainter table neither carries the tone nor takes energy, noise does not rise, and a rigid
+    table has no findings.
+    """
     tone = rising_tone(sound.pressure.read().astype(float), sound.sample_rate)
     yes = {"table_is_louder", "table_tone_rises", "table_carries_the_tone"}
     no = {"table_takes_little", "table_takes_a_hundredth", "radiation_takes_little"}
@@ -176,14 +184,14 @@ def test_how_much_louder_the_table_is_follows_from_the_weighted_stems(motion, so
 
 
 def replace_time(motion, end):
-    """The motion up to a time [s]."""
+    """Return the motion up to a time [s]."""
     pieces = int(np.searchsorted(motion.t, end)) + 1
     path = type(motion.path)(motion.path.c[:, :pieces], motion.path.x[: pieces + 1])
     return replace(motion, path=path, regime_of_piece=motion.regime_of_piece[:pieces])
 
 
 def steady(source, count, force):
-    """A ContactForce of `count` samples of constant channels `force` (m,)."""
+    """Return a ContactForce of `count` samples with constant channels `force` (m,)."""
     smooth = np.tile(force, (count + 1, 1))
     none = np.zeros((0, smooth.shape[1]))
     t = np.arange(count + 1) / 48000
@@ -193,8 +201,8 @@ def steady(source, count, force):
 
 
 def test_a_constant_force_at_rest_is_silent(scene, table):
-    """Against the same force that begins at once, which is what would be heard if the table were
-    not settled."""
+    """The reference is the same force switched on at the start, i.e. the sound of a table not
+    in equilibrium."""
     source = ElasticTable(scene, table, listener_of(scene))
     state = np.zeros((1, 11))
     state[0, 1] = 0.3
@@ -215,8 +223,8 @@ def test_a_constant_force_at_rest_is_silent(scene, table):
     ],
 )
 def test_other_scenes_sound_on_a_table(scene, change):
-    """Without slides; on a contact that yields, which shakes the table, too; on a table that is
-    known by its modes."""
+    """The cases are a motion without slides, a compliant contact that shakes the table, and a table
+    given by its modes."""
     sound = solve(scene.replace("numerics.accuracy=draft", "numerics.time_limit=0.3", change)).sound
     assert sound.finite
     assert sound.stem_peak["table"] > 0
@@ -236,12 +244,12 @@ def test_a_table_whose_modes_are_all_beyond_hearing_is_silent(scene):
 
 
 def test_the_contact_goes_where_the_rim_meets_the_table(scene, motion):
-    """The contact point is at rest while the disk rolls: its place moves along the rim by R times
-    the spin against it.
+    """While the disk rolls, the contact moves along the rim at R times the spin, in the opposite
+    sense.
 
-    Oracle: d P/dt over a roll is the rate at which the rim passes the contact, |dP/dt| = R |d
-    psi/dt| for a disk whose body point at the contact has no velocity; difference quotients to
-    second order."""
+    Oracle: a disk with zero velocity at the contact has |dP/dt| = R |d psi/dt|; central differences
+    of second order.
+    """
     step = 1e-5
     t = np.array([0.05, 0.1, 0.2])
     before, after = (contact_place(motion.at(t + h), scene.disk) for h in (-step, step))
@@ -255,8 +263,9 @@ def test_the_contact_goes_where_the_rim_meets_the_table(scene, motion):
 def test_directivity_of_a_supported_plate(scene, n, k, elevation):
     """Far away |p| r 2 pi/rho is the Hankel transform of w = J_n(x r/R) - J_n(x)/I_n(x) I_n(x r/R).
 
-    int_0^1 J_n(a r) J_n(b r) r dr and int_0^1 I_n(a r) J_n(b r) r dr are Lommel's integrals. The
-    plate is thin, 1/100."""
+    The integrals int_0^1 J_n(a r) J_n(b r) r dr and int_0^1 I_n(a r) J_n(b r) r dr are Lommel's.
+    The plate has a thickness of 1/100 of its radius.
+    """
     thin = scene.replace("surface.thickness=0.0015")
     every = surface_modes(thin, 3000.0)
     found = every.select([np.flatnonzero(every.order == n)[k if n == 0 else 2 * k]])
@@ -287,8 +296,8 @@ def test_directivity_of_a_supported_plate(scene, n, k, elevation):
     ("frequency", "error"), [(30.0, 2e-3), (700.0, 2e-3), (5e3, 2e-3), (15e3, 2e-3), (19.9e3, 0.02)]
 )
 def test_the_kernels_are_rayleighs_integral_at_every_frequency(scene, table, frequency, error):
-    """The response of a kernel is its Fourier sum; it departs by the ringing that is cut off, most
-    by its band edge."""
+    """The frequency response of a kernel is its Fourier sum; truncated ringing causes its error,
+    largest at the band edge."""
     listener = listener_of(scene)
     rate = 48000
     late = table_latency(table, listener, rate)
@@ -299,8 +308,10 @@ def test_the_kernels_are_rayleighs_integral_at_every_frequency(scene, table, fre
 
 
 def test_several_listeners_are_the_channels_of_the_files(tmp_path):
-    """Opposite each other they hear the same heave and an opposite tilt; one where the first alone
-    is, the same."""
+    """Listeners opposite each other hear the same heave and opposite tilts.
+
+    A listener at the position of the original one hears the same sound.
+    """
     text = "audio.listeners=[{distance=0.5}, {distance=0.5, azimuth_deg=180}, {distance=1.0, elevation_deg=20.0}]"
     scene = load_scene("published").replace("numerics.time_limit=0.5", "numerics.accuracy=draft")
     alone = solve(scene).sound
@@ -314,7 +325,7 @@ def test_several_listeners_are_the_channels_of_the_files(tmp_path):
     one, other, _ = np.concatenate(list(tilt.blocks())).T
     assert (
         np.abs(one + other).max() < 0.02 * np.abs(one).max()
-    )  # the farther rim is a little fainter
+    )  # the farther rim is slightly fainter
     write(several, tmp_path)
     for name in ("pressure", "sound", "audible", "stems/tilt"):
         samples, _ = soundfile.read(tmp_path / f"{name}.wav")
@@ -322,7 +333,7 @@ def test_several_listeners_are_the_channels_of_the_files(tmp_path):
     ears = np.concatenate(list(alone.audible.blocks())).T
     assert (
         len(ears) == 2
-    )  # the second a quarter turn on: as loud, but it hears the tilt at another time
+    )  # the second is a quarter turn on: as loud, but it hears the tilt at another time
     assert not np.allclose(*ears, atol=0.01 * np.abs(ears).max())
     with pytest.raises(
         SceneError, match=r"audio.listeners.1.distance = 0.01: must be greater than disk.radius"

@@ -1,9 +1,10 @@
-"""Claim: a table that is wavy breaks the contact where its waves outweigh the inclination of the
-disk, and not before.
+"""Claim: a wavy table breaks the contact when its waves outweigh the inclination of the disk, and
+not before.
 
-Source: the docstring of claims.table.waves_break_contact. Oracle: (n^2 - 1) delta/R, within 0.7 and
-1.8 of which other programs find the first loss; energies of the states; the disk on a table without
-waves."""
+Source: the docstring of claims.table.waves_break_contact. Oracle: (n^2 - 1) delta/R, since other
+programs find the first loss at 0.7 to 1.8 times this value; energies of the states; the disk on a
+table without waves.
+"""
 
 import numpy as np
 import pytest
@@ -25,8 +26,10 @@ def wavy():
 
 
 def fall(scene, order, amplitude, start, stop=3.0, friction=None, rate=4e5):
-    """Return energy at first, times, states, losses of contact of a disk let go in steady motion at
-    `start` [rad]."""
+    """Return model, initial energy, times, states and losses of contact of a disk.
+
+    It is released in steady motion at the inclination `start` [rad].
+    """
     model = CompliantModel(
         table=LawTable(law=contact_law(scene)),
         friction=friction or scene.friction,
@@ -38,7 +41,7 @@ def fall(scene, order, amplitude, start, stop=3.0, friction=None, rate=4e5):
 
 @pytest.mark.parametrize("order", [2, 3, 4])
 def test_where_contact_is_first_lost(wavy, order):
-    """Waves that are higher than the contact yields under the weight: lower ones come near its
+    """The waves are higher than the static compression of the contact; lower waves come near its
     resonance."""
     amplitude = 1e-6
     scale = (order**2 - 1) * amplitude / wavy.disk.radius
@@ -53,8 +56,8 @@ def test_where_contact_is_first_lost(wavy, order):
     ("order", "amplitude"), [(2, 1e-5), (3, 1e-6), (2, 1e-7), (3, 1e-7), (7, 1e-8)]
 )
 def test_where_contact_is_first_lost_on_a_surface_that_hardly_yields(wavy, order, amplitude):
-    """A hundred times as stiff as granite and steel: down to waves of the hundredth of a
-    micrometre."""
+    """The contact is a hundred times as stiff as granite on steel; the waves go down to a hundredth
+    of a micrometre."""
     stiff = wavy.replace("contact.young=6e12", "material.young=1.95e13")
     scale = (order**2 - 1) * amplitude / wavy.disk.radius
     model, _, t, state, losses = fall(stiff, order, amplitude, 2.2 * scale, 0.7, rate=2e6)
@@ -62,8 +65,8 @@ def test_where_contact_is_first_lost_on_a_surface_that_hardly_yields(wavy, order
 
 
 def test_a_hundredth_of_the_wave_is_not_felt(wavy):
-    """The inclination after 50 ms is that on a table without waves, but for the share of the wave
-    in it."""
+    """The inclination after 50 ms equals that on a table without waves, within the effect of the
+    wave."""
     beta = 1e-3
     found = [
         columns(model, state[-1:])[0, 1]

@@ -1,9 +1,10 @@
-"""Claim: of a sound file that was cut off, exactly the sound that is there is heard, and a line
-says how much that is.
+"""Claim: from a truncated sound file exactly the available sound is decoded, and one line states
+its duration.
 
 Source: ISO 11172-3 and 13818-3 (MP3 frames), the header of Xing and LAME, RFC 3533 (Ogg),
-libsndfile's notes on WAV. Oracle: the samples of the whole file, decoded before it is cut; the
-share of its bytes that is kept."""
+libsndfile's notes on WAV. Oracle: the samples of the whole file, decoded before truncation; the
+fraction of bytes kept.
+"""
 
 import json
 
@@ -21,9 +22,9 @@ from sonify.hearing.mp3 import frame_header, read_mp3
 from sonify.hearing.recording import listen
 
 LENGTH = 8.0
-"""Of the whole sound [s]."""
+"""Duration of the whole sound [s]."""
 DECODER_DELAY = 529
-"""Samples that a decoder of layer III lags behind; libsndfile leaves them out."""
+"""Delay of a layer III decoder [samples]; libsndfile omits these samples."""
 FORMATS = {
     "wav": {"subtype": "PCM_16"},
     "aiff": {"subtype": "PCM_16"},
@@ -44,7 +45,7 @@ FORMATS = {
 
 
 def written(path, rate=48_000, channels=1):
-    """Write a tone of 900 Hz in noise, return its bytes."""
+    """Write a tone of 900 Hz in noise and return its bytes."""
     t = np.arange(round(LENGTH * rate)) / rate
     noise = np.random.default_rng(0).standard_normal(len(t))
     sound = 0.2 * np.sin(2 * np.pi * 900 * t) + 0.02 * noise
@@ -85,8 +86,7 @@ def test_a_cut_file_has_the_samples_that_are_there(tmp_path, kind, share):
 @pytest.mark.parametrize("kind", ["constant.mp3", "variable.mp3"])
 @pytest.mark.parametrize(("rate", "channels"), [(48_000, 1), (44_100, 2), (22_050, 1)])
 def test_an_mp3_file_without_a_header_is_as_long_as_its_frames(tmp_path, kind, rate, channels):
-    """libsndfile guesses the length from the bit rate of the first frame, and reads no more than
-    that."""
+    """libsndfile derives the length from the bit rate of the first frame and reads no further."""
     path = tmp_path / kind
     data = written(path, rate, channels)
     assert read_mp3(path).frames == read_mp3(path).announced
@@ -122,7 +122,7 @@ def test_an_ogg_file_ends_with_a_whole_last_page(tmp_path):
 
 
 def test_listen_says_in_one_line_how_much_is_there(tmp_path):
-    """The tone and its end are those of the part that is there."""
+    """The reported tone and end are those of the available part."""
     path = tmp_path / "variable.mp3"
     data = written(path)
     path.write_bytes(data[: int(0.35 * len(data))])
@@ -144,8 +144,7 @@ def test_listen_says_in_one_line_how_much_is_there(tmp_path):
 
 @pytest.mark.slow
 def test_fit_takes_only_what_is_there(tmp_path):
-    """A disk comes to rest at 8 s; what follows is noise, of which the file has lost the last
-    part."""
+    """A disk comes to rest at 8 s; the rest is noise, and its last part is truncated."""
     rate = 16_000
     changes = [f"friction.{arm}=0" for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")]
     toy = load_scene("toy").replace(*changes, "dissipation.contour_moment=1e-5", "air.film='acts'")

@@ -1,9 +1,10 @@
-"""Claim: a key that a scene sets either changes a result of its run, or the run lists it as unused;
-never both.
+"""Claim: a key set by a scene either changes a result of its run or is listed as unused; never
+both.
 
 Source: the schema of a scene, key by key. Oracle: the bytes of motion, modes and sound of short
-drafts with two values of each key. What a key means only for a finding, the finding's input: what
-ends the motion, and the film."""
+drafts with two values of each key. For keys that affect only a finding, the input of this finding:
+what ends the motion, and the film.
+"""
 
 import json
 from functools import cache
@@ -54,7 +55,7 @@ BASES = {
     "shell": ("disk.shape=shell", "disk.wall=0.005", "disk.thickness=0.03", "support.kind=free"),
     "on contact": ("support.kind=contact",),
 }
-"""Differences from the published scene."""
+"""Changes to the published scene, by name."""
 VALUES = {
     "disk.radius": "0.038",
     "disk.thickness": "0.0141",
@@ -128,7 +129,7 @@ VALUES = {
     "numerics.contact_rate": "2.2e6",
     "numerics.time_limit": "0.02",
 }
-"""Another value of each key than those of the bases."""
+"""An alternative value for each key, different from those of the bases."""
 ANOTHER_SCENE = {
     "name",
     "disk.density",
@@ -139,7 +140,7 @@ ANOTHER_SCENE = {
     "contact.law",
 }
 ANOTHER_SCENE |= {"roughness.profile", "roughness.profile_edge"}
-"""Keys whose other values need other keys as well."""
+"""Keys with alternatives that require further keys."""
 NOT_REACHED = {
     "friction.mu_static": "no change of the regime in the first 30 ms",
     "friction.mu_dynamic": "no slide in the first 30 ms",
@@ -151,12 +152,13 @@ NOT_REACHED = {
     "dissipation.viscous_force": "less than the last bit of the force of a disk whose centre is "
     "at rest",
 }
-"""Keys that need not show in every base, and why; they do in at least one."""
+"""Keys that may have no effect in some bases, with the reason; each has an effect in at least one.
+"""
 
 
 @cache
 def modes_of(disk, material, support, numerics, below):
-    """Return the modes of a patch or a free disk, which the other sections do not change."""
+    """Return the modes of a patch or a free disk, which depend on no other section."""
     scene = load_scene("published")
     object.__setattr__(scene, "disk", disk)
     for name, section in {"material": material, "support": support, "numerics": numerics}.items():
@@ -165,15 +167,14 @@ def modes_of(disk, material, support, numerics, below):
 
 
 def remembered(scene, below):
-    """Return `eigenmodes`, solved once for equal sections."""
+    """Return the result of `eigenmodes`, cached for equal sections."""
     if scene.support.kind == "contact":
         return eigenmodes(scene, below=below)
     return modes_of(scene.disk, scene.material, scene.support, scene.numerics, below)
 
 
 def stages(scene):
-    """Yield the bytes of the motion, of the modes and of the sound of a scene, as they are
-    needed."""
+    """Yield the bytes of the modes, the motion and the sound of a scene lazily."""
     scene = solvable(scene, None)
     plan, modes = planned(scene, remembered)
     _, table = with_table(plan, scene)
@@ -196,12 +197,12 @@ def base_scene(base):
 
 
 def differs(scene, base):
-    """Return True as soon as a stage of a scene differs from that of a base."""
+    """Return True at the first stage of a scene that differs from that of a base."""
     return any(one != other for one, other in zip(stages(scene), found_in(base), strict=True))
 
 
 def allowed(base):
-    """Yield the keys that a base may have with another value, and the scenes with it."""
+    """Yield the keys that may have another value in a base, with the resulting scenes."""
     known = solvable(base_scene(base), None)
     for name, value in VALUES.items():
         try:
@@ -254,7 +255,7 @@ def test_what_is_not_reached_in_one_base_changes_another(name, base):
 
 
 def test_roughness_on_a_rigid_contact_is_listed_and_changes_no_byte(tmp_path):
-    """It had been accepted in silence."""
+    """Such roughness was formerly accepted without a notice."""
     notices = []
 
     class Noted(Stages):
@@ -284,14 +285,14 @@ def test_roughness_on_a_rigid_contact_is_listed_and_changes_no_byte(tmp_path):
 def test_only_what_a_scene_sets_is_listed():
     published = load_scene("published")
     assert unused_keys(published) == ()
-    assert unused_keys(published.replace("contact.loss_factor=0.02")) == ()  # its default
+    assert unused_keys(published.replace("contact.loss_factor=0.02")) == ()  # the default
     elastic = published.replace("contact.law=elastic", "roughness.rms=1e-7", "contact.young=7e10")
     assert unused_keys(elastic) == ()
 
 
 def test_roughness_does_not_keep_a_table_from_acting_on_a_rigid_contact():
-    """On a rigid contact it has no effect; there it had decided whether the table acts on the
-    motion."""
+    """Roughness has no effect on a rigid contact; formerly it decided whether the table reacts on
+    the motion."""
     table = load_scene("published").replace(f"surface={{kind='modes', modes=[{MODE}]}}")
     rough = table.replace("roughness.rms=1e-7")
     assert may_be_two_way(table)

@@ -1,5 +1,4 @@
-"""The formulas of one branch of the flow for compilers: a state and the numbers of a scene go in as
-symbols."""
+"""Formulas of one branch of the flow for compilers, with symbols for state and constants."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -12,26 +11,24 @@ from dynamics.regime import Branch, Flow, Regime
 
 
 def constants(regime: Regime, law: Law, loads, r_end: float) -> tuple[float, ...]:
-    """Return the run-time numbers (n,) of a flow in the order in which `formulas` asks for their
-    symbols."""
+    """Return the run-time constants (n,) of a flow, in the order of their symbols in `formulas`."""
     return *law, *regime.senses, r_end, *(loads.numbers if loads else ())
 
 
 def shape(regime: Regime, law: Law, loads) -> Branch:
-    """Return the branch that is to be compiled: without any of the `constants`."""
+    """Return the branch to compile, which contains none of the `constants`."""
     return Branch.of(regime, law, loads and loads.shape)
 
 
 @lru_cache(64)
 def prepared(compiled: Callable, regime: Regime, law: Law, loads, r_end: float, *how):
-    """Return what `compiled(shape, *how)` makes of the flow of a regime, and the constants (n,) of
-    the flow."""
+    """Return `compiled(shape, *how)` for a regime, and the constants (n,) of its flow."""
     return compiled(shape(regime, law, loads), *how), np.array(constants(regime, law, loads, r_end))
 
 
 def formulas(flow: Flow, y, branch: Branch, symbol):
-    """Return the rates (k,) and the guards by name of a `shape`, for a state y (k,) and symbol(i)
-    of constant i."""
+    """Return the rates (k,) and the guards of a `shape`, for a state y (k,) and the symbol(i) of
+    constant i."""
     following = map(symbol, count())
     law = Law(*islice(following, len(Law._fields)))
     senses = tuple(islice(following, 3))

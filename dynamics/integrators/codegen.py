@@ -1,9 +1,7 @@
-"""Machine code of one branch of the flow: its formulas are run once on scalars that write down what
-is done to them.
+"""Machine code of one branch of the flow, from one run of its formulas on recording scalars.
 
-What is written down is a straight program without a choice in it, which numba compiles. The
-formulas stay where they are, in equations.py, regime.py and dissipation.py, as they do for heyoka.
-"""
+The scalars record each operation as one line of a straight-line program, which numba compiles. The
+formulas remain in equations.py, regime.py and dissipation.py; heyoka uses the same ones."""
 
 import functools
 import math
@@ -17,31 +15,30 @@ from dynamics.regime import Branch, Flow
 
 ROW = types.float64[::1]
 FLOW = types.void(ROW, ROW, ROW, ROW)
-"""What a compiled branch is called with: state, constants, and where the rates and the guards
-go."""
+"""Type of a compiled branch: state, constants, array for the rates, array for the guards."""
 
 
 class Program:
-    """The lines of a straight program; what was computed before is not computed again."""
+    """A straight-line program; each expression is computed only once."""
 
     def __init__(self):
         self.names = {}
 
     def note(self, expression: str) -> "Scalar":
-        """Return the scalar that `expression` computes."""
+        """Return the scalar with the value of `expression`."""
         return Scalar(self, self.names.setdefault(expression, f"t{len(self.names)}"))
 
     def call(self, function: str):
-        """Return a function of scalars that notes a call."""
+        """Return a function of scalars that records a call of `function`."""
         return lambda *arguments: self.note(f"{function}({', '.join(map(str, arguments))})")
 
     def lines(self) -> list[str]:
-        """Return the assignments in their order."""
+        """Return the assignments in order of execution."""
         return [f"{name} = {expression}" for expression, name in self.names.items()]
 
 
 class Scalar:
-    """A number of a program, known by its name."""
+    """A number in a program, represented by its name."""
 
     def __init__(self, program: Program, name: str):
         self.program = program
@@ -71,7 +68,7 @@ for _name, _symbol in (("add", "+"), ("sub", "-"), ("mul", "*"), ("truediv", "/"
 
 
 class Compiled(NamedTuple):
-    """A branch as an argument of the type FLOW, and the names of its guards in their order."""
+    """A branch as an argument of the type FLOW, and its guards in order."""
 
     flow: object
     guards: tuple[Guard, ...]
@@ -81,9 +78,8 @@ machines: dict = {}
 
 
 def machine(function, signature):
-    """Compile a function when it is first asked for, not when it is imported; numba keeps it on
-    disk."""
-    if function not in machines:  # numba takes longer to tell the types of a call than to make it
+    """Compile a function on first use rather than on import; numba caches the result on disk."""
+    if function not in machines:  # numba's type dispatch takes longer than the call itself
         machines[function] = njit(signature, cache=True, error_model="numpy")(
             function
         ).get_overload(signature)
@@ -94,8 +90,7 @@ def machine(function, signature):
 def compiled(branch: Branch, kind=Flow) -> Compiled:
     """Compile the `shape` of a branch for a kind of flow; the constants of a scene are arguments.
 
-    Safe to share between threads.
-    """
+    Threads can share the result."""
     source, names = program_of(branch, kind)
     scope = {name: getattr(math, name) for name in kind.FUNCTIONS}
     exec(source, scope)
@@ -103,7 +98,7 @@ def compiled(branch: Branch, kind=Flow) -> Compiled:
 
 
 def program_of(branch: Branch, kind=Flow) -> tuple[str, tuple[Guard, ...]]:
-    """Return the source of the function (FLOW) of one branch, and the names of its guards."""
+    """Return the source of the function (FLOW) of one branch, and its guards."""
     program = Program()
     flow = kind(*(program.call(name) for name in kind.FUNCTIONS))
     y = [program.note(f"y[{i}]") for i in range(kind.SIZE)]

@@ -14,11 +14,10 @@ FINEST = 1e-15
 
 
 def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
-    """Integrate from y within `regime` until a guard falls through zero, for `span`, or for a
-    thousand steps.
+    """Integrate from y within `regime` until a guard falls through zero, for `span`, or for 1000
+    steps.
 
-    Safe to call from several threads at once. Raises StalledError where no step is short enough.
-    """
+    Safe to call from several threads at once. Raises StalledError if no step is short enough."""
     (flow, names), parameters = prepared(compiled, regime, law, loads, r_end)
     times, coefficients, end, fired = machine(integrate, STEPS)(
         flow, np.array(y, float), parameters, len(names), span, max(tolerance, FINEST)

@@ -1,9 +1,8 @@
-"""Implicit steps of high order in machine code, until a guard falls: the collocation that
-collocation.py speaks of.
+"""Implicit high-order steps up to a guard, in machine code: collocation for slow_slides.py.
 
-A flow, of the type of trace.py, gives the rates and the guards of a state at once. The slip of a
-state is polar: its signed speed over r at V1, its direction at V2; the rate of the direction is
-that of the direction times the speed."""
+A flow, of the type FLOW of codegen.py, computes the rates and the guards of a state. The slip of a
+state is polar: signed speed over r at V1, direction at V2. The rate at V2 is that of the direction
+times the speed."""
 
 import numpy as np
 from numba import njit, types
@@ -17,43 +16,43 @@ from dynamics.regime import DISSIPATED, STOP_SPEED, V1, V2, W1, R
 
 ORDER = 14
 NODES = (1 + chebpts1(ORDER)) / 2
-"""Gauss-Chebyshev points on [0, 1]; the start, where the slip may rest, is not one of them."""
+"""Gauss-Chebyshev points on [0, 1]; the start, where the slip may be at rest, is not among them."""
 SERIES = np.ascontiguousarray(
     chebint(np.linalg.inv(chebvander(2 * NODES - 1, ORDER - 1)), lbnd=-1, scl=0.5)
 )
-"""Chebyshev's coefficients (ORDER + 1, ORDER) of the integral of the polynomial through values at
-the nodes."""
+"""Chebyshev coefficients (ORDER + 1, ORDER) of the integral of the polynomial through values at the
+nodes."""
 INTEGRAL = chebvander(2 * NODES - 1, ORDER) @ SERIES
 TO_POWERS = np.zeros((ORDER + 1, ORDER + 1))
 for _k in range(ORDER + 1):
     TO_POWERS[: _k + 1, _k] = cheb2poly(np.eye(2 * _k + 1)[-1])[::2]
-"""The powers of x in Chebyshev's polynomials on [0, 1]: T_k(2 x - 1) = T_2k(sqrt x)."""
+"""Powers of x in the Chebyshev polynomials on [0, 1]: T_k(2 x - 1) = T_2k(sqrt x)."""
 LENGTH, LONGEST = 0.4, 1.0
-"""Length of the first step from rest, and of the longest, in units of r."""
+"""Length of the first step from rest, and of the longest step, in units of r."""
 GROWTH, SHRINK = 2.5, 0.3
-"""Least growth of a step, for what relaxes is gone after it; and what is left of one that does not
-converge."""
+"""Least growth factor of a step, because transients decay within it, and reduction factor after a
+failure to converge."""
 RELAXED = 12.0
-"""Times of relaxation in the first step of a slide: as many as the nodes resolve."""
+"""Number of relaxation times in the first step of a slide, the most that the nodes resolve."""
 SHORTEST = 1e-12
 ACCURACY = 1e-12
 SETTLED, STEERED, MOST_TRIES = 1e-13, 3, 40
-"""What the iteration may leave, the try at which the steering is found anew, and the tries it
-has."""
+"""Tolerance of the iteration, the iteration in which the Jacobian is updated, and the maximum
+number of iterations."""
 STRAY = 1e-3
-"""A change after which the steering is found anew."""
+"""Change of the state above which the Jacobian is updated."""
 TILT = 1e-7
-"""Of the difference quotient for Newton's method, which mends its error."""
+"""Step [rad] of the difference quotient in Newton's method, which corrects its error."""
 STAY = 1.5
-"""A stiff slide is left where it is so many times beyond that."""
+"""Factor on the limits of SLOW and LAZY for a stiff slide in progress, as a hysteresis."""
 MOST_STEPS, SIZE = 40, DISSIPATED + 1
 SENSE = len(Law._fields)
-"""Place of the sense of nutation among the constants of a flow (symbolic.py)."""
+"""Index of the sense of nutation among the constants of a flow (branch_formulas.py)."""
 REST = 1e-13
-"""Slip speed over r at which a slow slide is at rest: there it is too slow for a last step along
-its tangent."""
+"""Slip speed over r below which a slow slide is at rest; it is too slow for a last step along its
+tangent."""
 PLAIN = 1e-6
-"""Rate of nutation over r, of either sign, below which a reversal is not decided here."""
+"""Least rate of change of omega_1/r for which a reversal of the nutation is decided here."""
 
 
 is_slow = njit(cache=True, error_model="numpy")(slow_slide_criterion.is_slow)
@@ -61,7 +60,7 @@ is_slow = njit(cache=True, error_model="numpy")(slow_slide_criterion.is_slow)
 
 @njit(cache=True, error_model="numpy")
 def steering(flow, p, states, rates, spare):
-    """Return d(rates)/d(direction) at the nodes, (ORDER, SIZE), by difference quotients."""
+    """Return the Jacobian d(rates)/d(direction) (ORDER, SIZE) at the nodes, by differences."""
     out = np.empty((ORDER, SIZE))
     tilted = states.copy()
     for j in range(ORDER):
@@ -72,8 +71,7 @@ def steering(flow, p, states, rates, spare):
 
 @njit(cache=True, error_model="numpy")
 def steered(states, dt, steer):
-    """Return the inverse (ORDER, ORDER) of what Newton's method solves for the rate of the
-    direction at the nodes."""
+    """Return the inverse (ORDER, ORDER) of Newton's matrix for the rates of the direction."""
     matrix = np.empty((ORDER, ORDER))
     for j in range(ORDER):
         for i in range(ORDER):
@@ -84,11 +82,12 @@ def steered(states, dt, steer):
 
 @njit(cache=True, error_model="numpy")
 def settle(flow, p, y, dt, states, rates, guards):
-    """Solve states = y + dt INTEGRAL rates(states) from guessed states (ORDER, SIZE); tell whether
-    that converges.
+    """Solve states = y + dt INTEGRAL rates(states) from guessed states (ORDER, SIZE); True if it
+    converges.
 
-    The direction alone is stiff: it follows by Newton's method, and the rest, corrected for it, by
-    Picard's. At the end the rates at V2 are those of the direction itself."""
+    Only the direction is stiff. Newton's method solves for it, and Picard's method for the rest,
+    corrected for the change of direction. At the end the rates at V2 are those of the direction
+    itself."""
     last = SETTLED
     steer = rates
     solved = np.empty((ORDER, ORDER))
@@ -135,9 +134,10 @@ def collocate(flow, p, y, slope, dt, states, rates, guards):
     """Return one step from y (SIZE,) as powers (ORDER + 1, SIZE) of x in [0, 1], and its error over
     ACCURACY.
 
-    The first guess follows the `slope` at y, with the direction kept. States and rates at the nodes
-    (ORDER, SIZE) are filled, and the guards (ORDER + 1, GUARDS) there and at the end. The error is
-    the last of Chebyshev's coefficients, infinite where the iteration does not converge."""
+    The first guess follows the `slope` at y with a constant direction. The arguments `states` and
+    `rates` (ORDER, SIZE) are filled with values at the nodes, `guards` (ORDER + 1, GUARDS) with
+    values at the nodes and the end. The error is the last Chebyshev coefficient, or infinite if the
+    iteration does not converge."""
     c = np.zeros((ORDER + 1, SIZE))
     end = np.empty(SIZE)
     for j in range(ORDER):
@@ -156,7 +156,7 @@ def collocate(flow, p, y, slope, dt, states, rates, guards):
 
 @njit(cache=True, error_model="numpy")
 def first_length(flow, p, y, slope):
-    """Return the length in units of r of a step on which the direction may relax."""
+    """Return the length, in units of r, of a first step that resolves the relaxation."""
     tilted = y.copy()
     rates = np.empty(SIZE)
     guards = np.empty(GUARDS)
@@ -174,7 +174,7 @@ def change_of_square(y, slope):
 
 @njit(cache=True, error_model="numpy")
 def cartesian(y):
-    """Return a state (SIZE,) whose slip is polar with that along a_1, a_2."""
+    """Return a state (SIZE,) with its polar slip replaced by the components along a_1, a_2."""
     out = y.copy()
     out[V1], out[V2] = y[V1] * np.cos(y[V2]), y[V1] * np.sin(y[V2])
     return out
@@ -182,8 +182,9 @@ def cartesian(y):
 
 @njit(cache=True, error_model="numpy")
 def in_plane(c, states, rates, dt, place, out):
-    """Write the powers of c in time, with the slip along a_1, a_2, exact at 0 and `place`, into out
-    (as c)."""
+    """Write the powers of time of a step c, with slip along a_1, a_2, into `out` (shape of c).
+
+    The slip is exact at 0 and at `place`."""
     end = np.empty(SIZE)
     slip = np.empty((ORDER, 2))
     for j in range(ORDER):
@@ -208,8 +209,8 @@ def in_plane(c, states, rates, dt, place, out):
 
 @njit(cache=True, error_model="numpy")
 def slowest(c, low, high):
-    """Return where in [low, high], between a fall and a rise, the speed on the powers c is
-    least."""
+    """Return the place in [low, high] of the least speed on the curve c; the speed falls at low and
+    rises at high."""
     for _ in range(HALVINGS):
         middle = (low + high) / 2
         low, high = (middle, high) if slope_of_speed(c, middle) < 0 else (low, middle)
@@ -218,7 +219,7 @@ def slowest(c, low, high):
 
 @njit(cache=True, error_model="numpy")
 def slope_of_speed(c, x):
-    """Return the derivative at x of the speed on the powers c."""
+    """Return the derivative at x of the speed on the curve c."""
     slope = 0.0
     for j in range(ORDER, 0, -1):
         slope = slope * x + j * c[j, V1]
@@ -227,11 +228,12 @@ def slope_of_speed(c, x):
 
 @njit(cache=True, error_model="numpy")
 def first_fall(flow, p, c, count, before, guards):
-    """Return the place in [0, 1] of the first fall of one of `count` guards on the powers c, and
-    which; 1, -1 for none.
+    """Return the place in [0, 1] of the first fall of one of `count` guards on the curve c, and its
+    index.
 
-    `before` are the guards at 0, `guards` those at the nodes and the end; where the slip is slowest
-    they are asked too. A guard not positive at 0 cannot fall."""
+    If none falls, return 1, -1. `before` contains the guards at 0, `guards` those at the nodes and
+    the end. The guards are also evaluated at a minimum of the slip speed. A guard not positive at 0
+    cannot fall."""
     place = 1.0
     fired = -1
     low = 0.0
@@ -262,11 +264,11 @@ def first_fall(flow, p, c, count, before, guards):
 
 @njit(cache=True, error_model="numpy")
 def reverses(flow, p, y, slope, before, count, turn):
-    """Reverse the nutation, at rest in y, for the flow's constants p; tell whether it plainly goes
-    on so, and alone.
+    """Reverse the nutation, at rest in y; return True if it clearly continues and no other guard is
+    at zero.
 
-    Filled are the `slope` and the guards `before`, of which none but the number `turn` is at zero.
-    """
+    The sense of nutation in p changes. `slope` and the guards `before` are filled; `turn` is the
+    index of the guard of this reversal."""
     y[W1] = 0.0
     p[SENSE] = -p[SENSE]
     flow(y, p, slope, before)
@@ -278,8 +280,8 @@ def reverses(flow, p, y, slope, before, count, turn):
 
 @njit(cache=True, error_model="numpy")
 def starts(before, guards, count, grip):
-    """Tell whether a step from rest leads into the slide: what is at zero `before` it is positive
-    at its first node."""
+    """Return True if a step from rest leads into the slide: each guard at zero `before` it is
+    positive at its first node."""
     leads = True
     for i in range(count):
         leads &= before[i] > 0 or guards[0, i] > (-REST if i == grip else 0.0)
@@ -289,20 +291,21 @@ def starts(before, guards, count, grip):
 CALL, INDEX, NUMBER = types.FunctionType(FLOW), types.int64, types.float64
 FOUND = types.Tuple((ROW, types.float64[:, :, ::1], ROW, INDEX, INDEX[::1]))
 STEPS = FOUND(CALL, ROW, ROW, *[INDEX] * 4, NUMBER, NUMBER, INDEX)
-"""The type of `integrate`."""
+"""Signature of `integrate`."""
 
 
 def integrate(flow, y, p, count, grip, load, turn, mu, span, most):
     """Integrate a slow slide from y (SIZE,) until a guard falls, for `span`, while it is slow, or
     for `most` steps.
 
-    `grip`, `load` and `turn` are the numbers of these among the `count` guards, the load being Phi;
-    where the last, the reversal of nutation, falls plainly, the slide goes on in the other sense.
-    Returns the ends of the steps (n,), their Taylor coefficients (n, ORDER + 1, SIZE) and the last
-    state (SIZE,), with the slip along a_1, a_2, the number of the guard, -1 for none, and how many
-    steps were before each reversal. Where no step is short enough, the steps before it; there may
-    be none, as where the slide is not slow, or starts at rest and never has the speed that ends a
-    slide, whose guard is the grip then."""
+    `grip`, `load` and `turn` are the indices of slip speed, normal force and reversal of nutation
+    among the `count` guards. After a clear reversal the slide continues with the other sense.
+
+    Returns the ends of the steps (n,), their Taylor coefficients (n, ORDER + 1, SIZE), the last
+    state (SIZE,) with the slip along a_1, a_2, the index of the guard (-1 if none), and the number
+    of steps before each reversal. If no step is short enough, it returns the steps before this
+    point, possibly none. There are also none if the slide is not slow, or if it starts at rest and
+    never exceeds STOP_SPEED; in the latter case the guard is `grip`."""
     times = np.empty(most)
     coefficients = np.empty((most, ORDER + 1, SIZE))
     slope = np.empty(SIZE)
@@ -344,6 +347,6 @@ def integrate(flow, y, p, count, grip, load, turn, mu, span, most):
         slow = is_slow(y[V1] / stay, change_of_square(y, slope) / stay**2, mu * before[load])
         if (
             fired < 0 and not slow and before[grip] < STOP_SPEED
-        ):  # it stops too fast to be slow, and has no guard left
+        ):  # it stops too fast to count as slow, and no guard can fall any more
             fired = grip
     return times[:n].copy(), coefficients[:n].copy(), cartesian(y), fired, turns[:turned].copy()

@@ -1,8 +1,8 @@
-"""Steps of DOP853 with dense output, in machine code, until a guard falls: Hairer, Norsett & Wanner
+"""Steps of DOP853 with dense output, in machine code, up to a guard: Hairer, Norsett & Wanner
 (1993), II.5, II.6.
 
-The coefficients are scipy's. A flow, of the type of trace.py, gives the rates and the guards of a
-state at once."""
+The coefficients are scipy's. A flow, of the type FLOW of codegen.py, computes the rates and the
+guards of a state."""
 
 import numpy as np
 from numba import njit, types
@@ -12,20 +12,21 @@ from dynamics.integrators.codegen import FLOW, ROW
 from dynamics.regime import V1, V2, W1, W2, W3, R
 
 STAGES = np.zeros((16, 16))
-"""Weights of the rates so far: 12 stages, the end of the step, and three more for the dense
+"""Weights of the preceding rates: 12 stages, the end of the step, and three stages for the dense
 output."""
 STAGES[:12, :12], STAGES[12, :12], STAGES[13:] = DOP853.A, DOP853.B, DOP853.A_EXTRA
 ERRORS = np.zeros((2, 13))
 ERRORS[:] = DOP853.E5, DOP853.E3
 LOOKS, HALVINGS = 4, 54
-"""Points of a step at which the guards are looked at, and how often the stretch before a fall is
-halved."""
+"""Number of places in a step at which the guards are evaluated, and number of bisections to locate
+a fall."""
 SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
-"""Of the next step: part of the one that the error allows, and bounds on the ratio to the last."""
+"""Length of the next step: fraction of the length that the error allows, and bounds of the ratio to
+the last step."""
 MOST_STEPS, SHORTEST = 1000, 1e-13
-"""Steps of one stretch, and the length in units of r below which a step is given up."""
+"""Maximum number of steps per call, and length in units of r below which a step is abandoned."""
 GUARDS = 16
-"""Room for the guards of any branch."""
+"""Array size that suffices for the guards of any branch."""
 
 
 def powers_of_stages():
@@ -51,15 +52,14 @@ POWERS = powers_of_stages()
 
 @njit(cache=True, error_model="numpy")
 def fastest_clock(y):
-    """Return the longest step that cannot hide two roots of a guard: a part of the time of a radian
-    of turning."""
+    """Return the longest step that cannot hide two roots of a guard: 1/4 radian of rotation."""
     return 0.25 * y[R] / (1e-3 + max(abs(y[W1]), abs(y[W2]), abs(y[W3]), abs(y[V1]), abs(y[V2])))
 
 
 @njit(cache=True, error_model="numpy")
 def write(values, out):
-    """Write values (k,) into out (k,). Of `out[:] = values` numba compiles the message of its
-    failure, for seconds."""
+    """Write values (k,) into out (k,). For `out[:] = values`, numba spends seconds on compiling an
+    error message."""
     for a in range(len(out)):
         out[a] = values[a]
 
@@ -75,11 +75,10 @@ def at(c, x, y):
 
 @njit(cache=True, error_model="numpy")
 def error_of_step(flow, y, p, h, rates, y_end, guards):
-    """Fill the rates (16, k) of a step of length h from y, whose first are known, and y_end (k,);
-    return its error.
+    """Fill the rates (16, k) of a step of length h from y, and y_end (k,); return its error.
 
-    The error is that of scipy's DOP853 for relative and absolute tolerances of 1.
-    """
+    The first row of the rates must be given. The error is that of scipy's DOP853 for relative and
+    absolute tolerances of 1."""
     for i in range(1, 16):
         state = y + h * (STAGES[i, :i] @ rates[:i])
         flow(state, p, rates[i], guards)
@@ -93,8 +92,8 @@ def error_of_step(flow, y, p, h, rates, y_end, guards):
 
 @njit(cache=True, error_model="numpy")
 def root(flow, p, c, i, low, high):
-    """Return the end of the stretch, in [low, high] on the curve c (8, k), behind which guard i has
-    fallen."""
+    """Return the place in [low, high] on the curve c (8, k) at which guard i falls, rounded to the
+    far side."""
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
     guards = np.empty(GUARDS)
@@ -109,10 +108,9 @@ def root(flow, p, c, i, low, high):
 @njit(cache=True, error_model="numpy")
 def fall_between(flow, p, c, count, before, now, low, high):
     """Return the place of the first fall of one of `count` guards in [low, high] on the curve c,
-    and which.
+    and its index.
 
-    Without one these are 1, -1. `before` and `now` are the guards at both ends.
-    """
+    If none falls, return 1, -1. `before` and `now` are the guards at both ends."""
     place = 1.0
     fired = -1
     for i in range(count):
@@ -127,10 +125,10 @@ def fall_between(flow, p, c, count, before, now, low, high):
 @njit(cache=True, error_model="numpy")
 def first_fall(flow, p, c, count, before):
     """Return the place in [0, 1] of the first fall of one of `count` guards on the curve c (8, k),
-    and which.
+    and its index.
 
-    Without one these are 1, -1. `before` are the guards at 0, and then those last looked at. A
-    guard that is not positive at 0 cannot fall."""
+    If none falls, return 1, -1. `before` contains the guards at 0, and is overwritten by their last
+    values. A guard that is not positive at 0 cannot fall."""
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
     now = np.empty(GUARDS)
@@ -150,15 +148,15 @@ def first_fall(flow, p, c, count, before):
 
 FOUND = types.Tuple((ROW, types.float64[:, :, ::1], ROW, types.int64))
 STEPS = FOUND(types.FunctionType(FLOW), ROW, ROW, types.int64, types.float64, types.float64)
-"""The type of `integrate`."""
+"""Signature of `integrate`."""
 
 
 def integrate(flow, y, p, count, span, tolerance):
     """Integrate from y (k,) for `span`, for MOST_STEPS steps or until one of `count` guards falls.
 
     Returns the ends of the steps (n,), their Taylor coefficients (n, 8, k), the last state (k,) and
-    the number of the guard, -1 for none. Where no step is short enough, the steps before it; there
-    may be none."""
+    the index of the guard (-1 if none). If no step is short enough, it returns the steps before
+    this point, possibly none."""
     times = np.empty(MOST_STEPS)
     coefficients = np.empty((MOST_STEPS, 8, len(y)))
     rates = np.empty((16, len(y)))
@@ -175,7 +173,7 @@ def integrate(flow, y, p, count, span, tolerance):
         if not h > SHORTEST * y[R]:
             break
         error = error_of_step(flow, y, p, h, rates, y_end, spare) / tolerance
-        if not error < 1:  # not a number where the step leads out of the formulas' range
+        if not error < 1:  # NaN if the step leaves the domain of the formulas
             h *= max(SHRINK, SAFETY * error ** (-1 / 8)) if error >= 1 else SHRINK
             continue
         c = h * (POWERS @ rates)

@@ -1,10 +1,10 @@
-"""Implicit steps of high order for a slide so slow that its direction is stiff.
+"""Implicit high-order steps for a slide so slow that its direction is stiff.
 
-The slip direction relaxes at a rate of friction over slip speed. Where the slip speed hardly
-changes meanwhile, as after a start without acceleration (mu_dynamic = mu_static), explicit steps of
-any order would have to be as short. With the slip in polar coordinates that direction alone is
-stiff. The slow solution is smooth through rest, if beyond it the speed counts as negative: so the
-end of a slide is found."""
+The slip direction relaxes at a rate of friction over slip speed. If the slip speed hardly changes
+meanwhile, as after a start without acceleration (mu_dynamic = mu_static), explicit steps of any
+order would have to be as short as the relaxation time. With the slip in polar coordinates, only the
+direction is stiff. The slow solution is smooth through rest if the speed counts as negative beyond
+it; this locates the end of a slide."""
 
 import math
 
@@ -21,11 +21,9 @@ REVERSAL = guard_of("nutation reverses")
 
 
 class Polar(Flow):
-    """The flow with the slip in polar coordinates: its signed speed over r at V1 of a state, its
-    direction at V2.
+    """The flow with the slip in polar coordinates: signed speed over r at V1, direction at V2.
 
-    The rate of the direction is that of the direction times the speed, which is not singular at
-    rest."""
+    The rate at V2 is that of the direction times the speed, which is regular at rest."""
 
     def contact(self, y, branch, senses, law):
         """Solve the balance laws at state y."""
@@ -54,8 +52,8 @@ class Polar(Flow):
 
 
 def polar(branch):
-    """Return the compiled flow of a slow slide, the names of its guards, and the numbers of grip,
-    lift-off and the reversal of nutation, -1 where there is none."""
+    """Return the compiled flow of a slow slide, its guards, and the indices of grip, lift-off and
+    the reversal of nutation (-1 if absent)."""
     flow, names = compiled(branch, Polar)
     return (
         flow,
@@ -67,11 +65,11 @@ def polar(branch):
 
 
 def advance(y, regime, law, loads, r_end, span) -> Arc | None:
-    """Integrate a stiff slide until a guard falls, for `span`, until it is stiff no more, or for
-    MOST_STEPS steps.
+    """Integrate a slide until a guard falls, for `span`, while it is stiff, or for MOST_STEPS
+    steps.
 
-    It goes on through plain reversals of the nutation. None where it is not stiff, or no length
-    down to SHORTEST converges. Safe to call from several threads at once."""
+    The slide continues through clear reversals of the nutation. Returns None if the slide is not
+    stiff, or if no step down to SHORTEST converges. Safe to call from several threads at once."""
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
     arc = _integrated(y, speed, direction, regime, law, loads, r_end, span, MOST_STEPS)
@@ -79,11 +77,11 @@ def advance(y, regime, law, loads, r_end, span) -> Arc | None:
 
 
 def graze(y, nu, regime, law, loads, r_end, most) -> Arc | None:
-    """Integrate a slide that starts from rest along nu without a push, as `advance` does, for at
-    most `most` steps.
+    """Integrate a slide from rest along nu without a push, like `advance`, for at most `most`
+    steps.
 
-    None where the slip comes back to rest before it has the speed that ends a slide: then there is
-    no slide to follow. Raises StalledError where no length down to SHORTEST converges."""
+    Returns None if the slip speed returns to zero before it exceeds STOP_SPEED: then there is no
+    slide to follow. Raises StalledError if no step down to SHORTEST converges."""
     arc = _integrated(y, 0.0, nu, regime, law, loads, r_end, math.inf, most)
     if not len(arc.times) and arc.guard is None:
         raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")

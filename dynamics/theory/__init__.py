@@ -1,1 +1,1 @@
-"""Reference solutions in closed form, which judge the simulator."""
+"""Closed-form reference solutions, against which the simulator is tested."""

@@ -1,10 +1,9 @@
-"""Closed forms that judge the simulator: the undamped rolling disk, its steady motions, and small
-inclinations.
+"""Closed-form tests of the simulator: undamped rolling, steady motions, small inclinations.
 
-Nothing here uses the simulator. Everything is dimensionless as in the paper; a is the angle alpha
-of the paper, pi/2 minus the inclination; h = H/R; K = k^2. Sources: Appell (1900), Korteweg (1900),
-O'Reilly (1996), Cushman, Hermans & Kemppainen (1996); the rolling friction follows from (5.3) and
-the energy."""
+The formulas are independent of the simulator. All quantities are dimensionless as in the paper; a
+is the angle alpha of the paper, pi/2 minus the inclination; h = H/R; K = k^2. Sources: Appell
+(1900), Korteweg (1900), O'Reilly (1996), Cushman, Hermans & Kemppainen (1996). The rolling friction
+follows from (5.3) and the energy."""
 
 from cmath import sqrt as complex_sqrt
 from math import cos, pi, sin, sqrt, tan
@@ -57,8 +56,7 @@ def rolling_velocities(a, a0, w2, w3, h, K):
 
 
 def nutation_rate_squared(a, a0, w2, w3, h, K):
-    """Return w1^2 at angle a of an undamped rolling disk at rest in a at a0 with (w2, w3): energy
-    is conserved."""
+    """Return w1^2 at angle a of an undamped disk with w1 = 0, w2 and w3 at a0, from its energy."""
 
     def rest(a, w2, w3):
         spin = (w2 - h * w3) ** 2 + (K / 4 + h * h / 3) * w3 * w3 + K / 2 * w2 * w2
@@ -69,11 +67,10 @@ def nutation_rate_squared(a, a0, w2, w3, h, K):
 
 
 def nutation(a0, w2, w3, h, K, reach=0.5):
-    """Return the other turning angle and the period of the nutation of an undamped rolling disk at
-    rest in a at a0.
+    """Return the other turning angle and the period of the nutation of an undamped rolling disk.
 
-    The turning angle is looked for in steps of reach/100 towards larger a. Raises ValueError where
-    there is none."""
+    The disk has w1 = 0 and (w2, w3) at a0. The search for the other angle proceeds in steps of
+    reach/100 towards larger a. Raises ValueError if there is none within `reach`."""
 
     def speed_squared(a):
         return nutation_rate_squared(a, a0, w2, w3, h, K)
@@ -90,7 +87,7 @@ def nutation(a0, w2, w3, h, K, reach=0.5):
 
     def integrand(
         phi,
-    ):  # a = middle - half cos(phi) takes the inverse square roots out of both ends
+    ):  # a = middle - half cos(phi) removes the inverse square roots at both ends
         return half * sin(phi) / sqrt(speed_squared(middle - half * cos(phi)))
 
     return a1, 2 * quad(integrand, 0, pi, epsabs=1e-13, epsrel=1e-13)[0]
@@ -107,7 +104,7 @@ def nutation_acceleration(a, w2, w3, h, K):
 
 
 def steady_axial_rate(a, w3, h, K):
-    """Return w2 of the steady motion at angle a with in-plane rate w3 (not zero):
+    """Return w2 of the steady motion at angle a with in-plane rate w3 (not zero), at which
     nutation_acceleration vanishes."""
     at0 = nutation_acceleration(a, 0.0, w3, h, K)
     at1 = nutation_acceleration(a, 1.0, w3, h, K)
@@ -115,11 +112,11 @@ def steady_axial_rate(a, w3, h, K):
 
 
 def steady_nutation_squared(a, w3, h, K, step=1e-5):
-    """Return the square of the angular frequency of small nutations about the steady motion;
-    negative where unstable.
+    """Return the squared angular frequency of small nutations about the steady motion; negative if
+    unstable.
 
-    w2 and w3 follow a by Appell's equations, so it is minus the total derivative of
-    nutation_acceleration by a."""
+    w2 and w3 depend on a by Appell's equations, so the result is minus the total derivative of
+    nutation_acceleration with respect to a."""
     w2 = steady_axial_rate(a, w3, h, K)
     p, b, c = appell(h, K)
     slopes = -p * w2 + b * w3, c * w2 + (p + tan(a)) * w3
@@ -141,8 +138,8 @@ def steady_nutation_squared(a, w3, h, K, step=1e-5):
 
 
 def flat_limit(h, K):
-    """Return Omega^2 beta, and nutation over precession frequency, of `steady_precession` as beta
-    -> 0."""
+    """Return the limits of Omega^2 beta and of nutation over precession frequency in
+    `steady_precession` as beta -> 0."""
     beta = 1e-6
     rate = steady_precession(beta, h, K)
     square = steady_nutation_squared(pi / 2 - beta, rate * sin(beta), h, K, step=1e-3 * beta)
@@ -150,21 +147,20 @@ def flat_limit(h, K):
 
 
 def steady_precession(beta, h, K):
-    """Return the precession rate of the steady motion with a fixed centre (w2 = h w3) at
-    inclination beta.
+    """Return the steady precession rate with a fixed centre (w2 = h w3) at inclination beta.
 
-    nutation_acceleration is at0 + (at1 - at0) w3^2 there.
-    """
+    In this motion nutation_acceleration equals at0 + (at1 - at0) w3^2."""
     at0, at1 = (nutation_acceleration(pi / 2 - beta, h * w3, w3, h, K) for w3 in (0.0, 1.0))
     return sqrt(at0 / (at0 - at1)) / sin(beta)
 
 
 def rolling_friction_slope(k2, beta, h, K):
-    """Return -d sqrt(beta)/dtau of quasi-steady motion under the moment k2 (over R) alone, where
-    its centre is fixed.
+    """Return -d sqrt(beta)/dtau of quasi-steady motion with a fixed centre, under the moment k2
+    (over R) alone.
 
-    The moment changes w2 and w3 by (5.3), Appell's equations by the change of a; the motion stays
-    steady. It is less than `centred_slope`: the loss of energy also sets the centre in motion."""
+    The moment changes w2 and w3 by (5.3), the decrease of beta changes them by Appell's equations,
+    and the motion stays steady. The result is less than `centred_slope`, because the loss of energy
+    also sets the centre in motion."""
     rate = steady_precession(beta, h, K)
     a = pi / 2 - beta
     w3 = rate * sin(beta)
@@ -196,9 +192,9 @@ def rolling_friction_slope(k2, beta, h, K):
 
 
 def centred_slope(k2, h, K):
-    """Return -d sqrt(beta)/dtau that the energy gives for small beta if the centre stayed fixed
-    under the moment k2.
+    """Return -d sqrt(beta)/dtau for small beta by the energy, as if the centre stayed fixed under
+    the moment k2.
 
-    Energy (K + 4)/4 (3/2) beta is lost at k2 Phi Omega beta with Phi = (K + 4)/4 and Omega^2 beta
-    as in `flat_limit`."""
+    The energy (K + 4)/4 (3/2) beta decreases at the rate k2 Phi Omega beta, with Phi = (K + 4)/4
+    and Omega^2 beta as in `flat_limit`."""
     return k2 * sqrt(flat_limit(h, K)[0]) / 3

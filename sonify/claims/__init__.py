@@ -1,2 +1,1 @@
-"""RESULT -> FINDINGS: every claim once, as a function with a value, what is expected, a tolerance
-and a source."""
+"""RESULT -> FINDINGS: one function per claim, with an expected range, a tolerance and a source."""

@@ -1,5 +1,4 @@
-"""AIR -> FINDINGS: from when it counts, what ends the motion, whether it carries the disk and lets
-it be heard."""
+"""AIR -> FINDINGS: onset of the air film, cause of the end, lift of the disk, and audibility."""
 
 from math import log
 from typing import Any
@@ -21,11 +20,12 @@ from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
 MEASURED, SPREAD = 0.31, 0.03
-"""Exponent of the precession rate in the time left, of recordings of disks on granite (2026), and
-its error."""
+"""Exponent of the precession rate in the time left and its error, from recordings of disks on
+granite (2026).
+"""
 LOST_TO_AIR = "The contact is lost to the air"
 LAST = 0.1
-"""The end of a motion is what takes this last part of its energy."""
+"""Last share of the energy loss, over which the cause of the end is determined."""
 CAUSE_IN_WORDS = {
     "contact": "impacts and compression of the contact",
     "creep": "creep of the contact",
@@ -35,10 +35,12 @@ CAUSE_IN_WORDS = {
     "film": "the film of air",
     "body": "the modes of the disk",
 }
-"""Each of the CAUSES that take energy, in words."""
+"""The causes of energy loss, CAUSES, in words."""
 FALLS_AS = 100 / 3
-"""A fall three times as fast as the air leaves is as far from the law of the film, 27 %, as it is
-held at Lam = 100."""
+"""Lam per closing number at the same error of the film law.
+
+The error is 27 % both at a closing number of 3 and at Lam = 100.
+"""
 UNENDED = {
     Outcome.TIME_LIMIT,
     Outcome.LIFTED_OFF,
@@ -47,20 +49,22 @@ UNENDED = {
     Outcome.STALLED,
     Outcome.CASCADE,
 }
-"""Where a motion was broken off, or is another one from then on, no loss of energy has ended it."""
+"""Outcomes that no loss of energy causes: the run was interrupted or another motion follows."""
 INCLINATIONS = (1e-3, 1e-2)
-"""Between these the exponent of a friction is read [rad]."""
+"""Inclinations [rad] between which the exponent of the friction power is determined."""
 
 
 def air_findings(scene: Scene, motion: Motion, sound: Sound) -> list[Finding]:
-    """Return what a run says about its air; of a motion in a vacuum, what a film of its air would
-    do along it."""
+    """Return the findings on the air of a run.
+
+    For a motion without a film they evaluate the film that the air of the scene would form.
+    """
     heard = [heard_through_film(sound)] if motion.film else []
     return motion_findings(scene, motion) + heard
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return those of them that the motion alone can judge."""
+    """Return the findings on the air that the motion alone can judge."""
     exponent = [friction_exponent(scene)] if steady_friction(scene, INCLINATIONS[0]) > 0 else []
     if scene.disk.shape != "solid" or not scene.air.pressure or not scene.air.density:
         return exponent
@@ -71,9 +75,11 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
 
 
 def air_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
-    """Return what ends the motion, in words, and of its film Lam at the end, over what slip lets
-    through more, or FALLS_AS times how much faster it falls than its air leaves: it is held against
-    solutions up to 100 of either."""
+    """Return the cause that ends the motion, in words, and the compression of its film at the end.
+
+    The compression `film_squeezed` is the greater of Lam, reduced by wall slip, and FALLS_AS times
+    the closing number. The film law is compared with solutions up to 100.
+    """
     film = motion.film
     parts = shares_of_the_end(motion)
     squeezed = {}
@@ -94,7 +100,7 @@ def air_scalars(scene: Scene, motion: Motion) -> dict[str, Any]:
     at_least=1.0,
 )
 def air_negligible(motion: Motion, film: Film) -> Measured:
-    """The share of the motion that is over when the film first takes 1 % of the power, or would."""
+    """The share of the motion before the film first takes, or would take, 1 % of the power."""
     film_power = film_powers(motion.disk, film, motion.state).sum(axis=0)
     work = motion.state[:, 10] + (0.0 if motion.film else _integral(film_power, motion))
     windows = np.linspace(0, motion.t[-1], 201)
@@ -109,7 +115,7 @@ def air_negligible(motion: Motion, film: Film) -> Measured:
 
 
 def shares_of_the_end(motion: Motion) -> dict[str, float]:
-    """Return the share of the last tenth of the energy that each cause takes."""
+    """Return the share of each cause in the last tenth of the energy loss."""
     energy = motion.energy(motion.t)
     last = energy - energy[-1] <= LAST * (energy[0] - energy[-1])
     lost = motion.energy_lost(np.array([motion.t[last][0], motion.t[-1]]))
@@ -120,7 +126,7 @@ def shares_of_the_end(motion: Motion) -> dict[str, float]:
 
 @registered(needs=("motion",))
 def what_ends(motion: Motion) -> Finding:
-    """The largest of the shares in which the causes take the last tenth of the energy."""
+    """The largest share of a single cause in the last tenth of the energy loss."""
     shares = shares_of_the_end(motion)
     cause = max(shares, key=lambda name: shares[name])
     return Finding(
@@ -138,8 +144,10 @@ def what_ends(motion: Motion) -> Finding:
 
 @registered(needs=("motion", "film law"))
 def carried_by_air(motion: Motion, film: Film) -> Finding:
-    """The greatest lift of the film over what film and contact bear; in a vacuum over the contact
-    force."""
+    """The greatest lift of the film over the vertical force of film and contact.
+
+    For a motion without a film the reference is the contact force.
+    """
     lift = lifts(motion, film)
     contact = motion.steady_load(motion.t)
     borne = contact + lift if motion.film else contact
@@ -175,8 +183,9 @@ def carried_by_air(motion: Motion, film: Film) -> Finding:
     at_least=0.0,
 )
 def heard_through_film(sound: Sound) -> float:
-    """By how much heave and tilt of the rigid disk rise above the threshold of hearing, in the
-    loudest third octave."""
+    """The greatest level of heave or tilt of the rigid disk above the threshold of hearing, in any
+    third octave [dB].
+    """
     seen = [band_levels(spectrogram(sound.track(name), WINDOW)) for name in ("heave", "tilt")]
     return float(max((levels - THRESHOLD_DB[:, None]).max() for levels in seen))
 
@@ -191,27 +200,28 @@ def heard_through_film(sound: Sound) -> float:
     tolerance=SPREAD,
 )
 def friction_exponent(scene: Scene):
-    """The exponent of the precession rate in the time left that the friction of the scene gives a
-    steady disk.
+    """The exponent of the precession rate in the time left, for a steady disk with the friction of
+    the scene.
 
-    Of a power P ~ beta^p it is 1/(2 (1 - p)): 1/3 of contour friction, 1 of the arm k_2. The film
-    is not in it."""
+    For a power P ~ beta^p it is 1/(2 (1 - p)): 1/3 for contour friction and 1 for the arm k_2. The
+    film is not included.
+    """
     low, high = INCLINATIONS
     slope = log(steady_friction(scene, high) / steady_friction(scene, low)) / log(high / low)
     return 1 / (2 * (1 - slope)) if slope < 1 else float("inf")
 
 
 def steady_friction(scene: Scene, beta: float) -> float:
-    """Return the power that all but the film takes of a steady disk at inclination `beta` [rad],
-    dimensionless."""
+    """Return the dimensionless power lost by a steady disk at inclination `beta` [rad] without a
+    film.
+    """
     return steady_power(
         beta, law_of(scene.disk, scene.friction), resistance(scene.dissipation, scene.disk)
     )
 
 
 def lifts(motion: Motion, film: Film):
-    """Return the lift of the film [N], (n,), at the times of the motion, without the vibration of
-    the contact."""
+    """Return the lift (n,) [N] of the film along the motion, without contact vibration."""
     disk = motion.disk
     omega = motion.state[:, 5:8].T.copy()
     omega[0] = motion.steady_nutation(motion.t)

@@ -1,4 +1,4 @@
-"""Self-checks: every run proves these on its own numbers, and says so in run.json."""
+"""Self-checks: every run checks its own numbers and writes the results to run.json."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -17,10 +17,11 @@ from sonify.sound.pressure import Sound
 
 @dataclass(frozen=True, kw_only=True)
 class Check:
-    """One number that must stay within `tolerance` of what is `expected`; `source` says why.
+    """One number that must be within `tolerance` of `expected`; `source` gives the reason.
 
-    With `one_sided` it may lie below by any amount. `key` is the name of its function, the same in
-    every version."""
+    A `one_sided` check has no lower limit. `key` is the name of the checking function and is the
+    same in every version.
+    """
 
     key: str
     name: str
@@ -35,7 +36,7 @@ class Check:
 
     @property
     def passed(self) -> bool:
-        """Whether the value is a number and near enough."""
+        """Return True if the value is within the tolerance; a NaN fails."""
         excess = self.value - self.expected
         return bool((excess if self.one_sided else abs(excess)) <= self.tolerance)
 
@@ -48,7 +49,7 @@ class Check:
 
 
 def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
-    """Make a function that returns a value return the Check of it."""
+    """Turn a function that returns a value into one that returns a `Check`."""
 
     def decorator(function: Callable[..., float]) -> Callable[..., Check]:
         @wraps(function)
@@ -69,7 +70,7 @@ def check(name: str, source: str, needs: tuple[Need, ...], **ends: Any):
     tolerance=1e-8,
 )
 def energy_balance(motion: Motion):
-    """Energy plus dissipated energy stays what it was, relative to what there was."""
+    """The largest change of energy plus dissipated energy, relative to its initial value."""
     total = motion.energy(motion.t) + motion.state[:, 10]
     return np.abs(total / total[0] - 1).max()
 
@@ -81,8 +82,9 @@ def energy_balance(motion: Motion):
     tolerance=1e-12,
 )
 def dissipation_never_falls(motion: Motion):
-    """By how much the dissipated energy falls at most, between any two instants, relative to the
-    energy at first."""
+    """The largest decrease of the dissipated energy between any two instants, over the initial
+    energy.
+    """
     return motion.largest_regain() / float(motion.energy(0.0)[0])
 
 
@@ -93,8 +95,9 @@ def dissipation_never_falls(motion: Motion):
     tolerance=1e-6,
 )
 def friction_cone(motion: Motion):
-    """By how much |F|/N exceeds the static coefficient while rolling, or misses the dynamic one
-    while sliding."""
+    """The largest excess of |F|/N over the static coefficient in rolling, or its largest distance
+    from the dynamic coefficient in sliding.
+    """
     return motion.friction_excess()
 
 
@@ -104,11 +107,11 @@ def friction_cone(motion: Motion):
     needs=("motion",),
 )
 def pushing_contact(motion: Motion, resolution: float = 1e-5):
-    """The share of the motion in which the normal force pulls, or vanishes outside the losses of
+    """The share of the time in which the normal force pulls, or vanishes outside the losses of
     contact.
 
-    Forces of an elastic contact are means over `resolution` [s], interpolated: they vanish if they
-    do so that long before and after.
+    The forces of an elastic contact are interpolated means over `resolution` [s]. A force counts as
+    zero only if it is also zero one `resolution` before and after.
     """
     t = motion.t[:-1]
     around = [
@@ -166,22 +169,21 @@ def discrete_mass(modes: Modes, disk: Disk):
     one_sided=True,
 )
 def no_sample_clipped(sound: Sound):
-    """The peak of sound.wav over full scale, which is finite only if every sample of the pressure
-    is."""
+    """The peak of sound.wav over full scale; infinite if a sample of the pressure is not finite."""
     return sound.peak / sound.full_scale if sound.finite else inf
 
 
 def motion_checks(scene: Scene, motion: Motion) -> list[Check]:
-    """Every check of a motion."""
+    """Return every check of a motion."""
     balance = [energy_balance(motion), dissipation_never_falls(motion)]
     return [*balance, friction_cone(motion), pushing_contact(motion)]
 
 
 def mode_checks(scene: Scene, modes: Modes) -> list[Check]:
-    """Every check of the modes."""
+    """Return every check of the modes."""
     return [mode_residuals(modes), mode_errors(modes), discrete_mass(modes, scene.disk)]
 
 
 def all_checks(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Check]:
-    """Every check of a run."""
+    """Return every check of a run."""
     return [*motion_checks(scene, motion), *mode_checks(scene, modes), no_sample_clipped(sound)]

@@ -1,5 +1,4 @@
-"""ELASTIC CONTACT -> FINDINGS: whether a carrier rises, whether it is the contact's, and whether
-contact is lost."""
+"""ELASTIC CONTACT -> FINDINGS: rising noise band, contact resonance, and losses of contact."""
 
 from typing import NamedTuple
 
@@ -29,47 +28,63 @@ from sonify.sound.radiation import listener_of
 from sonify.sound.sources.contact_vibration import VibratingDisk
 
 PLACES = 96
-"""Instants of the motion at which its vibration is predicted."""
+"""Number of instants at which the vibration of a motion is predicted."""
 SOFTENED = 12
-"""Instants at which it is asked how much softer the contact is than a linear one."""
+"""Number of instants at which the effective load factor of the contact is computed."""
 FINE = 800
-"""Instants of the line in a picture: early in a motion it swings with the nutation."""
+"""Number of points of the plotted resonance, which oscillates with the nutation early on."""
 STRETCH, READINGS = 0.5, 12
-"""The carrier is heard in stretches of so many seconds, and expected at so many instants in
-each."""
+"""Length [s] of the intervals in which the noise band is measured, and number of instants per
+interval at which it is predicted.
+"""
 
 RATE, WELCH = 96e3, 4096
-"""The force of a solved contact is read so often [1/s], its spectrum taken of so many readings."""
+"""Sample rate [1/s] and segment length [samples] of the spectrum of a solved contact force."""
 MOVED = 1.1
-"""A band that is heard so much above that of the force is not the contact's any more."""
+"""Ratio of measured to contact-force frequency above which the air sets the noise band."""
 
 STEADY = 5.0
-"""Spread of a steady carrier [cents]."""
+"""Greatest spread of a steady spectral line [cents]."""
 LASTING = 0.2
-"""Part of the sound through which a steady carrier is heard."""
+"""Least duration of a steady spectral line, as a share of the sound."""
 RECORDED, CONSTANT = (1840.0, 2280.0), (5040.0, 8230.0)
-"""Peaks recorded of the toy on granite [Hz]: those between which the carrier passes, and two that
-stay."""
+"""Recorded peaks [Hz] of the toy on granite: limits of the rising peak, and two constant peaks."""
 TOO_LOW = 1.1, 1.9
-"""By what factor the rms of the filter may be too low where the disk rolls, and where it slides."""
+"""Factor by which the linear filter may underestimate the rms of N', in rolling and in sliding."""
 CERTAIN = 0.4
-"""Above this rms of N' over the weight contact is lost in any case, between SHAKEN and it in some
-motions."""
+"""Rms of N' over the weight above which every motion loses contact.
+
+Between CONTACT_LOSS_RMS and this value some motions lose it.
+"""
 SCATTER = 0.2
-"""Of the power that roughness takes, relative: of its prediction, and from one surface to
-another."""
+"""Relative uncertainty of the power lost to roughness, from its prediction and between surfaces."""
 LEAST_LOSS = 1e-4
-"""Contact that is lost for a smaller part of the time is not broken by vibrations: a slip may do
-that."""
+"""Least share of time without contact that is attributed to vibrations instead of a slip."""
 
 
 class Vibration(NamedTuple):
-    """What the linear contact lets expect along a motion, at even times t (k,) [s].
+    """Predicted contact vibration along a motion, at equally spaced times t (k,) [s].
 
-    Inclination [rad], normal force without the vibration [N], speed of the contact [m/s], whether
-    it rolls; the `rms` of N' [N], the power [W] that roughness takes, and rms(z'') R/beta of the
-    several contacts; and the factor on the load that makes the linear contact as soft as one that
-    vibrates so, 1 along a rigid motion."""
+    Attributes
+    ----------
+    table : LawTable
+        Tabulated law of the contact.
+    t : array (k,)
+        Times [s].
+    inclination, load, speed : array (k,)
+        Inclination [rad], normal force without vibration [N] and speed of the contact [m/s].
+    rolls : array (k,)
+        True while the disk rolls.
+    rms : array (k,)
+        Rms of the vibration N' of the normal force [N].
+    power : array (k,)
+        Power lost to roughness [W].
+    shift : array (k,)
+        rms(z'') R/beta; above 1 the disk touches at several points.
+    softer : array (k,)
+        Load factor that gives the linear contact the mean stiffness of the vibrating one; 1 along a
+        rigid motion.
+    """
 
     table: LawTable
     t: np.ndarray
@@ -84,8 +99,7 @@ class Vibration(NamedTuple):
 
 
 def vibration(scene: Scene, motion: Motion) -> Vibration:
-    """Return what the heights and the law of a scene let expect along its motion, while one ellipse
-    is the contact."""
+    """Return the vibration predicted along a motion while the contact is one ellipse."""
     table = table_of(scene, motion)
     t = last_ellipse(motion) * (np.arange(PLACES) + 0.5) / PLACES
     inclination, load, speed, rolls = course(motion, t)
@@ -100,13 +114,14 @@ def vibration(scene: Scene, motion: Motion) -> Vibration:
 
 
 def table_of(scene: Scene, motion: Motion) -> LawTable:
-    """Return the law of the contact as the motion has it, or the filter along it."""
+    """Return the tabulated contact law of a scene, in the form that its motion uses."""
     return law_table(scene, SeriesLawTable if motion.solves_contact else LawTable)
 
 
 def softness(scene: Scene, motion: Motion, t) -> np.ndarray:
-    """Return the factors (k,) on the load at times t (k,) [s], even and ascending, with which the
-    linear contact is as soft as that of a motion that vibrates: 1 along a rigid one."""
+    """Return the load factors (k,) at ascending times t (k,) [s] that give the linear contact the
+    mean stiffness of the vibrating one; 1 along a rigid motion.
+    """
     if scene.roughness is None or not motion.solves_contact:
         return np.ones(len(t))
     some = np.linspace(t[0], t[-1], SOFTENED)
@@ -119,8 +134,9 @@ def softness(scene: Scene, motion: Motion, t) -> np.ndarray:
 
 
 def course(motion: Motion, t):
-    """Return inclination [rad], normal force [N], speed of the contact on the table [m/s], whether
-    it rolls, (k,)."""
+    """Return inclination [rad], normal force [N], speed of the contact on the table [m/s], and True
+    for rolling, each (k,), at times t (k,) [s].
+    """
     state = motion.at(t)
     load = motion.steady_load(t)
     turning = state[:, 6] - state[:, 7] / np.tan(state[:, 1])
@@ -136,9 +152,11 @@ def course(motion: Motion, t):
 def contact_findings(
     scene: Scene, motion: Motion, sound: Sound, known: Heard | None = None
 ) -> tuple[list[Finding], list[str]]:
-    """The claims on an elastic contact that this run can judge, on a carrier where there is
-    roughness to ring it; and from when on one ellipse is not the contact. Of what is `known` of the
-    sound, its steady carriers are no band."""
+    """Return the findings on an elastic contact, and a note on the time with several contacts.
+
+    Claims on the noise band need roughness. Steady spectral lines in `known`, the analysis of the
+    sound, are excluded from the noise band.
+    """
     if scene.contact.law == "rigid":
         return [], []
     expected = vibration(scene, motion)
@@ -170,7 +188,7 @@ def contact_findings(
 
 
 def carrier_findings(scene, motion, expected: Vibration, heard: NoiseBand) -> list[Finding]:
-    """The claims on the carrier that is heard."""
+    """Return the findings on the noise band."""
     recorded = [carrier_passes_recorded_peaks(expected), constant_peaks_are_the_contact(expected)]
     found = bands(scene, motion, expected, heard)
     by_air = [air_moves_carrier(found)] if decide_film(scene).film else []
@@ -178,8 +196,9 @@ def carrier_findings(scene, motion, expected: Vibration, heard: NoiseBand) -> li
 
 
 def carrier_heard(sound: Sound, motion: Motion, expected: Vibration, lines=()) -> NoiseBand:
-    """Return the band of noise in the pressure, in the time of the motion, while the contact is one
-    ellipse."""
+    """Return the noise band of the pressure, at times of the motion, while the contact is one
+    ellipse.
+    """
     delay = sound.source_end - motion.t[-1]
     heard = noise_band(sound.pressure, delay, delay + expected.t[-1], STRETCH, lines)
     return heard._replace(time=heard.time - delay)
@@ -193,8 +212,9 @@ def carrier_heard(sound: Sound, motion: Motion, expected: Vibration, lines=()) -
     at_least=1.2,
 )
 def carrier_rises(heard: NoiseBand):
-    """The frequency of the carrier at the end over that at the beginning, each the median of a
-    tenth of the run."""
+    """The frequency of the noise band at the end over that at the start, each the median of a tenth
+    of its intervals.
+    """
     found = heard.frequency[np.isfinite(heard.frequency)]
     tenth = max(len(found) // 10, 1)
     first = median(found[:tenth])
@@ -205,9 +225,19 @@ def carrier_rises(heard: NoiseBand):
 
 
 class Bands(NamedTuple):
-    """The middles (s,) [Hz] of bands in some stretches: heard; expected of the contact along the
-    motion, as the air radiates it; of its force N' alone, solved where the motion has it; and of
-    that as the air radiates it."""
+    """Centre frequencies (s,) [Hz] of the noise band in selected intervals.
+
+    Attributes
+    ----------
+    heard
+        Measured in the sound.
+    expected
+        Predicted by the linear contact along the motion, including radiation into the air.
+    force
+        Of the force N' alone, solved if the motion includes it, otherwise predicted.
+    radiated
+        Of the same force, including radiation into the air.
+    """
 
     heard: np.ndarray
     expected: np.ndarray
@@ -216,7 +246,7 @@ class Bands(NamedTuple):
 
 
 def bands(scene, motion, expected: Vibration, heard: NoiseBand) -> Bands:
-    """Return where a band was heard, and where contact and air let it be expected."""
+    """Return the measured and predicted centre frequencies of the noise band."""
     f = np.arange(500.0, 20e3, 10.0)
     disk = VibratingDisk(scene, listener_of(scene)) if decide_film(scene).film else None
     shown = np.flatnonzero(np.isfinite(heard.frequency))[
@@ -249,8 +279,9 @@ def bands(scene, motion, expected: Vibration, heard: NoiseBand) -> Bands:
 
 
 def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
-    """Return the power spectral density (f,) [N^2/Hz] of the normal force of a motion in a span of
-    time [s]."""
+    """Return the power spectral density (f,) [N^2/Hz] of the normal force in a time span [s], at
+    frequencies f (f,) [Hz].
+    """
     t = np.arange(span[0], min(span[1], motion.t[-1]), 1 / RATE)
     return np.interp(f, *welch(motion.force(t)[:, 2], RATE, nperseg=min(WELCH, len(t))))
 
@@ -264,8 +295,10 @@ def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
     at_most=1.02,
 )
 def carrier_is_contact(found: Bands):
-    """The frequency of the carrier heard over the middle of the spectrum that is expected of N', as
-    it is radiated where a film is under the disk, median."""
+    """The median of the measured over the predicted frequency of the noise band.
+
+    With a film under the disk, the prediction includes its effect on the radiation.
+    """
     ratio = median(found.heard / found.expected)
     return ratio._replace(details={"force_alone": np.median(found.force / found.expected)})
 
@@ -279,8 +312,7 @@ def carrier_is_contact(found: Bands):
     at_least=MOVED,
 )
 def air_moves_carrier(found: Bands):
-    """The frequency of the carrier heard over that of the force of the contact, which no air has
-    changed, median."""
+    """The median of the measured frequency of the noise band over that of the contact force."""
     ratio = median(found.heard / found.force)
     return ratio._replace(details={"force_as_radiated": np.median(found.heard / found.radiated)})
 
@@ -293,7 +325,7 @@ def air_moves_carrier(found: Bands):
     at_least=1.0,
 )
 def carrier_passes_recorded_peaks(expected: Vibration):
-    """For how long the resonance of the contact lies where peaks were recorded."""
+    """The time [s] during which the contact resonance is between the recorded peaks."""
     when = expected.t[(frequency(expected) > RECORDED[0]) & (frequency(expected) < RECORDED[1])]
     span = {"from": when[0], "to": when[-1]} if len(when) else {}
     return Measured(len(when) * expected.t[-1] / PLACES, 2 * expected.t[-1] / PLACES, span)
@@ -308,8 +340,10 @@ def carrier_passes_recorded_peaks(expected: Vibration):
     at_least=0.5,
 )
 def constant_peaks_are_the_contact(expected: Vibration):
-    """For how long, at most, the resonance of the contact stays within 2 % of a peak that
-    recordings keep."""
+    """The share of the motion in which the contact resonance is within 2 % of a constant peak.
+
+    The greater share of the two peaks counts.
+    """
     step = expected.t[1] - expected.t[0]
     stays = [
         float(np.sum(np.abs(frequency(expected) / peak - 1) < 0.02) * step) for peak in CONSTANT
@@ -325,8 +359,11 @@ def constant_peaks_are_the_contact(expected: Vibration):
     at_least=LEAST_LOSS,
 )
 def contact_is_lost(motion: Motion, expected: Vibration):
-    """The share of the time without contact: as solved, or, where the motion keeps it, of a
-    Gaussian vibration."""
+    """The share of the time without contact.
+
+    It is solved for an elastic contact or a motion with losses of contact. Otherwise it is
+    predicted for a Gaussian vibration.
+    """
     flights = motion.contact_losses
     solved = bool(motion.contact_losses) or motion.solves_contact
     if solved:
@@ -344,8 +381,9 @@ def contact_is_lost(motion: Motion, expected: Vibration):
 
 
 def without_contact(expected: Vibration, factor) -> np.ndarray:
-    """Return the part of the time (k,) in which a Gaussian vibration of `factor` times the rms has
-    no contact."""
+    """Return the share of the time (k,) without contact, for a Gaussian vibration with `factor`
+    times the predicted rms.
+    """
     return np.where(
         expected.rms > 0, ndtr(-expected.load / np.maximum(factor * expected.rms, 1e-300)), 0.0
     )
@@ -359,7 +397,7 @@ def without_contact(expected: Vibration, factor) -> np.ndarray:
     at_most=1e-3,
 )
 def micro_flights(motion: Motion):
-    """The longest loss of contact of a motion that has any."""
+    """The duration [s] of the longest loss of contact."""
     flights = motion.contact_losses
     longest = np.sort([f.duration for f in flights])[::-1]
     details = {"number": len(flights), "height": max(f.height for f in flights)}
@@ -374,16 +412,20 @@ def micro_flights(motion: Motion):
     at_most=1e-7,
 )
 def loss_begins_at(rms: float, expected: Vibration):
-    """The rms of heights at which N' would reach SHAKEN of the weight at some time, by
-    proportion."""
+    """The rms of the heights [m] at which N' reaches CONTACT_LOSS_RMS of the weight, by
+    proportion.
+    """
     most = expected.rms.max() / expected.table.law.disk.weight
     return Measured(rms * CONTACT_LOSS_RMS / most, rms * (CERTAIN - CONTACT_LOSS_RMS) / most)
 
 
 @registered(needs=("motion", "contact law"))
 def roughness_ends_it(loss: str, motion: Motion, expected: Vibration) -> Finding:
-    """The share of the energy lost that goes to roughness: what the contact and its creep took, or
-    would take; `loss` is that of the roughness, "own" or "fitted"."""
+    """The share of roughness in the energy loss: the solved losses in contact and creep, or the
+    predicted power.
+
+    `loss` is that of the roughness, "own" or "fitted".
+    """
     fitted = loss == "fitted"
     if motion.solves_contact:
         lost = {
@@ -409,8 +451,10 @@ def roughness_ends_it(loss: str, motion: Motion, expected: Vibration) -> Finding
 
 
 def several_contacts(t, shift) -> list[str]:
-    """Return from when on one ellipse is an approximation: rms(z'') R/beta (k,) at times (k,) [s]
-    is above 1."""
+    """Return a note on the time from which the disk touches at several points, or an empty list.
+
+    The criterion is a `shift` rms(z'') R/beta (k,) above 1 at times t (k,) [s].
+    """
     late = np.flatnonzero(np.asarray(shift) > 1)
     if not len(late):
         return []
@@ -423,8 +467,9 @@ def several_contacts(t, shift) -> list[str]:
 def carrier_line(
     scene: Scene, motion: Motion, delay: float
 ) -> tuple[np.ndarray, np.ndarray] | None:
-    """Return times (k,) [s], `delay` after those of the motion, and the resonance of an elastic
-    contact (k,) [Hz]."""
+    """Return times (k,) [s], delayed by `delay` [s], and the resonance of an elastic contact (k,)
+    [Hz]; None for a rigid contact.
+    """
     if scene.contact.law == "rigid":
         return None
     t = last_ellipse(motion) * (np.arange(FINE) + 0.5) / FINE
@@ -434,12 +479,12 @@ def carrier_line(
 
 
 def frequency(expected: Vibration) -> np.ndarray:
-    """Return the resonance of the contact (k,) [Hz] along a motion."""
+    """Return the frequency of the contact resonance (k,) [Hz] along a motion."""
     return expected.table.carrier(
         expected.inclination, expected.softer * expected.load, expected.speed
     ).frequency
 
 
 def last_ellipse(motion: Motion) -> float:
-    """Return until when [s] the contact of a motion is one ellipse."""
+    """Return the last time [s] at which the contact of a motion is one ellipse."""
     return float(motion.t[np.flatnonzero(motion.state[:, 1] >= LEAST_INCLINATION)[-1]])

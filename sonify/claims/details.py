@@ -1,4 +1,4 @@
-"""DETAILS OF A FINDING -> WORDS: one table for everything that is told beside a value."""
+"""DETAILS OF A FINDING -> WORDS: one table of phrases for the numbers in addition to the value."""
 
 from collections.abc import Callable, Mapping
 
@@ -24,12 +24,12 @@ def shares(numbers: Mapping[str, float]) -> str:
 
 
 def nutation(numbers: Mapping[str, float]) -> str:
-    """Return until when the disk nutates."""
+    """Return the time at which the nutation ends."""
     return "the disk nutates until {nutates_until:.4g} s of {motion_ends:.4g} s".format(**numbers)
 
 
 def contact(numbers: Mapping[str, float]) -> str:
-    """Return whether losses of contact were solved or predicted, and when the first one occurs."""
+    """Return the origin of the losses of contact, solved or predicted, and the first time."""
     how = "solved" if numbers["solved"] else "predicted by the linear filter"
     first = f"first {numbers['first']:.3g} s after the release" if "first" in numbers else "never"
     return f"{how}; {first}"
@@ -58,8 +58,10 @@ WORDS: dict[str, Callable[[Mapping[str, float]], str]] = {
     "waves_make_the_halt": shares,
     "what_ends": shares,
 }
-"""Key of a finding -> what puts its details into words; those of other steps and stiffness follow
-in any case."""
+"""Key of a finding -> function that puts its details into words.
+
+`in_words` adds the values with half the time step and twice the contact stiffness to each.
+"""
 
 
 def in_words(finding: Finding) -> str:

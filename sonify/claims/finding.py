@@ -1,5 +1,4 @@
-"""The record of a finding, and the decorator that makes one from a function that measures a
-value."""
+"""The `Finding` record, and the decorator that turns a measuring function into a finding."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -12,14 +11,15 @@ import numpy as np
 from sonify.suggestions import did_you_mean
 
 Verdict = Literal["yes", "no", "undecided"]
-"""What a finding says about its claim."""
+"""Result of a finding: the claim holds, does not hold, or is undecided."""
 Need = Literal["scene", "motion", "modes", "sound", "tone", "film law", "contact law"]
-"""What a finding is computed from; "tone" is the rising tone, tracked in the sound alone."""
+"""Input of a finding; "tone" is the rising tone, tracked in the sound alone."""
 
 
 class Measured(NamedTuple):
-    """What a claim's function found: value, uncertainty, further numbers, and why it decides
-    nothing, if so."""
+    """Result of a measuring function: value, uncertainty, further numbers, and the reason why the
+    claim stays undecided, if any.
+    """
 
     value: float
     margin: float = 0.0
@@ -38,23 +38,23 @@ class Finding:
     claim : str
         The claim in words.
     value : float
-        What was found, in `unit`; infinite where a level is never reached, but never NaN.
+        Measured value in `unit`; infinite if a level is never reached, never NaN.
     unit : str
-        Unit of the value, and what it is measured against.
+        Unit and reference of the value.
     at_least, at_most : float
         Range of values for which the claim holds.
     tolerance : float
-        Both ends of this range are widened by this much.
+        Widening of the range at both ends.
     margin : float
-        Uncertainty of the value as far as the method or the plan can estimate it.
+        Uncertainty of the value, as estimated by the method or the plan.
     details : mapping of str to float
-        Further numbers, by name; `sonify.claims.details` puts them into words.
+        Further numbers by name; `sonify.claims.details` puts them into words.
     cause : str
-        What causes the finding, where it names one; empty otherwise.
+        Cause that the finding names; empty if it names none.
     undecided_because : str
-        Why the value decides nothing, such as "chaotic"; empty if it does.
+        Reason why the claim stays undecided, such as "chaotic"; otherwise empty.
     needs : tuple of str
-        What the finding was computed from.
+        Inputs of the finding.
     source : str
         Origin of the claim or of its range.
 
@@ -87,7 +87,7 @@ class Finding:
 
     @property
     def verdict(self) -> Verdict:
-        """Return "yes", "no", or "undecided" if the margin reaches across an end of the range."""
+        """Return "yes" or "no", or "undecided" if an end of the range is within the margin."""
         low = self.at_least - self.tolerance
         high = self.at_most + self.tolerance
         near_an_end = min(abs(self.value - low), abs(self.value - high)) <= self.margin
@@ -97,18 +97,19 @@ class Finding:
 
     @property
     def holds(self) -> bool | None:
-        """Whether the claim holds; None if that is undecided."""
+        """Return True if the claim holds, False if it does not, and None if it is undecided."""
         return {"yes": True, "no": False, "undecided": None}[self.verdict]
 
     @property
     def answer(self) -> str:
-        """The verdict, with the reason if nothing can be decided."""
+        """The verdict, with the reason if it is undecided."""
         return ": ".join(filter(None, (self.verdict, self.undecided_because)))
 
     @property
     def measured(self) -> str:
-        """The value to the first digit of its margin, but at least to two digits, and the
-        margin."""
+        """The value, rounded to the first digit of its margin but to at least two digits, and the
+        margin.
+        """
         if not (self.margin > 0 and isfinite(self.value) and isfinite(self.margin)):
             return f"{self.value:.4g}"
         margin = float(f"{self.margin:.1g}")
@@ -122,7 +123,7 @@ class Finding:
 
     @property
     def expectation(self) -> str:
-        """The range in words; a tolerance below 1e-4 of it is not shown."""
+        """The range in words, without a tolerance below 1e-4 of its largest end."""
         if self.at_least == self.at_most:
             return f"{self.at_least:.6g} ± {self.tolerance:.2g}"
         ends = {"at least": self.at_least, "at most": self.at_most}
@@ -133,15 +134,14 @@ class Finding:
 
 
 class Judge(NamedTuple):
-    """A function that judges one claim, and what it needs."""
+    """A function that judges one claim, and its inputs."""
 
     function: Callable[..., Any]
     needs: tuple[Need, ...]
 
 
 JUDGES: dict[str, Judge] = {}
-"""Every function that judges a claim of its own, by the key of its finding; filled as the modules
-are imported."""
+"""Judging functions by the key of their finding. Each module adds its own when it is imported."""
 
 
 def finding(
@@ -154,14 +154,14 @@ def finding(
     at_most: float = inf,
     tolerance: float = 0.0,
 ):
-    """Make a function return the Finding of what it measures: a number, or Measured.
+    """Turn a function that returns a number or `Measured` into one that returns a `Finding`.
 
     Parameters
     ----------
     claim, unit, source
         As in `Finding`.
     needs : tuple of str
-        What the function computes its value from.
+        Inputs of the function.
     at_least, at_most, tolerance : float
         Range of values for which the claim holds.
     """
@@ -192,7 +192,7 @@ def finding(
 
 
 def registered(needs: tuple[Need, ...]):
-    """Register a function that returns the Finding of its own name."""
+    """Register a function that returns the `Finding` with its own name as key."""
 
     def decorator(function: Callable[..., Finding]) -> Callable[..., Finding]:
         JUDGES[function.__name__] = Judge(function, needs)
@@ -202,9 +202,9 @@ def registered(needs: tuple[Need, ...]):
 
 
 def median(values, independent: float = 1.0) -> Measured:
-    """Return the median of values (n,) with twice its standard error, 1.25 sigma/sqrt(n).
+    """Return the median of values (n,) with a margin of two standard errors, 2.5 sigma/sqrt(m).
 
-    sigma follows from the quartiles; the share `independent` of the values counts in n.
+    sigma follows from the quartiles. m = `independent` * n is the number of independent values.
     """
     low, middle, high = np.percentile(values, [25, 50, 75])
     sigma = (high - low) / 1.349
@@ -214,7 +214,7 @@ def median(values, independent: float = 1.0) -> Measured:
 
 
 class Findings(list[Finding]):
-    """The findings of a run in order, also by their keys: `findings["energy_falls"]`."""
+    """The findings of a run in order, indexed by position or by key: `findings["energy_falls"]`."""
 
     @overload
     def __getitem__(self, which: str) -> Finding: ...

@@ -1,5 +1,4 @@
-"""MAP: does one mode of a table break the contact, and by how much does it bring the halt
-forward?"""
+"""MAP: loss of contact and earlier halt of a disk on a table with one mode."""
 
 from typing import NamedTuple
 
@@ -19,21 +18,28 @@ from modal.tabletop.solve import table_modes_from_numbers
 from sonify.scene import Scene, load_scene
 
 BEFORE = 0.7
-"""A run begins in the steady motion whose contact passes the waves at this part of their
-resonance."""
+"""Precession rate of the initial steady motion, over the rate w/n of resonance with the mode."""
 RATE = 2e5
+"""Time steps per second."""
 
 
 class Halt(NamedTuple):
-    """Whether contact was lost before the disk lay flat for good, and how much [s] earlier that was
-    than on a rigid table."""
+    """End of a disk on a table with one mode.
+
+    Attributes
+    ----------
+    contact_lost : bool
+        True if contact was lost before the disk came to lie flat.
+    advanced : float
+        Time [s] by which the disk lies flat earlier than on a rigid table.
+    """
 
     contact_lost: bool
     advanced: float
 
 
 def steady(disk: Disk, beta: float) -> np.ndarray:
-    """Return the columns (11,) of the steady motion with a fixed centre at an inclination [rad]."""
+    """Return the state (11,) of steady motion with a fixed centre at inclination `beta` [rad]."""
     w3 = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit * np.sin(beta)
     return np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0])
 
@@ -46,12 +52,30 @@ def halt(
     scene: Scene | None = None,
     rate: float = RATE,
 ) -> Halt:
-    """Return how a disk ends on a table of one mode: its mass over the disk's, damping ratio, w/n
-    [rad/s], order n.
+    """Return the loss of contact and the earlier halt of a disk on a table with one mode.
 
-    The disk, its friction and contact are those of a scene, of `published` unless given; the rigid
-    halt is that of the quasi-steady decline. Raises ValueError where the mode is none, or where a
-    disk that passes its waves lies flat."""
+    The time of the halt on a rigid table follows from the quasi-steady decline.
+
+    Parameters
+    ----------
+    modal_mass_ratio : float
+        Modal mass over the mass of the disk.
+    damping : float
+        Damping ratio of the mode.
+    w_over_n : float
+        Angular frequency of the mode over its order [rad/s].
+    order : int
+        Order n of the mode.
+    scene : Scene, optional
+        Scene with the disk, its friction and its contact; `published` by default.
+    rate : float
+        Time steps per second.
+
+    Raises
+    ------
+    ValueError
+        If the mode is invalid, or if the initial inclination is outside 1e-4 to 0.3 rad.
+    """
     scene = (scene or load_scene("published")).replace("contact.law=elastic")
     if not (modal_mass_ratio > 0 and w_over_n > 0 and 0 <= damping < 1 and order >= 1):
         raise ValueError("halt: mass and w/n must be positive, damping in [0, 1), order at least 1")

@@ -1,4 +1,4 @@
-"""RESULT -> FINDINGS: what others than the paper said of the sound and of the end of the motion."""
+"""RESULT -> FINDINGS: claims of other authors about the sound and the end of the motion."""
 
 import numpy as np
 from scipy.ndimage import median_filter
@@ -13,14 +13,17 @@ from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
 ENVELOPE, FROM = 0.01, 700.0
-"""Window of the envelope of the sound [s], and above which frequency [Hz] it is taken."""
+"""Window [s] and lowest frequency [Hz] of the envelope of the sound."""
 SLOW = 101
-"""Readings of the envelope over which its slow course is taken out."""
+"""Length of the median filter that removes slow variations of the envelope [samples]."""
 
 
 def literature_findings(scene: Scene, motion: Motion, modes: Modes, sound: Sound) -> list[Finding]:
-    """The claims of other authors that this run can judge: on impacts where contact is lost, on
-    peaks of the force where roughness sounds, on modes where they are those of the free disk."""
+    """Return the claims of other authors that this run can judge.
+
+    The claim on impacts needs losses of contact, the claim on force peaks needs roughness on an
+    elastic contact, and the claim on modes needs a free disk.
+    """
     found = motion_findings(motion)
     found += (
         [force_peaks_sound(motion, sound)]
@@ -34,7 +37,7 @@ def literature_findings(scene: Scene, motion: Motion, modes: Modes, sound: Sound
 
 
 def motion_findings(motion: Motion) -> list[Finding]:
-    """Those of them that the motion alone can judge."""
+    """Return the claims of other authors that the motion alone can judge."""
     if not motion.state[-1, 10] > 0:
         return []
     impacts = [impacts_are_not_the_loss(motion)] if motion.contact_losses else []
@@ -49,13 +52,12 @@ def motion_findings(motion: Motion) -> list[Finding]:
     at_least=0.5,
 )
 def slip_is_the_loss(motion: Motion):
-    """The share of the energy lost that is lost while the disk slides: at least what friction
-    takes."""
+    """The share of the energy lost while the disk slides, an upper bound for sliding friction."""
     middle = (motion.t[1:] + motion.t[:-1]) / 2
     lost = np.diff(motion.state[:, 10])
     share = lost[np.char.startswith(motion.regime(middle), "slide")].sum() / lost.sum()
     margin = 0.0
-    if motion.solves_contact:  # what slip itself took includes slips shorter than the pieces
+    if motion.solves_contact:  # the work of slip includes slips shorter than the pieces
         taken = energy_taken(motion)
         margin = abs(taken["slip"] / sum(taken.values()) - share)
     return Measured(share, margin)
@@ -69,18 +71,19 @@ def slip_is_the_loss(motion: Motion):
     at_most=0.5,
 )
 def impacts_are_not_the_loss(motion: Motion):
-    """The share of the energy lost that the compressed contact takes, in impacts and without.
+    """The share of the energy loss due to compression of the contact, with and without impacts.
 
-    A motion that begins on a rigid contact loses nothing there until it switches. What its energy
-    changes by at the switch, where contact and table begin to yield, belongs to no cause: that
-    share is the margin."""
+    A motion that starts on a rigid contact loses nothing to compression before it switches to the
+    elastic contact. The change of energy at this switch has no cause assigned; its share is the
+    margin.
+    """
     lost = motion.state[-1, 10]
     taken = energy_taken(motion)
     return Measured(taken["contact"] / lost, abs(sum(taken.values()) - lost) / lost)
 
 
 def energy_taken(motion: Motion) -> dict[str, float]:
-    """Return what each cause has taken of the energy [J] until the end of a motion."""
+    """Return the energy [J] lost to each cause up to the end of a motion."""
     return {cause: float(taken[0]) for cause, taken in motion.energy_lost(motion.t[-1:]).items()}
 
 
@@ -92,8 +95,7 @@ def energy_taken(motion: Motion) -> dict[str, float]:
     at_least=0.5,
 )
 def force_peaks_sound(motion: Motion, sound: Sound):
-    """The correlation of the level of the sound with the normal force, both without their slow
-    course."""
+    """The correlation of the sound level with the normal force, both without slow variations."""
     delay = sound.source_end - motion.t[-1]
     seen = spectrogram(sound.pressure, ENVELOPE, columns=1 << 20, span=(delay, sound.source_end))
     power = seen.power[seen.frequency > FROM].sum(axis=0)
@@ -117,8 +119,9 @@ def force_peaks_sound(motion: Motion, sound: Sound):
     at_least=0.0,
 )
 def deformation_makes_the_tone(sound: Sound):
-    """The level of the modes that the smooth force moves over that of everything else, in the last
-    second [dB(A)]."""
+    """The level of the modes driven by the smooth force, relative to all other sound, in the last
+    second [dB(A)].
+    """
     power = {name: weighted_power(sound, stem) for name, stem in sound.stems.items()}
     bending = power.pop("ringing_smooth")
     return level_db(bending) - level_db(sum(power.values()))
@@ -134,8 +137,7 @@ def deformation_makes_the_tone(sound: Sound):
     tolerance=0.03,
 )
 def mode_ratio(modes: Modes):
-    """The ratio of the frequencies of the first two modes of the free disk that differ in their
-    order."""
+    """The frequency ratio of the first two modes of the free disk with different orders."""
     first = modes.frequency[0]
     second = modes.frequency[modes.order != modes.order[0]][0]
     return second / first

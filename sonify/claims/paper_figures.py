@@ -1,5 +1,6 @@
-"""RESULT -> ROWS: what the paper's figures and section 7 say in numbers, beside what is found of
-the same scene."""
+"""RESULT -> ROWS: numbers from section 7 and the figures of the paper, compared with a run of the
+same scene.
+"""
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from sonify.claims.rigid_motion import FORCING_FREQUENCY_NAMED
 from sonify.scene import Scene, load_scene
 
 SECTIONS = ("disk", "friction", "dissipation", "release", "surface", "contact", "air")
-"""What the motion of the paper hangs on."""
+"""Sections of a scene that determine the motion of the paper."""
 SHOWN = (
     "energy_falls",
     "sliding_costs_more",
@@ -20,18 +21,19 @@ SHOWN = (
     "centre_comes_to_rest",
     "audible_modes",
 )
-"""Findings on what a figure of the paper shows, or its text names, by key."""
+"""Keys of the findings on a figure of the paper or on a number in its text."""
 
 
 def of_the_paper(scene: Scene) -> bool:
-    """Return whether a scene is that of (7.1), (7.3), (7.4)."""
+    """Return True if a scene has the values of (7.1), (7.3) and (7.4)."""
     paper = load_scene("published")
     return all(vars(scene)[name] == vars(paper)[name] for name in SECTIONS)
 
 
 def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
-    """Return the numbers of section 7 and of the figures as findings, those of SHOWN among the
-    given ones."""
+    """Return the numbers of section 7 and of the figures as findings, followed by the given
+    findings that are in SHOWN.
+    """
     disk = motion.disk
     rate = np.abs(precession_rate(motion.at(motion.t[-1] * np.array([0.0, 0.5, 0.99]))))
     alpha = np.pi / 2 - motion.at(motion.t[[0, -1]])[:, 1]
@@ -92,7 +94,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
 
 
 def _rates_are_alike(motion):
-    """That row alone; none of a motion too short for a peak of its normal force."""
+    """Return the row that compares precession and nutation; empty if the motion has no nutation."""
     ratio = nutations_per_turn(motion)
     if not len(ratio):
         return []
@@ -114,7 +116,7 @@ def _rates_are_alike(motion):
 def _number(
     key: str, claim: str, value: float, unit: str, paper: float, digits: float, source: str
 ) -> Finding:
-    """Return the row of a number that the paper prints, to within its `digits`."""
+    """Return the row of a number printed in the paper, with the tolerance `digits`."""
     return Finding(
         key=key,
         claim=claim,

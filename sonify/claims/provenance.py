@@ -1,4 +1,4 @@
-"""CLAIM -> WHAT IT DEPENDS ON, in words."""
+"""CLAIM -> INPUTS: the inputs of each finding, in words."""
 
 from functools import cache
 from importlib import import_module
@@ -12,7 +12,7 @@ NEED_IN_WORDS = {
     "tone": "the rising tone, tracked in the sound alone",
     "film law": "the law of the air film",
 }
-"""What a finding needs, in words where "the" before it is not enough."""
+"""Inputs of findings whose description is not simply "the" and their name."""
 
 
 @cache
@@ -26,11 +26,11 @@ def modules() -> tuple[ModuleType, ...]:
 
 @cache
 def judges() -> dict[str, Judge]:
-    """Return the function of every finding, and what it needs, by its key."""
+    """Return the function and the inputs of every finding, by key."""
     modules()
     return dict(sorted(JUDGES.items()))
 
 
 def depends_on(key: str) -> str:
-    """Return in words what the finding of a key is computed from."""
+    """Return the inputs of the finding with this key, in words."""
     return ", ".join(NEED_IN_WORDS.get(need, f"the {need}") for need in judges()[key].needs)

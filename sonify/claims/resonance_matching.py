@@ -1,4 +1,4 @@
-"""CARRIERS + SCENE -> MATCHES: which resonance of disk, contact or table a carrier is near."""
+"""SPECTRAL LINES + SCENE -> MATCHES: the resonance of disk, contact or table nearest to a line."""
 
 from typing import NamedTuple
 
@@ -12,15 +12,15 @@ from sonify.hearing.spectral_lines import Carrier
 from sonify.scene import Scene
 
 NEAR = 50.0
-"""A carrier is so many cents from a resonance at most to be matched."""
+"""Distance [cents] below which a spectral line matches a resonance."""
 FLATTEST, PLACES = 0.003, 40
-"""The least inclination [rad] at which the contact is looked at, from that of the release on at so
-many."""
+"""Least inclination [rad] and number of inclinations at which the contact resonance is computed."""
 
 
 class Match(NamedTuple):
-    """The resonance nearest to a carrier: of what, its frequency [Hz], and by how much the carrier
-    is above it [cents]."""
+    """The resonance nearest to a spectral line: its owner ("disk", "table" or "contact"), its
+    frequency [Hz], and the distance of the line above it [cents].
+    """
 
     of: str
     frequency: float
@@ -28,8 +28,11 @@ class Match(NamedTuple):
 
 
 def resonances(scene: Scene) -> list[tuple[str, float]]:
-    """Return what resounds in a scene, and its frequency [Hz]: modes of the disk and of the table
-    as they are solved, the contact under the weight from the release to FLATTEST."""
+    """Return the owner and frequency [Hz] of each resonance in a scene.
+
+    These are the modes of the disk, those of the table, and the contact resonance under the weight
+    at inclinations from the release down to FLATTEST.
+    """
     found = [("disk", f) for f in eigenmodes(scene).frequency]
     table = surface_modes(scene)
     found += [("table", f) for f in table.frequency] if table is not None else []
@@ -39,7 +42,7 @@ def resonances(scene: Scene) -> list[tuple[str, float]]:
 
 
 def matched(carrier: Carrier, known: list[tuple[str, float]]) -> Match | None:
-    """Return the nearest of known resonances; None if none is near."""
+    """Return the known resonance nearest to a spectral line, or None if none is within NEAR."""
     apart = [Match(of, float(f), float(1200 * np.log2(carrier.frequency / f))) for of, f in known]
     best = min(apart, key=lambda match: abs(match.cents), default=None)
     return best if best is not None and abs(best.cents) < NEAR else None

@@ -1,4 +1,4 @@
-"""Claims of the paper about the motion of the disk, and about its modes alone."""
+"""Claims of the paper about the motion of the disk and about its modes."""
 
 from math import inf
 
@@ -29,7 +29,7 @@ FORCING_FREQUENCY_TIME = 214.6  # over chi: when the published disk reaches it
     at_least=2.0,
 )
 def repeated_slips(motion: Motion):
-    """The number of changes from rolling to sliding; rounding may change it by one at the end."""
+    """The number of changes from rolling to sliding; rounding may change it by one."""
     return Measured(len(slips(motion)), 1.0)
 
 
@@ -41,8 +41,7 @@ def repeated_slips(motion: Motion):
     at_least=1e-9,
 )
 def contact_kept(motion: Motion):
-    """The least normal force over the weight, on two points per piece, the last instant
-    included."""
+    """The least normal force over the weight, at the ends and middles of all pieces."""
     load = motion.force(piece_ends_and_middles(motion))[:, 2] / motion.disk.weight
     least = 0.0 if motion.contact_losses else float(load.min())
     return Measured(least, load[::2].min() - load.min())
@@ -56,7 +55,7 @@ def contact_kept(motion: Motion):
     at_least=1.5,
 )
 def load_frequency_rises(motion: Motion):
-    """The frequency of the normal force late in the motion over that early in it."""
+    """The frequency of the normal force in the last tenth of the peaks over that in the first."""
     frequency = nutation_frequency(motion)[1]
     tenth = max(len(frequency) // 10, 1)
     early = median(frequency[:tenth])
@@ -67,7 +66,7 @@ def load_frequency_rises(motion: Motion):
 
 
 def nutation_details(motion: Motion) -> dict[str, float]:
-    """Return until when [s] the disk nutates, where that is not until the end."""
+    """Return the times [s] at which nutation and motion end; empty if they end together."""
     end = nutation_ends(motion)
     return {} if end is None else {"nutates_until": end, "motion_ends": float(motion.t[-1])}
 
@@ -81,8 +80,7 @@ def nutation_details(motion: Motion) -> dict[str, float]:
     tolerance=0.5,
 )
 def load_frequency_reached(motion: Motion):
-    """The time, over chi of (4.5), at which the frequency of the normal force first is 2.5 /
-    chi."""
+    """The first time, over chi of (4.5), at which the normal force has the frequency 2.5/chi."""
     chi = motion.disk.time_unit
     time, frequency = nutation_frequency(motion)
     reached = time[chi * frequency >= FORCING_FREQUENCY_NAMED]
@@ -99,7 +97,7 @@ def load_frequency_reached(motion: Motion):
     tolerance=1e-12,
 )
 def energy_falls(motion: Motion):
-    """The greatest gain of energy from one solved instant to the next, over that at the start."""
+    """The greatest gain of energy between successive instants, over the initial energy."""
     gain = np.diff(motion.energy(motion.t)).max() / motion.energy(motion.t[:1])[0]
     return Measured(gain, 16 * np.finfo(float).eps)
 
@@ -112,15 +110,18 @@ def energy_falls(motion: Motion):
     at_least=1.0,
 )
 def sliding_costs_more(motion: Motion):
-    """The power lost in a slide over the greater of those in the rolling around it, median."""
+    """The median of the power lost in a slide over the greater of those in the rolling before and
+    after it.
+    """
     power, slides = stretch_powers(motion)
     around = np.maximum(power[slides - 1], power[slides + 1])
     return median(power[slides] / around)
 
 
 def stretch_powers(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
-    """Return the mean power lost [W] in each stretch of rolling or sliding, and the indices of
-    slides between two."""
+    """Return the mean power lost [W] in each interval of rolling or sliding, and the indices of the
+    slides between two intervals of rolling.
+    """
     sliding = np.char.startswith(motion.regime((motion.t[1:] + motion.t[:-1]) / 2), "slide")
     edges = np.concatenate([[0], np.flatnonzero(np.diff(sliding)) + 1, [len(sliding)]])
     power = np.diff(motion.state[edges, 10]) / np.diff(motion.t[edges])
@@ -136,7 +137,7 @@ def stretch_powers(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     at_least=4.0,
 )
 def audible_modes(modes: Modes):
-    """The number of modes between the limits of hearing."""
+    """The number of modes in AUDIBLE_RANGE."""
     low, high = AUDIBLE_RANGE
     distance = np.abs(np.subtract.outer(modes.frequency, AUDIBLE_RANGE)).min(axis=1)
     uncertain = distance < modes.error * modes.frequency
@@ -183,16 +184,15 @@ def no_singularity(motion: Motion):
 
 
 def nears_its_end(motion: Motion) -> bool:
-    """Return whether a motion comes near enough to the time of inclination 0 that its last part has
-    a power law."""
+    """Return True if a motion gets close enough to inclination 0 for a power-law fit of its end."""
     return 16 * (motion.t_end - motion.t[-1]) <= motion.t_end
 
 
 def motion_findings(motion: Motion) -> list[Finding]:
     """Return the claims about the motion that it can judge.
 
-    Those on the frequency of the normal force need peaks, those on sliding rolling before and after
-    it, and those on the end a disk that settles.
+    Claims on the frequency of the normal force need peaks of that force. Claims on sliding need
+    rolling before and after it. Claims on the end need a disk that settles.
     """
     has_peaks = len(nutation_frequency(motion)[0]) > 0
     has_slides = len(stretch_powers(motion)[1]) > 0

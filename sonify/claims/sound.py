@@ -1,5 +1,4 @@
-"""SOUND -> VERDICT: what is heard in the rendered sound alone, held against the solved motion and
-modes."""
+"""SOUND -> VERDICT: analysis of the rendered sound, compared with the solved motion and modes."""
 
 import numpy as np
 from scipy.signal import sosfilt
@@ -22,17 +21,15 @@ from sonify.sound.playback import a_weighting
 from sonify.sound.pressure import STEMS, Sound, Track
 
 LAST = 1.0
-"""The last stretch before the end of the motion, where the pitch is said to rise sharply; shown by
-itself [s]."""
+"""Length of the final interval of the motion, in which the pitch is claimed to rise sharply [s]."""
 INDEPENDENT = 0.05
-"""The share of the frames of a tone that do not overlap."""
+"""Share of independent, non-overlapping frames among the frames of a tone."""
 
 
 def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
-    """Return what the rendered sound tells by itself, or None; and what it does not tell, and
-    why."""
+    """Return the analysis of the rendered sound, or None, and notes on claims without a verdict."""
     try:
-        heard = listen(sound.pressure, beats=False)  # no claim is on the envelope
+        heard = listen(sound.pressure, beats=False)  # no claim needs the envelope
     except RecordingError as error:
         return None, [f"A verdict by ear: {error}.", *unheard()]
     silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []
@@ -42,11 +39,11 @@ def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
 def all_verdicts(
     heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0
 ) -> list[Finding]:
-    """Every claim on the sound that this run can judge: those on the end only where the motion
-    settled.
+    """Return the findings on the sound that this run can judge.
 
-    `error` is the predicted distance of the sound from that of the reference, relative, in
-    quadratic mean."""
+    Claims on the end need a disk that settles. `error` is the predicted relative rms deviation of
+    the sound from the reference.
+    """
     energy = [modes_take_little(motion, sound, error)]
     if heard is None:
         return energy
@@ -67,10 +64,11 @@ def all_verdicts(
 
 
 def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
-    """The claims that compare the tone with a solved rate: none of a disk that does not nutate.
+    """Return the findings that compare the tone with a solved rate; empty without nutation.
 
-    The tone is compared with the precession where it is heard in the last second, and with the
-    nutation where it is heard before the last four, while the disk nutates."""
+    The tone is compared with the precession in the last second, and with the nutation before the
+    last four seconds while the disk nutates.
+    """
     nutates = nutation_frequency(motion)[0]
     if not len(nutates):
         return []
@@ -89,7 +87,7 @@ def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
     at_least=2.0,
 )
 def pitch_rises(tone):
-    """The frequency of the tone at the end of its ridge over that at the beginning."""
+    """The frequency of the tone at the end of its ridge over that at the start."""
     return Measured(
         tone.factor, 2 * tone.factor * np.log(tone.factor) * tone.exponent_error / tone.exponent
     )
@@ -104,7 +102,7 @@ def pitch_rises(tone):
     at_most=1.03,
 )
 def tone_is_precession(tone, last, motion: Motion, sound: Sound):
-    """The frequency of the tone over the solved precession, median of the frames `last` (r,)."""
+    """The median of the tone frequency over the solved precession, in the frames `last` (r,)."""
     return _ratio(tone, last, motion, sound, precession_frequency(motion))
 
 
@@ -117,7 +115,7 @@ def tone_is_precession(tone, last, motion: Motion, sound: Sound):
     at_most=1.03,
 )
 def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
-    """The frequency of the tone over the solved nutation, median of the frames `early` (r,)."""
+    """The median of the tone frequency over the solved nutation, in the frames `early` (r,)."""
     return _ratio(tone, early, motion, sound, nutation_frequency(motion))
 
 
@@ -130,7 +128,7 @@ def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
     at_most=0.1,
 )
 def tone_ends_with_the_motion(tone, sound: Sound):
-    """The time from the end of the motion, at the listener, to the end fitted to the tone [s]."""
+    """The time [s] from the end of the motion, at the listener, to the fitted end of the tone."""
     return Measured(tone.end - sound.source_end, 2 * tone.end_error)
 
 
@@ -142,8 +140,9 @@ def tone_ends_with_the_motion(tone, sound: Sound):
     at_least=0.5,
 )
 def tone_is_heard(tone, sound: Sound):
-    """The time before the end from which the third octave that holds the tone stays above the
-    threshold of hearing."""
+    """The time before the end [s] from which the third octave of the tone stays above the threshold
+    of hearing.
+    """
     seen = spectrogram(sound.pressure, WINDOW / 4)
     inside = (seen.time < min(tone.end, sound.source_end) - WINDOW / 8) & (seen.time > 0.1)
     bands = np.array(list(ISO_226))
@@ -169,11 +168,10 @@ def tone_is_heard(tone, sound: Sound):
     at_least=0.0,
 )
 def modes_carry_the_end(sound: Sound, error: float = 0.0):
-    """The level of the ringing of the modes over that of the rigid disk, in the last second
-    [dB(A)].
+    """The level of the modes relative to the rigid motion of the disk, in the last second [dB(A)].
 
-    What differs by the relative `error` in quadratic mean has an energy within a factor of (1 +
-    error)^2."""
+    A sound with the relative rms error `error` has an energy within a factor of (1 + error)^2.
+    """
     heave, tilt, smooth, jumps = (weighted_power(sound, sound.track(name)) for name in STEMS)
     return Measured(level_db(smooth + jumps) - level_db(heave + tilt), 20 * np.log10(1 + error))
 
@@ -186,18 +184,21 @@ def modes_carry_the_end(sound: Sound, error: float = 0.0):
     at_most=0.0,
 )
 def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0):
-    """The one-way coupling holds while the modes own less than the disk: when do they first own as
-    much?
+    """The time before the end [s] when the energy of the modes first exceeds that of the disk.
 
-    Their energy is known within a factor of (1 + error)^2, as in `modes_carry_the_end`.
+    One-way coupling is valid before it. The energy of the modes is known within a factor of (1 +
+    error)^2, as in `modes_carry_the_end`.
     """
     return since_as_much(motion, sound.energy_time, sound.energy, error)
 
 
 def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -> Measured:
-    """Return how long before the end [s] an energy (e,) [J] at t (e,) [s] first is more than a
-    share of the disk's, or 0; and how wrong that may be towards its bar where the energy is known
-    within a factor of (1 + error)^2."""
+    """Return the time before the end [s] when an energy first exceeds a share of that of the disk.
+
+    The energy (e,) [J] is given at times t (e,) [s] and is known within a factor of (1 + error)^2.
+    The value is 0 if the energy never exceeds the share. The margin is the change of a positive
+    value at the lowest energy, or of a zero value at the highest.
+    """
     inside = (t >= 0) & (t <= motion.t[-1])
     t = t[inside]
     energy = energy[inside]
@@ -220,8 +221,10 @@ def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -
     at_most=5.0,
 )
 def carriers_are_steady(heard: Heard):
-    """How far the strongest line spreads or drifts [cents]; its spread is known to a half from five
-    frames."""
+    """The greater of the spread and the drift of the strongest spectral line [cents].
+
+    Five frames determine the spread to within one half of its value.
+    """
     one = heard.lines[0]
     drift, error = (x * (one.end - one.begin) for x in (abs(one.drift), one.drift_error))
     return Measured(max(one.spread, drift), max(one.spread / 2, 2 * error))
@@ -235,15 +238,14 @@ def carriers_are_steady(heard: Heard):
     at_most=5.0,
 )
 def carriers_are_modes(heard: Heard, modes: Modes):
-    """The distance of the strongest line from the nearest mode [cents]."""
+    """The distance of the strongest spectral line from the nearest mode [cents]."""
     strongest = heard.lines[0]
     away = np.abs(1200 * np.log2(strongest.frequency / modes.frequency)).min()
     return Measured(away, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency)
 
 
 def _ratio(tone, here, motion, sound, solved):
-    """The median, over the frames (r,) chosen, of the frequency heard over a solved rate, and its
-    error."""
+    """Return the median of the tone frequency over a solved rate, in the frames `here` (r,)."""
     delay = sound.source_end - motion.t[-1]
     rate = np.interp(tone.time[here] - delay, *solved)
     return median(tone.frequency[here] / rate, INDEPENDENT)
@@ -254,6 +256,6 @@ def weighted_power(sound: Sound, stem: Track) -> float:
     rate = sound.sample_rate
     end = int(sound.source_end * rate)
     begin = max(end - int(LAST * rate), 0)
-    settled = max(begin - rate // 2, 0)  # the filter has forgotten what was before
+    settled = max(begin - rate // 2, 0)  # lets the filter transient decay
     weighted = sosfilt(a_weighting(rate), stem.read(settled, end).astype(float))
     return float(np.mean(weighted[begin - settled :] ** 2))

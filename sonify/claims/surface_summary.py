@@ -1,5 +1,6 @@
-"""FINDINGS -> ANSWER: what is heard on each surface, whether it rises, whether contact is lost,
-what makes the halt."""
+"""FINDINGS -> ANSWERS: for each surface, the sound source, the pitch, losses of contact, and the
+cause of the end.
+"""
 
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
@@ -14,12 +15,11 @@ SURFACES = {
     "wood-table": "wooden table on four feet, in a vacuum",
     "light-plate": "light glass plate, 3 mm thick, in a vacuum",
 }
-"""Scene -> the surface under its disk, and whether a film of air acts on the motion."""
+"""Scene -> the surface under its disk and the surrounding medium."""
 
 
 class Words(NamedTuple):
-    """What answers a question if a claim holds, if it does not, and if it is undecided; {value} is
-    the value."""
+    """Answers to a question if a claim holds, fails or is undecided; {value} is its value."""
 
     yes: str
     no: str
@@ -47,7 +47,7 @@ ANSWERS: dict[str, dict[str, Words]] = {
         ),
     },
     "does the pitch rise": {
-        "table_tone_rises": Words("yes", "no", "undecided"),  # by how much is chaotic
+        "table_tone_rises": Words("yes", "no", "undecided"),  # the factor is chaotic
         "carrier_rises": Words(
             "yes, {value:.1f} times", "no, {value:.1f} times", "undecided, {value:.1f} times"
         ),
@@ -87,7 +87,7 @@ ANSWERS: dict[str, dict[str, Words]] = {
         ),
     },
 }
-"""Question -> key of a finding, of which the first that a run has answers -> its words."""
+"""Question -> key of a finding -> its answers; the first finding that a run has is used."""
 LOST = "is contact lost"
 
 
@@ -106,9 +106,9 @@ def answers(findings: Iterable[Finding]) -> dict[str, str]:
 
 
 def in_short(findings: Iterable[Finding]) -> dict[str, str]:
-    """Return the answers to the questions that findings of this run do answer.
+    """Return the answers to those questions that the findings of a run can answer.
 
-    A disk that the air carries has lost its contact at the end, whatever vibrations do.
+    A disk carried by the air film has lost its contact at the end, independently of vibrations.
     """
     by_key = {finding.key: finding for finding in findings}
     found = {
@@ -132,7 +132,7 @@ def _answer(by_key: Mapping[str, Finding], words: Mapping[str, Words]) -> str:
 
 
 def answer_table(runs: Mapping[str, Iterable[Finding]]) -> str:
-    """Return the table of surfaces in Markdown, of the findings by the name of the scene."""
+    """Return a Markdown table of answers, one row per scene, from the findings by scene name."""
     header = ["scene", "the disk is on", *ANSWERS]
     rows = [
         [f"`{name}`", SURFACES[name], *answers(findings).values()]

@@ -1,5 +1,4 @@
-"""TABLE: what it carries of the sound, and from when on it must act back on the disk; a "no" is a
-result."""
+"""TABLE: its part in the sound, and the time from which its reaction on the disk matters."""
 
 import numpy as np
 
@@ -16,13 +15,13 @@ from sonify.sound.pressure import Sound
 from sonify.sound.radiation import Listener
 
 WINDOW, SECOND = 0.1, 40
-"""Of the levels over time [s], and how many of these windows, which overlap, make a second."""
+"""Window of the levels [s], and number of these overlapping windows per second."""
 TAIL = 10.0
-"""So long before the end [s] the sound of the table is summed up."""
+"""Time before the end [s] over which the radiated power of the table is computed."""
 THIRD = 2 ** (1 / 6)
-"""From the middle of a third octave to its ends."""
+"""Frequency ratio between the centre and an edge of a third octave."""
 ENDS = ("SETTLED", "FELL")
-"""Outcomes with which the disk lies flat."""
+"""Outcomes in which the disk lies flat."""
 
 
 def table_findings(
@@ -33,21 +32,21 @@ def table_findings(
     tone: RisingTone | None,
     error: float = 0.0,
 ) -> list[Finding]:
-    """Every claim on a wavy table, or the sound of an elastic one: none of a rigid one, nor on an
-    end that was not reached.
+    """Return the findings on a wavy table and on the sound of an elastic table.
 
-    `tone` is the rising tone of the whole sound, or None; `error` the relative one of the sound, in
-    quadratic mean."""
+    Claims on the end need a disk that lies flat. `tone` is the rising tone of the whole sound, or
+    None; `error` is the relative rms error of the sound.
+    """
     found = motion_findings(scene, motion)
     if "table" not in sound.names:
         return found
     apart = (
         scene.roughness is None or scene.contact.law == "rigid"
-    )  # else the contact's stem is the table's as well
+    )  # otherwise the contact stem includes sound of the table
     found += [table_is_louder(motion, sound, error)] if apart else []
     found += [radiation_takes_little(motion, sound, listener, error)]
     found += [waves_become_heat(motion, sound, listener)] if two_way.two_way(motion) else []
-    if sound.table_energy is not None:  # an endless plate holds none
+    if sound.table_energy is not None:  # an infinite plate stores no energy
         found += [
             table_takes_little(motion, sound, error),
             table_takes_a_hundredth(motion, sound, error),
@@ -59,7 +58,7 @@ def table_findings(
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return those that the motion alone can judge: of a table that is wavy."""
+    """Return the findings that the motion alone can judge; they need a wavy table."""
     return [waves_break_contact(scene, motion)] if scene.imperfection else []
 
 
@@ -73,11 +72,12 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     at_most=1.8,
 )
 def waves_break_contact(scene: Scene, motion: Motion) -> float:
-    """The inclination at which contact is first lost over (n^2 - 1) delta/R; 0 if it never is.
+    """The inclination at the first loss of contact over (n^2 - 1) delta/R; 0 without a loss.
 
-    There a plane rim can no longer stand in a trough: along it a wave h bends up by h + h'' = (n^2
-    - 1) delta, and the rim of a disk of inclination beta by beta R, both against the circle that
-    any tilt would follow."""
+    Below the inclination (n^2 - 1) delta/R a plane rim no longer fits into a trough. Relative to a
+    tilted plane, a wave h curves upwards by h + h'' = (n^2 - 1) delta along the rim, and the rim of
+    a disk at inclination beta curves upwards by beta R.
+    """
     lost = motion.contact_losses
     waves = scene.imperfection
     scale = (waves.order**2 - 1) * waves.amplitude / scene.disk.radius if waves else np.inf
@@ -85,8 +85,9 @@ def waves_break_contact(scene: Scene, motion: Motion) -> float:
 
 
 def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]:
-    """Return the A-weighted mean square [Pa^2] of every stem in each second from begin to end [s],
-    (t,) each."""
+    """Return the A-weighted mean square (t,) [Pa^2] of every stem in each second from `begin` to
+    `end` [s].
+    """
     found = {}
     for name, stem in sound.stems.items():
         seen = spectrogram(stem, WINDOW, span=(begin, end))
@@ -105,8 +106,9 @@ def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]
     at_least=0.0,
 )
 def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measured:
-    """The level of the table over that of everything else in a second, median over the motion
-    [dB(A)]."""
+    """The level of the table relative to all other sound, median over the seconds of the motion
+    [dB(A)].
+    """
     levels = stem_levels(sound, sound.source_end - motion.t[-1], sound.source_end)
     table = levels.pop("table")
     louder = float(np.median(level_db(table) - level_db(sum(levels.values()))))
@@ -121,8 +123,7 @@ def table_is_louder(motion: Motion, sound: Sound, error: float = 0.0) -> Measure
     at_least=2.0,
 )
 def table_tone_rises(sound: Sound) -> Measured:
-    """The frequency of the rising tone in the sound of the table alone, at its end over that at its
-    beginning."""
+    """The final over the initial frequency of the rising tone in the sound of the table alone."""
     tone = rising_tone(sound.track("table").read().astype(float), sound.sample_rate)
     if tone is None:
         return Measured(1.0)
@@ -139,8 +140,9 @@ def table_tone_rises(sound: Sound) -> Measured:
     at_least=0.0,
 )
 def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
-    """The level of the table over that of everything else in the third octave of the tone, in the
-    last second [dB]."""
+    """The level of the table relative to all other sound, in the third octave of the tone during
+    the last second [dB].
+    """
     table = rest = 0.0
     for name, stem in sound.stems.items():
         seen = spectrogram(stem, WINDOW, span=(max(sound.source_end - LAST, 0.0), sound.source_end))
@@ -159,8 +161,9 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
     at_most=0.0,
 )
 def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
-    """When the modes of the table first hold as much energy as the disk, while they do not act back
-    on it."""
+    """The time before the end [s] when the energy of the table modes first exceeds that of the
+    disk, with one-way coupling.
+    """
     return since_as_much(motion, sound.energy_time, sound.table_energy, error)
 
 
@@ -172,15 +175,15 @@ def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
     at_most=0.5,
 )
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
-    """When the modes of the table first hold ACTS of the energy of the disk."""
+    """The time before the end [s] when the table modes first hold ACTS of the disk energy."""
     return since_as_much(motion, sound.energy_time, sound.table_energy, error, ACTS)
 
 
 def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (e,) [s] of the last TAIL of a motion and the power (e,) [W] that its table
-    radiates then.
+    """Return times (e,) [s] in the last TAIL seconds of a motion and the power (e,) [W] radiated by
+    the table.
 
-    2 pi r^2 p^2/(rho c), as loud in every direction as at the listener.
+    The power is 2 pi r^2 p^2/(rho c), with the pressure at the listener in all directions.
     """
     air = listener.air
     rate = sound.sample_rate
@@ -202,10 +205,9 @@ def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.nda
     at_most=0.5,
 )
 def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measured:
-    """The energy that a table which acts back radiates, over what its modes lose, until the disk
-    lies flat.
+    """The energy radiated by a table with two-way coupling over the energy lost by its modes.
 
-    The sound is as loud all round as at the listener, which is right to a factor of two.
+    The radiation is assumed equal in all directions, which is accurate to a factor of two.
     """
     heard = radiated_power(sound, listener)
     begin = max(heard[0][0], two_way.two_way(motion)[1])
@@ -225,7 +227,9 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measu
 def radiation_takes_little(
     motion: Motion, sound: Sound, listener: Listener, error: float = 0.0
 ) -> Measured:
-    """When what the table goes on to radiate is first more than the energy of the disk."""
+    """The time before the end [s] when the energy still to be radiated by the table first exceeds
+    the energy of the disk.
+    """
     t, power = radiated_power(sound, listener)
     still = np.cumsum(power[::-1])[::-1] / sound.sample_rate
     return since_as_much(motion, t, still, error)

@@ -1,9 +1,9 @@
-"""TWO WAYS: what a table that acts back takes, where it breaks the contact, and how much earlier
-the disk lies flat.
+"""TWO-WAY COUPLING: energy taken by the table, losses of contact, and the earlier halt.
 
-Each finding is judged again on the end of the motion in steps of half the length, and on a contact
-twice as stiff: what it differs by is its margin. Whether contact is lost is uncertain where they do
-not agree."""
+Each finding is repeated for the end of the motion with half the time step and with twice the
+contact stiffness; the largest difference is its margin. The loss of contact is undecided if these
+reruns disagree on it.
+"""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -22,23 +22,25 @@ from sonify.claims.finding import Finding, Measured, finding
 from sonify.scene import Scene
 
 ALL_BUT_FLAT = 2 * FLAT_INCLINATION
-"""An inclination [rad] below which a disk touches and leaves a table that waves with one step and
-not with another."""
+"""Inclination [rad] below which losses of contact depend on the time step and are not counted."""
 LAST = 0.1
-"""The part of the energy at which the halt begins."""
+"""Remaining share of the energy at which the halt begins."""
 LEFT = "that was left when the table began to act back"
 HALF_STEP, TWICE_STIFF = "half_step", "twice_stiff"
 """Names of the reruns with half the time step and with twice the contact stiffness."""
 EVERY = 20
-"""Steps between rows of a motion of which only the end is looked at."""
+"""Time steps between the stored rows of the reference motion."""
 NEAR = 0.2
-"""A loss of contact is at the resonance of a mode where n Omega/w is as near to 1."""
+"""Largest distance of n Omega/w from 1 at which a loss of contact counts as resonant."""
 
 
 class Budget(NamedTuple):
-    """Energy [J] at times t (k,) [s] of the whole motion: of the disk, a part of that in its
-    `bending` modes, and of the modes of the table; what was lost since the first of the times to
-    each of CAUSES, and what part of the loss in the table went off as `sound`; every row (k,)."""
+    """Energies (k,) [J] at times t (k,) [s] after the release.
+
+    `disk` is the energy of the disk and includes that of its `bending` modes; `table` is the energy
+    of the table modes. `lost` is the energy lost to each of CAUSES since the first of the times.
+    `sound` is the part of the loss in the table that is radiated.
+    """
 
     t: np.ndarray
     disk: np.ndarray
@@ -49,17 +51,18 @@ class Budget(NamedTuple):
 
 
 def two_way(motion: Motion):
-    """Return the part of a motion in which the table acts back, and when it begins [s]; None where
-    it never does."""
+    """Return the part of a motion with two-way coupling and its start [s], or None."""
     return next(
         ((part.motion, part.begin) for part in motion.parts if part.motion.moves_table), None
     )
 
 
 def energy_budget(motion: Motion, t, heard=None) -> Budget:
-    """Return the `Budget` at times t (k,) [s] at which the table acts back; without what is `heard`
-    of the table, times (e,) [s] and power [W], as `sonify.claims.table.radiated_power` has it, its
-    sound is 0. Raises ValueError at others."""
+    """Return the `Budget` at times t (k,) [s] with two-way coupling.
+
+    `heard` is the result of `sonify.claims.table.radiated_power`: times (e,) [s] and power (e,)
+    [W]. Without it, the sound is 0. Raises ValueError for a motion without two-way coupling.
+    """
     found = two_way(motion)
     if found is None:
         raise ValueError("energy_budget: the table of this motion does not act back")
@@ -76,8 +79,9 @@ def energy_budget(motion: Motion, t, heard=None) -> Budget:
 
 
 def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
-    """Return every claim on a table that acts back; none where it does not, or no end was
-    reached."""
+    """Return the findings on two-way coupling; empty without it or if the disk did not come to
+    rest.
+    """
     found = two_way(motion)
     if found is None or motion.outcome.name not in ("SETTLED", "FELL"):
         return []
@@ -97,8 +101,9 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
 
 
 def reruns(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMotion]:
-    """Return the motion, from where the table begins to act back, with half the step and twice the
-    stiffness."""
+    """Return the motion from the onset of two-way coupling with half the time step, and with twice
+    the contact stiffness.
+    """
     start = begins(scene, part)
     span = scene.numerics.time_limit - start
     state = part.at([start])[0]
@@ -116,7 +121,7 @@ def varied(
     motion: Motion,
     others: dict[str, CompliantMotion],
 ) -> Finding:
-    """Return what `judge` finds, with a margin that reaches what it finds for the other motions."""
+    """Return the finding of `judge`, with a margin that covers its values for the other motions."""
     found = judge(scene, motion)
     values = {name: judge(scene, other).value for name, other in others.items()}
     margin = max([found.margin, *(abs(value - found.value) for value in values.values())])
@@ -124,8 +129,11 @@ def varied(
 
 
 def begins(scene: Scene, part: CompliantMotion) -> float:
-    """Return when [s] in a motion on a table its modes begin to act back,
-    `dynamics.compliant.two_way_onset`; 0 if before it."""
+    """Return the time [s] within a motion at which the reaction of the table begins to matter.
+
+    The criterion is that of `dynamics.compliant.two_way_onset`. The time is 0 if the reaction
+    matters from the start.
+    """
     acts = part.rows[:, 1] < table_reaction(scene, part.model.modes).inclination
     return float(acts.argmax() * FORCES_PER_ROW * part.dt)
 
@@ -138,10 +146,11 @@ def begins(scene: Scene, part: CompliantMotion) -> float:
     at_least=0.05,
 )
 def halt_comes_earlier(scene: Scene, motion: Motion):
-    """By how much earlier [s] the disk lies flat than the same disk, on the same contact, on a
-    table without modes.
+    """The time [s] by which the table modes bring the halt forward.
 
-    That one goes on from where the table begins to act back, and holds ACTS of the energy.
+    The reference is the same disk and contact without table modes, from the onset of two-way
+    coupling. The margin is the share ACTS of its duration: the share of the energy that the table
+    holds at the onset.
     """
     part, _ = two_way(motion)
     start = begins(scene, part)
@@ -160,8 +169,9 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
     at_least=0.5,
 )
 def waves_make_the_halt(scene: Scene, motion: Motion):
-    """The share of the modes of the table in what the disk and its contact lose in the last LAST of
-    the energy."""
+    """The share of the table modes in the energy that the disk and its contact lose during the
+    halt.
+    """
     budget = _last(scene, motion)
     shares = {name: lost[-1] for name, lost in budget.lost.items()}
     shares["table"] += budget.table[-1] - budget.table[0]
@@ -179,7 +189,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion):
     at_least=0.5,
 )
 def table_rings_at_the_halt(scene: Scene, motion: Motion):
-    """The share of the modes of the table in the energy of disk and table, when they hold most."""
+    """The share of the table modes in the energy of disk and table, when they hold the most."""
     t = _times(scene, motion)
     budget = energy_budget(motion, t)
     most = budget.table.argmax()
@@ -195,8 +205,9 @@ def table_rings_at_the_halt(scene: Scene, motion: Motion):
     at_least=0.1,
 )
 def disk_rings_at_the_halt(scene: Scene, motion: Motion):
-    """The greatest energy of the elastic modes of the disk over that with which the last LAST of
-    the energy begins."""
+    """The greatest energy of the elastic modes of the disk during the halt, over the total initial
+    energy of the halt.
+    """
     budget = _last(scene, motion)
     return budget.bending.max() / (budget.disk[0] + budget.table[0])
 
@@ -211,7 +222,7 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion):
     at_least=1.0,
 )
 def table_breaks_contact(motion: Motion):
-    """The number of losses of contact of a disk that does not lie all but flat."""
+    """The number of losses of contact above the inclination ALL_BUT_FLAT."""
     return losses_above_flat(motion)
 
 
@@ -223,7 +234,7 @@ def table_breaks_contact(motion: Motion):
     at_least=1.0,
 )
 def number_of_losses(motion: Motion, others: list[CompliantMotion]):
-    """The number of losses of contact; chaotic if another step or stiffness changes it."""
+    """The number of losses of contact; chaotic if another time step or stiffness changes it."""
     number = losses_above_flat(motion)
     numbers = [losses_above_flat(other) for other in others]
     spread = max(abs(other - number) for other in numbers)
@@ -246,8 +257,9 @@ def losses_above_flat(motion: Motion) -> int:
     at_most=1 + NEAR,
 )
 def loss_at_resonance(scene: Scene, motion: Motion):
-    """n Omega/w at the first loss of contact, of the mode of the table that is nearest to 1 there;
-    0 without a loss."""
+    """n Omega/w at the first loss of contact, for the table mode closest to resonance; 0 without a
+    loss.
+    """
     if not motion.contact_losses:
         return Measured(0.0)
     first = motion.contact_losses[0].t
@@ -269,7 +281,9 @@ def _times(scene, motion, count=4000):
 
 
 def _last(scene, motion) -> Budget:
-    """The budget from where LAST of the energy with which the table begins to act back is left."""
+    """Return the budget from the instant when the share LAST of the energy at the onset of two-way
+    coupling remains.
+    """
     budget = energy_budget(motion, _times(scene, motion))
     whole = budget.disk + budget.table
     return energy_budget(motion, budget.t[np.argmax(whole < LAST * whole[0]) :])

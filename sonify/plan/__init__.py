@@ -1,2 +1,1 @@
-"""SCENE -> PLAN: what a run computes, what it leaves out and why, and how far that is from the
-reference."""
+"""SCENE -> PLAN: the models of a run, its omissions with reasons, and its predicted errors."""

@@ -1,4 +1,4 @@
-"""AIR: whether the film under the disk acts, from when on it matters, and how wrong its law is."""
+"""SCENE -> PLAN of the air: the film under the disk, the limits of its law, and absorption."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from sonify.sound.absorption import HIGHEST_FREQUENCY, absorbed_db, absorption_l
 from sonify.sound.radiation import listeners_of
 
 JUDGED = (0.1, 0.01, 0.001)
-"""Inclinations [rad] at which a paper's law of the air is held against the film."""
+"""Inclinations [rad] at which the air law of a paper is compared with the solved film."""
 RAREFIED = (
     (
         60,
@@ -35,11 +35,11 @@ RAREFIED = (
         "alone",
     ),
 )
-"""What is said of gaps below so many mean free paths."""
+"""(Mean gap over mean free path, error of the film's law below this ratio)."""
 
 
 def with_air(plan: Plan, scene: Scene) -> Plan:
-    """Return the plan with what it does about the air."""
+    """Return the plan with its decision, models and omissions on the air."""
     told = decide_film(scene)
     acts = "acts on the motion and on the sound" if told.film else "does not act"
     decision = Decision(subject="film of air under the disk", choice=acts, reason=told.reason)
@@ -53,8 +53,7 @@ def with_air(plan: Plan, scene: Scene) -> Plan:
 
 
 def on_the_way(scene: Scene) -> tuple[list[str], list[str]]:
-    """Return what is said of the absorption on the way to the listeners: where it is modelled, and
-    where it is not."""
+    """Return sentences on the absorption between disk and listeners: (modelled, left out)."""
     told: tuple[list[str], list[str]] = [], []
     for distance in sorted({ear.distance for ear in listeners_of(scene)}):
         near, far = (absorbed_db(scene.air, distance, f) for f in (8e3, HIGHEST_FREQUENCY))
@@ -67,8 +66,10 @@ def on_the_way(scene: Scene) -> tuple[list[str], list[str]]:
 
 
 def papers_law(scene: Scene) -> list[str]:
-    """Return how far a paper's law of the air is from the film that is solved, where the scene has
-    such a law."""
+    """Return a sentence that compares the air law of a paper with the solved film.
+
+    The list is empty if the scene has no such law, no solid disk or no air.
+    """
     disk = scene.disk
     air = scene.air
     given = scene.dissipation
@@ -95,8 +96,10 @@ def papers_law(scene: Scene) -> list[str]:
 
 
 def beyond_the_film(scene: Scene, motion: Motion) -> list[str]:
-    """Return how far the law of the film is left by the end of a motion: thick, compressible, or no
-    continuum."""
+    """Return sentences on how far a motion exceeds the limits of the film's law.
+
+    The limits concern the inertia of the air, its compressibility and its rarefaction.
+    """
     if not decide_film(scene).film:
         return []
     air = scene.air

@@ -11,10 +11,10 @@ from sonify.scene import Scene
 
 @dataclass(frozen=True, kw_only=True)
 class BodyScene:
-    """The sections that `modal.eigenmodes` reads; `contact` and `release` only of a disk on its
-    contact.
+    """The sections that `modal.eigenmodes` reads.
 
-    Two scenes with equal sections have the same modes, so it is the key of every cache of modes.
+    `contact` and `release` are None unless the support is the contact. Two scenes with equal
+    sections have the same modes, so a BodyScene is the key of every cache of modes.
     """
 
     disk: Disk

@@ -1,5 +1,5 @@
-"""SCENE -> PLAN of its contact: which model solves it, why, how wrong that makes its sound, and
-what it leaves out."""
+"""SCENE -> PLAN of the contact: the model with its reason, its error in the sound and its
+omissions."""
 
 from dataclasses import replace
 
@@ -17,16 +17,16 @@ from sonify.plan.predictions import SOUND, Prediction
 from sonify.scene import Scene
 
 MODES, OVER_FILM = 0.25, 0.05
-"""The part of the modes in the sound of a rough contact along a rigid motion, in amplitude, without
-a film of air and with one, which makes the vibration of the disk louder: the toy's, measured in
-tests/test_plan.py."""
+"""Share of the modes in the sound of a rough contact, in amplitude, without and with an air film.
+
+The contact is solved along the rigid motion. The film makes the vibration of the disk louder, which
+reduces the share. tests/test_plan.py measures both values on the toy scene."""
 ERROR = "its level is within 10 % of the full model's where the disk rolls, up to 1.9 times too low where it slides"
-"""What the filter misses."""
+"""Error of the filter against the full contact model."""
 
 
 def with_contact(plan: Plan, scene: Scene) -> Plan:
-    """Return the plan with how the contact of the edge is solved, and how far its sound will be
-    from the reference."""
+    """Return the plan with the model of the edge contact and the predicted error of its sound."""
     chosen = choose_contact_model(scene)
     reason = f"{chosen.reason}; {ERROR}" if chosen.kind == "filter" else chosen.reason
     elastic = chosen.kind != "rigid"
@@ -58,9 +58,12 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
 
 
 def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
-    """Return the error of samples of which most are the contact's: a filter gives the same ones at
-    every accuracy, the full model a motion that parts from others by more than a wave of the
-    surface, two noises of equal power."""
+    """Return the predicted error of the sound samples for a rough contact, which dominates them.
+
+    The filter yields the same contact sound at every accuracy, so that only the modes differ. With
+    the full model, motions at two accuracies diverge by more than a wavelength of the surface.
+    Their sounds are independent noises of equal power, and the relative error is sqrt(2).
+    """
     if kind == "rigid":
         return predicted
     if kind == "full":
@@ -78,11 +81,11 @@ def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
 
 
 LOW = 0.01
-"""Inclination [rad] late in a motion."""
+"""Inclination [rad] that represents the late motion."""
 
 
 def bending(scene: Scene) -> str:
-    """Return that a disk bends at its contact, and by how much this lowers the resonance."""
+    """Return a sentence on how much bending of the disk lowers the contact resonance."""
     if scene.edge is None:
         return "That the disk bends at its contact, which lowers the resonance: of a shell it is not known."
     steep = np.radians(scene.release.inclination_deg)
@@ -121,9 +124,11 @@ MODELLED = {
     ),
 }
 LEANING, STEEP, THICK = 2.0, (-4.0, 6.0), 5.0
-"""Greatest error of that [dB], mean square round the disk, for thicknesses of 0.1 to 0.8 radii up
-to 0.35 rad, from the least to the greatest up to 0.6 rad, and by how much it is too quiet from k R
-= 4 to 5 (test_sound_open_film.py)."""
+"""Errors [dB] of the radiation of a vibrating disk over a film, in mean square around the disk.
+
+LEANING is the largest error up to 0.35 rad and STEEP the range of errors up to 0.6 rad, both for
+thicknesses of 0.1 to 0.8 radii. THICK is the largest underestimate between k R = 4 and 5. The
+values come from test_sound_open_film.py."""
 OVER_A_FILM = (
     "The disk that vibrates on its contact radiates with its height, over the film and what flows "
     "out of it: within "

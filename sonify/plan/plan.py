@@ -1,5 +1,4 @@
-"""SCENE -> PLAN: what a run computes and what it leaves out, why, and how wrong that makes it;
-decided beforehand."""
+"""SCENE -> PLAN: the models, omissions and predicted errors of a run, decided in advance."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -23,14 +22,14 @@ from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
 from sonify.sound.force import CALM_STRIDE
 
 MODES_NAMED = 6
-"""Modes whose decay is written out."""
+"""Number of modes listed with their decay."""
 ENERGY_SHARE = 0.01
-"""A mode that takes this share of the energy of all counts, even where it cannot be heard."""
+"""A mode with at least this share of the total energy is kept even if it is inaudible."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Decision:
-    """What was decided on a `subject`, and why."""
+    """The choice made on a `subject`, with its reason."""
 
     subject: str
     choice: str
@@ -39,11 +38,28 @@ class Decision:
 
 @dataclass(frozen=True, kw_only=True)
 class Plan:
-    """Decisions in words, and as numbers: `tolerance` and `final_inclination` [rad] of the motion;
-    `highest_mode` [Hz] that is sought; `calm` [rad] of the force; `sounding`, the indices of the
-    modes that sound, None before they are known.
+    """Decisions of a run, in words and as numbers.
 
-    `modelled` and `left_out` are sentences on the model; `predictions` are empty for the reference.
+    Parameters
+    ----------
+    accuracy : str
+        "draft", "standard" or "reference".
+    tolerance : float
+        Relative tolerance of the motion.
+    final_inclination : float
+        Inclination at which the motion may stop [rad].
+    highest_mode : float
+        Upper frequency limit of the modes [Hz].
+    calm : float
+        Largest turn of the contact between two evaluations of a smooth force [rad].
+    sounding : tuple of int, or None
+        Indices of the modes that sound; None before the modes are known.
+    decisions : tuple of Decision
+        Choices and their reasons.
+    predictions : tuple of Prediction
+        Predicted errors relative to the accuracy "reference"; empty for the reference itself.
+    modelled, left_out : tuple of str
+        Sentences on the model and on its omissions.
     """
 
     accuracy: str
@@ -58,7 +74,7 @@ class Plan:
     left_out: tuple[str, ...]
 
     def __repr__(self):
-        """In one line; the sentences are in the fields."""
+        """Return a one-line summary; the fields hold the sentences."""
         count = "" if self.sounding is None else f", {len(self.sounding)} modes sound"
         motion = f"motion to {self.final_inclination:.2g} rad at tolerance {self.tolerance:g}"
         return f"Plan({self.accuracy}: {motion}, modes below {self.highest_mode:g} Hz{count})"
@@ -66,7 +82,7 @@ class Plan:
     def also(
         self, *decisions: Decision, modelled: Iterable[str] = (), left_out: Iterable[str] = ()
     ) -> "Plan":
-        """Return the plan with these besides."""
+        """Return the plan with these decisions and sentences added."""
         modelled = (*self.modelled, *modelled)
         left_out = (*self.left_out, *left_out)
         return replace(
@@ -74,14 +90,15 @@ class Plan:
         )
 
     def error(self, name: str) -> float:
-        """Return the predicted error of that name; of the reference 0, since what it lacks is not
-        known from within."""
+        """Return the predicted error of that name; 0 if there is none, as for the reference."""
         return next((p.error for p in self.predictions if p.name == name), 0.0)
 
 
 def plan_of(scene: Scene) -> Plan:
-    """Return the plan of a scene as far as it can be made before its modes are known. What the
-    scene sets, stands."""
+    """Return the plan of a scene before its modes are known.
+
+    Settings of the scene take precedence.
+    """
     numerics = scene.numerics
     heard = min(MAX_AUDIBLE_FREQUENCY, scene.audio.sample_rate / 2)
     integrator = integrator_of(numerics.integrator)
@@ -131,11 +148,12 @@ def plan_of(scene: Scene) -> Plan:
 
 
 def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Plan:
-    """Return the plan completed by the modes that sound, of those found.
+    """Return the plan with the selection of the modes that sound.
 
     `loudness` (m,) [Pa^2 s] and `energy` (m,) [J] come from `audible_modes.response_to_unit_jump`.
-    A mode sounds if it is within the level's range of the loudest, or holds ENERGY_SHARE of the
-    energy."""
+    A mode sounds if its loudness is within `range_db` of the loudest one, or if its energy is at
+    least ENERGY_SHARE of the total.
+    """
     level = ACCURACY_LEVELS[plan.accuracy]
     heard = counted(loudness, energy, level.range_db)
     solver = Decision(
@@ -160,21 +178,26 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
 
 
 def counted(loudness, energy, range_db: float) -> np.ndarray:
-    """Return which modes (k,) count: within the range of the loudest, or with ENERGY_SHARE of the
-    energy of all."""
+    """Return the indices (k,) of the modes that sound.
+
+    They are within `range_db` [dB] of the loudest mode, or have at least ENERGY_SHARE of the total
+    energy.
+    """
     loud = loudness >= 10 ** (-range_db / 10) * loudness.max(initial=0.0)
     return np.flatnonzero((loud | (energy >= ENERGY_SHARE * energy.sum())) & (energy > 0))
 
 
 def with_end(plan: Plan, motion: Motion, ringing: RingDown, silence: Sequence[str] = ()) -> Plan:
-    """Return the plan with how the motion ended, how the modes ring afterwards, and why a sound
-    tells nothing."""
+    """Return the plan with the end of the motion and the decay of the modes.
+
+    `silence` lists the reasons why the sound permits no claim.
+    """
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
     return plan.also(ring_down(ringing), modelled=[ending], left_out=[*unsettled(motion), *silence])
 
 
 def ring_down(ringing: RingDown) -> Decision:
-    """Return how fast the modes decay after the end of the motion, and what damps them."""
+    """Return the decision on the decay of the modes after the motion, with rates and causes."""
     rows = zip(ringing.frequency, ringing.decay_rate, ringing.decay_time, strict=True)
     named = [f"{f:.0f} Hz: {d:.3g} 1/s (T60 {t:.2g} s)" for f, d, t in rows]
     if len(named) > MODES_NAMED:
@@ -195,8 +218,7 @@ def ring_down(ringing: RingDown) -> Decision:
 
 
 def unsettled(motion: Motion) -> list[str]:
-    """Return what is missing after a motion that did not reach its end, whose modes ring out
-    freely."""
+    """Return sentences on the omissions of a motion that did not settle."""
     if motion.outcome.name == "SETTLED":
         return []
     missing = f"The end of the motion and its sound: {motion.outcome.sentence}."
@@ -204,7 +226,7 @@ def unsettled(motion: Motion) -> list[str]:
 
 
 def damping(material: Material) -> Decision:
-    """Return how the modes decay."""
+    """Return the decision on the damping of the modes: measured decay rates or a loss factor."""
     given = len(material.decay_rates)
     return Decision(
         subject="decay of the modes",
@@ -217,15 +239,14 @@ def damping(material: Material) -> Decision:
 
 
 def contact_rate(disk: Disk, inclination: float) -> float:
-    """Return how often a second the contact of a steady disk goes round at a small inclination
-    [rad]."""
+    """Return the precession frequency [Hz] of the steady motion at a small inclination [rad]."""
     return (
         (flat_square(disk.aspect, disk.gyration) / inclination) ** 0.5 / disk.time_unit / (2 * pi)
     )
 
 
 def why_it_stops(scene: Scene, final: float) -> str:
-    """Return why the motion of a scene may stop at an inclination [rad]."""
+    """Return the reason why the motion of a scene may stop at an inclination [rad]."""
     turns = f"the contact turns there {contact_rate(scene.disk, final):.3g} times a second"
     if final > scene.numerics.stopping_inclination(scene.disk):
         gap = scene.disk.radius * np.sin(final)
@@ -288,7 +309,7 @@ AFTERWARDS = {
     "the film as it is when the contact is lost. As the disk settles the film closes, which "
     "changes their damping.",
 }
-"""What follows the motion and is left out, by its outcome."""
+"""Omitted events after the motion, by outcome."""
 NOT_IN_A_DRAFT = (
     "The roughness of the sound, the picture of its causes, and the modes seen at a slant.",
 )

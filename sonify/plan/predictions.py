@@ -1,5 +1,4 @@
-"""PLAN -> ERRORS: how far a run will be from the same one at accuracy "reference", and how far
-apart sounds are."""
+"""PLAN -> ERRORS: predicted errors relative to accuracy "reference", and errors between sounds."""
 
 from dataclasses import dataclass
 from math import isfinite, pi
@@ -22,8 +21,10 @@ SOUND = "samples of the sound, A-weighted"
 
 @dataclass(frozen=True, kw_only=True)
 class Prediction:
-    """How far a run will be from the same one at accuracy "reference": `error` in `unit`; `source`
-    says how we know."""
+    """Predicted error of a run relative to the same run at accuracy "reference".
+
+    `error` is in `unit`; `source` states the basis of the prediction.
+    """
 
     name: str
     error: float
@@ -32,7 +33,7 @@ class Prediction:
 
 
 def predicted_end(scene: Scene, final_inclination: float) -> Prediction:
-    """By how much a motion that settles stops too early."""
+    """Return the time [s] by which a motion that settles stops too early."""
     if decide_film(scene).film:
         return Prediction(
             name=END,
@@ -51,7 +52,7 @@ def predicted_end(scene: Scene, final_inclination: float) -> Prediction:
 
 
 def predicted_frequencies(scene: Scene, modes: Modes) -> Prediction:
-    """The median of the expected relative errors of the frequencies."""
+    """Return the median of the expected relative errors of the frequencies."""
     error = true_error(scene, modes)
     return Prediction(
         name=FREQUENCIES,
@@ -63,11 +64,12 @@ def predicted_frequencies(scene: Scene, modes: Modes) -> Prediction:
 
 
 def predicted_sound(scene: Scene, modes: Modes, loudness) -> Prediction:
-    """The distance of two sounds of modes that are a little out of tune, as loud as `loudness`
-    (m,), plus what is left out.
+    """Return the predicted relative error of the samples.
 
-    Two decaying sines that start together differ by 2 D^2/(D^2 + 4 d^2) of their energy, D the
-    difference of their frequencies [rad/s], d their decay rate."""
+    It combines slightly detuned modes, weighted by their `loudness` (m,) [Pa^2 s], with the modes
+    left out. Two decaying sines that start in phase differ by 2 D^2/(D^2 + 4 d^2) of their energy,
+    where D is the difference of their frequencies [rad/s] and d their decay rate [1/s].
+    """
     apart = 2 * pi * modes.frequency * true_error(scene, modes)
     square = apart**2
     lost = 2 * np.divide(
@@ -84,7 +86,7 @@ def predicted_sound(scene: Scene, modes: Modes, loudness) -> Prediction:
 
 
 def true_error(scene: Scene, modes: Modes) -> np.ndarray:
-    """Return the expected relative errors (m,) of the frequencies, from the estimated ones."""
+    """Return the expected relative errors (m,) of the frequencies, a fraction of the estimates."""
     level = scene.numerics.level
     return modes.error * (
         level.held_error_share if scene.support.kind == "patch" else level.free_error_share
@@ -92,10 +94,10 @@ def true_error(scene: Scene, modes: Modes) -> np.ndarray:
 
 
 def audible_error(sound, reference, weighted: bool = True) -> float:
-    """Return the root mean square of the difference of two sources or files over that of the
-    reference, A-weighted or not.
+    """Return the rms difference of two sources or files relative to the rms of the reference.
 
-    The shorter one is followed by silence. Raises ValueError where their sample rates differ.
+    Both are A-weighted if `weighted` is True. Zeros pad the shorter one. Raises ValueError if the
+    sample rates differ.
     """
     one = source_of(sound)
     true = source_of(reference)
@@ -112,11 +114,11 @@ def audible_error(sound, reference, weighted: bool = True) -> float:
 
 
 def level_error(sound, reference) -> float:
-    """Return the root mean square error of the levels of third octaves, window by window, relative:
-    0.12 is 1 dB.
+    """Return the rms error of the third-octave levels over all windows, relative: 0.12 is 1 dB.
 
-    Levels below the threshold of hearing (ISO 226) count as at the threshold; what is heard in
-    neither does not count."""
+    Levels below the threshold of hearing (ISO 226) are raised to the threshold. Bands inaudible in
+    both sounds are ignored.
+    """
     a, b = (band_levels(spectrogram(source, WINDOW)) for source in (sound, reference))
     count = min(a.shape[1], b.shape[1])
     a, b = (np.maximum(levels[:, :count], THRESHOLD_DB[:, None]) for levels in (a, b))

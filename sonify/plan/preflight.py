@@ -1,4 +1,4 @@
-"""SCENE -> PLAN, MODES, MOTION, or one line that says why it has none."""
+"""SCENE -> PLAN, MODES, MOTION, or a SceneError with the reason in one line."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -20,8 +20,11 @@ from sonify.sound.audible_modes import response_to_unit_jump
 
 
 def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
-    """Return the scene with that accuracy. Raises SceneError, before any work, where its disk,
-    support or integrator cannot be solved."""
+    """Return the scene with that accuracy.
+
+    Raises SceneError before any computation if the table, disk, support, integrator or air film of
+    the scene cannot be solved.
+    """
     scene = scene_of(scene, accuracy)
     check_table(scene)
     try:
@@ -34,9 +37,11 @@ def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
 
 
 def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tuple[Plan, Modes]:
-    """Return what is to be computed, and the modes, which the plan needs to say which of them
-    sound; `eigenmodes` finds these. Raises SceneError where there are too many modes, where the
-    patch is lost in round-off, and where decay rates are given for more modes than there are."""
+    """Return the plan and the modes of the disk, which the plan needs to select those that sound.
+
+    `eigenmodes` computes the modes. Raises SceneError if there are too many modes, if round-off
+    dominates the patch, or if there are more measured decay rates than modes.
+    """
     plan = plan_of(scene)
     try:
         elastic = eigenmodes(scene, below=plan.highest_mode)
@@ -51,7 +56,7 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
 
 
 def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
-    """Return the modes, the first of them with the decay rates [1/s] that were `measured`."""
+    """Return the modes with the `measured` decay rates [1/s] assigned to the first of them."""
     if len(measured) > len(modes):
         raise SceneError(
             f"material.decay_rates: {len(measured)} values, but only {len(modes)} modes are sought"
@@ -64,8 +69,10 @@ def solve_motion(
     watch: Callable[..., None] = lambda t, inclination, doing: None,
     table: SurfaceModes | None = None,
 ) -> Motion:
-    """Return the motion of a scene, on a table with these modes, as far as it stays on a plate.
-    Raises SceneError where no contact force satisfies the balance laws."""
+    """Return the motion of a scene on a table with these modes; it ends at the edge of the table.
+
+    Raises SceneError if no contact force satisfies the balance laws.
+    """
     try:
         motion: Any = simulate(scene, watch, surface_modes=table)
         if (end := off_since(scene, motion)) is None:

@@ -1,5 +1,5 @@
-"""SUPPORTS: what each way of holding a disk predicts, and how the modes of a disk on its contact
-move over the run."""
+"""SUPPORTS: modes predicted for each support, and the modes of a disk on its contact during a
+run."""
 
 from dataclasses import dataclass, replace
 
@@ -11,15 +11,17 @@ from sonify.plan.plan import Decision
 from sonify.scene import Scene
 
 LOWEST_DEG = 1e-5
-"""Below this inclination [degrees] one ellipse no longer is the contact."""
+"""Inclination [degrees] below which a single ellipse no longer describes the contact."""
 NAMED = 6
-"""Frequencies that are named of each support."""
+"""Number of frequencies listed for each support."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Standing:
-    """The modes of a disk on its contact at one instant [s] and inclination [rad]; None where that
-    is too stiff for springs."""
+    """Modes of a disk on its contact at a time `t` [s] and an inclination [rad].
+
+    `modes` is None if the contact is too stiff to be modelled by springs.
+    """
 
     name: str
     t: float
@@ -28,8 +30,10 @@ class Standing:
 
 
 def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
-    """Return the modes below `below` [Hz] at the release, in the middle and at the end; none of
-    another support."""
+    """Return the modes below `below` [Hz] at the release, in the middle and at the end of a motion.
+
+    The list is empty unless the support is the contact.
+    """
     if scene.support.kind != "contact":
         return []
     found = []
@@ -46,8 +50,10 @@ def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
 
 
 def compared(scene: Scene, modes: Modes, below: float) -> Decision:
-    """Return what the paper's patch and the free disk predict beside the modes on the contact, by a
-    draft of them."""
+    """Return the decision that compares the lowest modes on the contact with two other supports.
+
+    These are the paper's patch and the free disk, solved at accuracy "draft".
+    """
     draft = scene.replace("numerics.accuracy=draft")
     others = {kind: eigenmodes(draft, below, Support(kind=kind)) for kind in ("patch", "free")}
     lowest = {

@@ -1,4 +1,4 @@
-"""TABLE: what a run computes of it and what it leaves out, and where a table cannot be solved."""
+"""SCENE -> PLAN of the table: its model and omissions, and checks that it can be solved."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -22,11 +22,11 @@ from sonify.scene import Scene, SceneError
 from sonify.sound.sources.tabletop import contact_place, response_to_unit_jump
 
 BENT = 0.5
-"""Deflection over thickness beyond which a plate also stretches: linear theory is left."""
+"""Deflection over thickness beyond which a plate also stretches and linear theory fails."""
 
 
 def check_table(scene: Scene):
-    """Raise SceneError, before any work, where the table cannot be solved."""
+    """Raise SceneError before any computation if the table cannot be solved."""
     surface = scene.surface
     if scene.surface.action == "motion":
         what = "surface.action = 'motion'"
@@ -42,10 +42,9 @@ def check_table(scene: Scene):
 
 
 def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
-    """Return the plan with what it does about the table, and the modes of the table that sound;
-    None of a rigid one.
+    """Return the plan with its treatment of the table, and the modes of the table that sound.
 
-    Raises SceneError where the modes cannot be sought.
+    The modes are None for a rigid or infinite table. Raises SceneError if they cannot be computed.
     """
     if scene.imperfection:
         plan = with_table_heard(plan, scene).also(modelled=[WAVY], left_out=[UNTOLD])
@@ -81,8 +80,10 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
 
 
 def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
-    """Return the plan with the model of the disk; `joins_table` is True if the disk comes to move
-    with its table."""
+    """Return the plan with the model of the disk.
+
+    `joins_table` is True if the motion becomes two-way coupled with the table.
+    """
     if not joins_table:
         disk = Decision(
             subject="disk and table" if scene.surface.kind == "rigid" else "disk",
@@ -100,10 +101,11 @@ def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
 
 
 def with_table_heard(plan: Plan, scene: Scene) -> Plan:
-    """Return the plan with the predictions that hold beside a table: not its samples, nor the end
-    of a motion that waves shake.
+    """Return the plan without the predictions that fail in the presence of a table.
 
-    Of a rough contact the sound is that contact's.
+    The error of the samples is removed unless roughness is present, because the rough contact then
+    dominates the sound. The error of the end is removed if the table may act on the motion or is
+    wavy.
     """
     unknown = set() if scene.roughness else {SOUND}
     unknown |= {END} if may_be_two_way(scene) or scene.imperfection else set()
@@ -111,7 +113,7 @@ def with_table_heard(plan: Plan, scene: Scene) -> Plan:
 
 
 def action(scene: Scene, modes: SurfaceModes) -> Decision:
-    """Return whether the table acts back, and from when on."""
+    """Return the decision on two-way coupling with the table, and the inclination at its start."""
     chosen = SOUNDS
     reason = "surface.action = 'sound'"
     asked = scene.surface.action
@@ -131,13 +133,15 @@ def action(scene: Scene, modes: SurfaceModes) -> Decision:
 
 
 def heard(modes: SurfaceModes, scene: Scene) -> np.ndarray:
-    """Return which modes (k,) count after a jump of the force, at the accuracy of the scene."""
+    """Return the indices (k,) of the modes that sound after a force jump."""
     return counted(*response_to_unit_jump(modes, scene), scene.numerics.level.range_db)
 
 
 def bending(modes: SurfaceModes, scene: Scene) -> list[str]:
-    """Return what linear theory leaves out where the weight of the disk bends a plate by BENT of
-    its thickness."""
+    """Return a sentence on the stretching of the plate that linear theory leaves out.
+
+    The list is empty if the weight of the disk bends the plate by less than BENT of its thickness.
+    """
     if scene.surface.kind not in ("plate", "infinite"):
         return []
     thickness = scene.surface.thickness
@@ -152,7 +156,7 @@ def bending(modes: SurfaceModes, scene: Scene) -> list[str]:
 
 
 def off_since(scene: Scene, motion: Motion) -> float | None:
-    """Return when [s] the contact first is beyond the edge of a plate or a mesh; None if never."""
+    """Return the time [s] at which the contact first leaves a plate or mesh; None if never."""
     surface = scene.surface
     t = np.linspace(0.0, motion.t[-1], 4096)
     if surface.kind not in ("plate", "mesh"):
@@ -167,7 +171,7 @@ def off_since(scene: Scene, motion: Motion) -> float | None:
 
 
 def off_mesh(file: str, place) -> np.ndarray:
-    """Return whether places (k, 2) [m] are beyond the top face of the mesh in a file, (k,)."""
+    """Return a mask (k,) of the points (k, 2) [m] off the top face of the mesh in a file."""
     from modal.mesh.read import read_checked
     from modal.tabletop.meshed import on_top_face, top_face_triangles  # load slowly
 

@@ -1,4 +1,4 @@
-"""SCENE -> UNUSED KEYS: the keys that a scene sets although no stage of its run reads them."""
+"""SCENE -> UNUSED KEYS: keys that a scene sets but no stage of its run reads."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import MISSING, fields, is_dataclass
@@ -18,26 +18,26 @@ class Rule(NamedTuple):
 
 
 def yields(scene: Scene) -> bool:
-    """Return True if the contact is elastic from the release on, or from where the table may act on
-    the motion."""
+    """Return True if the contact is elastic at the release or once the table acts on the motion."""
     return scene.contact.law == "elastic" or may_be_two_way(scene)
 
 
 def is_solved_in_full(scene: Scene) -> bool:
-    """Return True if the compliant contact is stepped from the release on."""
+    """Return True if the time-stepping of the compliant contact starts at the release."""
     return scene.contact.law == "elastic" and choose_contact_model(scene).kind == "full"
 
 
 def has_no_spectrum(scene: Scene) -> bool:
-    """Return True if no heights of the scene follow from a power spectrum: table and edge are
-    measured or smooth."""
+    """Return True if no surface heights follow from a power spectrum.
+
+    The table has a measured profile, and the edge is measured or smooth.
+    """
     heights = scene.roughness
     return heights is not None and heights.profile is not None and heights.edge_rms == 0.0
 
 
 def has_no_film(scene: Scene) -> bool:
-    """Return True if no film of air is solved, whatever `air.film` is: in a vacuum, and under a
-    shell."""
+    """Return True if no air film can exist: in a vacuum or under a shell."""
     return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
 
 
@@ -83,23 +83,22 @@ RULES = (
         lambda scene: not may_be_two_way(scene) and not is_solved_in_full(scene),
     ),
 )
-"""What each stage reads, in one place; tests/test_unused_keys.py compares it with what the stages
-do."""
+"""Conditions under which no stage reads a key; tests/test_unused_keys.py checks them on the
+stages."""
 
 
 def unused_keys(scene: Scene) -> tuple[str, ...]:
-    """Return the keys that a scene sets to other values than their defaults and that have no effect
-    on its run.
+    """Return the keys that a scene sets to non-default values without effect on its run.
 
     Parameters
     ----------
     scene : Scene
-        Keys count as set where its document has them.
+        A key counts as set if it occurs in the document of the scene.
 
     Returns
     -------
     tuple of str
-        Full names, as "roughness.rms", in the order of the document.
+        Full names such as "roughness.rms", in the order of the document.
     """
     return tuple(
         key
@@ -109,7 +108,7 @@ def unused_keys(scene: Scene) -> tuple[str, ...]:
 
 
 def set_keys(scene: Scene) -> Iterator[str]:
-    """Yield the keys that a scene sets to other values than their defaults."""
+    """Yield the keys that a scene sets to non-default values."""
     sections = vars(scene)
     for name, given in scene.document.items():
         if is_dataclass(sections[name]):

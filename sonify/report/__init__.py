@@ -1,1 +1,1 @@
-"""RESULT -> FILES: the numbers, the pictures, the page and the film of a run."""
+"""RESULT -> FILES: the numbers, pictures, page and film of a run."""

@@ -24,17 +24,17 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 FPS, EXPOSURES = 25, 12
-"""Frames a second, and instants that are averaged into each."""
+"""Frames per second, and number of exposures averaged into each frame."""
 LENGTH, AFTER = 8.0, 1.0
-"""Length of the film [s], and how much of it is left for what rings after the motion [s]."""
+"""Length of the film [s], and its part after the end of the motion [s]."""
 STEEPEST = np.radians(15.0)
-"""The greatest inclination is drawn no smaller than this."""
+"""Smallest drawn value of the greatest inclination [rad]."""
 TRACE, TURNS = 0.3, 4
-"""The contact point is traced over this time [s], and so many turns at most."""
+"""Longest time [s] and largest number of turns for which the contact point is traced."""
 SIZE, STAGE = (1280, 720), (800, 432)
-"""Of the film, and of the part at its upper left that shows the disk [px]."""
+"""Size of the film, and of the view of the disk at its upper left [px]."""
 RATES, WINDOW = (20.0, 10e3), 0.05
-"""The band of the spectrogram [Hz], and the window it is seen through [s]."""
+"""Frequency band [Hz] and window length [s] of the spectrogram."""
 
 CAPTION = (
     "real time",
@@ -43,15 +43,15 @@ CAPTION = (
     "blue: path of the contact,",
     f"its last {TURNS} turns at most",
 )
-"""What a viewer must know to read the film."""
+"""Explanation of the film for its viewers."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Clip:
-    """What is filmed: `frames` from `start` [s] on, in the time of the listener, who hears the
-    source `delay` [s] late.
+    """The filmed part of a result: `frames` frames from `start` [s] on, in listener's time.
 
-    The greatest inclination in it is `steepest` [rad].
+    The listener hears the source after the propagation delay. `steepest` [rad] is the greatest
+    inclination in the clip.
     """
 
     result: object
@@ -61,25 +61,28 @@ class Clip:
 
     @property
     def span(self) -> tuple[float, float]:
-        """First and last instant [s]."""
+        """Start and end of the clip [s]."""
         return self.start, self.start + self.frames / FPS
 
     def states(self, t) -> np.ndarray:
-        """Return the states (k, 11) that are heard at t (k,) [s]; before and after the motion its
-        first and last."""
+        """Return the states (k, 11) of the disk audible at listener's times t (k,) [s].
+
+        They are constant before and after the motion.
+        """
         motion = self.result.motion
         sound = self.result.sound
         return motion.at(np.clip(t - sound.source_end + motion.t[-1], 0.0, motion.t[-1]))
 
     def inclination(self, state) -> np.ndarray:
-        """Return the inclinations (k,) [rad] as they are drawn: their square root falls steadily to
-        the end."""
+        """Return the drawn inclinations (k,) [rad] of states (k, 11).
+
+        They are proportional to the square root of the true ones, which falls steadily to the end.
+        """
         return max(self.steepest, STEEPEST) * np.sqrt(state[:, 1] / self.steepest)
 
 
 def require_encoder():
-    """Raise InputError, in one line that says how to get it, where the video encoder is not
-    installed."""
+    """Raise InputError with an installation hint if the video encoder is missing."""
     try:
         from imageio_ffmpeg import get_ffmpeg_exe
 
@@ -91,11 +94,12 @@ def require_encoder():
 
 
 def animate(result: "Result", watch=lambda done: None) -> Path:
-    """Film the last seconds of a result into animation.mp4 (H.264, AAC) in its folder; return the
-    path.
+    """Film the last seconds of a result into animation.mp4 (H.264, AAC); return its path.
 
-    `watch(share)` is called with the share done. Raises InputError without the encoder, and OSError
-    when the disk is full. tests/test_animation.py."""
+    The file is in the folder of the result. `watch(share)` is called with the completed share of
+    the frames. Raises InputError without the encoder, and OSError if the disk is full. Tested by
+    tests/test_animation.py.
+    """
     require_encoder()
     clip = clip_of(result)
     path = result.out / "animation.mp4"
@@ -106,8 +110,7 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
 
 
 def clip_of(result: "Result") -> Clip:
-    """Return the end of a result: LENGTH seconds up to AFTER the end of the motion, or as much as
-    there is."""
+    """Return the last LENGTH seconds of a result, up to AFTER seconds beyond the motion."""
     sound = result.sound
     end = min(sound.source_end + AFTER, sound.duration)
     start = max(end - LENGTH, 0.0)
@@ -118,7 +121,7 @@ def clip_of(result: "Result") -> Clip:
 
 
 def cut_sound(clip, path: Path) -> Path:
-    """Write the part of the sound that belongs to the clip, as loud as in sound.wav."""
+    """Write the sound of the clip with the full scale of sound.wav; return the path."""
     sound = clip.result.sound
     first, last = (int(t * sound.sample_rate) for t in clip.span)
     soundfile.write(
@@ -128,8 +131,10 @@ def cut_sound(clip, path: Path) -> Path:
 
 
 def encode(path, sound, frames: int, images, watch):
-    """Write images (h, w, 3) and a sound as a film. Raises OSError if not all of them arrive in
-    it."""
+    """Write images (h, w, 3) and a sound as a film.
+
+    Raises OSError if the film does not contain all frames.
+    """
     from imageio_ffmpeg import count_frames_and_secs, write_frames
 
     writer = write_frames(
@@ -173,7 +178,7 @@ def pictures(clip):
 
 
 def camera_of(clip) -> Camera:
-    """Return a camera that has the disk in its view at every instant of the clip."""
+    """Return a camera that keeps the disk in view during the whole clip."""
     disk = clip.result.scene.disk
     place = clip.states(np.linspace(*clip.span, 400))[:, 3:5]
     middle = (place.max(axis=0) + place.min(axis=0)) / 2
@@ -188,7 +193,10 @@ def camera_of(clip) -> Camera:
 
 
 def disk_image(clip, camera, empty, t: float) -> Image.Image:
-    """Return the disk in a frame, its shutter open all the time, and the trace of the contact."""
+    """Return the image of the disk in the frame at t [s], with the trace of the contact.
+
+    The shutter is open for the whole duration of the frame.
+    """
     disk = clip.result.scene.disk
     last = min(t + 1 / FPS, clip.result.sound.source_end)
     state = clip.states(t + (np.arange(EXPOSURES) + 0.5) / EXPOSURES / FPS)
@@ -202,7 +210,7 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
 
 
 def reading(clip, t: float) -> str:
-    """Return time, inclination and precession in words."""
+    """Return the caption at t [s]: time, inclination [degrees] and precession [Hz]."""
     state = clip.states(np.array([t]))
     settled = clip.result.motion.outcome.name == "SETTLED"
     lines = ["at rest: its modes ring" if settled else "no longer solved: its modes ring", ""]
@@ -216,8 +224,10 @@ def reading(clip, t: float) -> str:
 
 
 def backdrop(clip):
-    """Return the still part of the frames, with the spectrogram, and the function from time [s] to
-    its column [px]."""
+    """Return the static background of the frames and the map from time [s] to its column [px].
+
+    The background contains the spectrogram.
+    """
     figure = Figure(figsize=(SIZE[0] / 100, SIZE[1] / 100), dpi=100, facecolor="w")
     below = (SIZE[1] - STAGE[1] - 74) / SIZE[1]
     axes = figure.add_axes((0.066, 60 / SIZE[1], 0.84, below), facecolor="k")

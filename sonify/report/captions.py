@@ -1,4 +1,7 @@
-"""RESULT -> SENTENCES: what its pictures show, and from when on what is left out would count."""
+"""RESULT -> SENTENCES: descriptions of its pictures, and the limits of its model.
+
+A limit is the time from which an effect that the model omits becomes significant.
+"""
 
 from typing import TYPE_CHECKING
 
@@ -17,11 +20,11 @@ BEFORE_THE_END = {
     "modes_take_little": "The modes of the disk act back on its motion",
     "table_takes_a_hundredth": "The table acts back on the motion",
 }
-"""Finding [s before the end] -> what is left out before and may not be from then on."""
+"""Key of a finding (a time before the end [s]) -> effect that is significant from then on."""
 
 
 def spectrogram(result: "Result") -> str:
-    """Return what the spectrogram shows."""
+    """Return a description of the spectrogram."""
     tone = None if result.heard is None else result.heard.tone
     rising = (
         f", a tone that rises {tone.factor:.2g} times over the ridge that is heard" if tone else ""
@@ -37,14 +40,14 @@ def spectrogram(result: "Result") -> str:
 
 
 def stems(result: "Result") -> str:
-    """Return what the picture of the causes shows."""
+    """Return a description of the picture of the causes of sound."""
     peaks = sorted(result.sound.stem_peak.items(), key=lambda item: -item[1])
     told = [f"{name.replace('_', ' ')} {level_db(peak**2):.0f} dB" for name, peak in peaks]
     return f"Level of each cause over time, and how far it is above the threshold of hearing. Peaks: {', '.join(told)}."
 
 
 def motion(result: "Result") -> str:
-    """Return what the curves of the motion show, from the first instant to the last."""
+    """Return a description of the curves of the motion, with initial and final values."""
     solved = result.motion
     state = solved.at(solved.t[[0, -1]])
     first, last = np.degrees(state[:, 1])
@@ -69,8 +72,7 @@ def motion(result: "Result") -> str:
 
 
 def energy(result: "Result") -> str:
-    """Return what the picture of the energies shows: what the greatest losses are, and what
-    sounds."""
+    """Return a description of the energy picture: the losses, the greatest first."""
     begin = two_way(result.motion)[1]
     end = result.motion.t[-1]
     lost = energy_budget(result.motion, np.array([begin, end])).lost
@@ -82,7 +84,7 @@ def energy(result: "Result") -> str:
 
 
 def modes(result: "Result") -> str:
-    """Return what the picture of the modes shows."""
+    """Return a description of the picture of the modes."""
     found = result.modes
     told = [
         f"{f:.0f} Hz {kind} of order {n}"
@@ -93,7 +95,7 @@ def modes(result: "Result") -> str:
 
 
 def not_from(result: "Result") -> list[str]:
-    """Return from when on what the model leaves out may not be left out."""
+    """Return one sentence for each omitted effect, with the time from which it is significant."""
     end = result.motion.t[-1]
     found = {finding.key: finding for finding in result.findings}
     told = [
@@ -130,4 +132,4 @@ PICTURES = {
         "those of the table, if it has any.",
     ),
 }
-"""File -> what it shows, a function of the result, and its caption."""
+"""File name -> function from result to description, and caption."""

@@ -1,4 +1,4 @@
-"""FIGURE -> PNG: the frame that every picture shares."""
+"""FIGURE -> PNG: the layout common to all pictures."""
 
 from contextlib import contextmanager
 
@@ -11,13 +11,18 @@ from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
 DPI, MOST_TICKS = 110, 6
 SHORT = -2, 5
-"""Powers of ten that are written out: longer numbers would run into the name of their axis."""
+"""Range of powers of ten for plain tick labels.
+
+Longer numbers would overlap the axis label.
+"""
 
 
 @contextmanager
 def figure_at(path, rows, columns, size, **options):
-    """A figure of `size` [in] with axes (rows, columns), written to a path or file as opaque PNG
-    when it ends."""
+    """Yield a figure of `size` [in] with axes (rows, columns).
+
+    On exit, write it to `path`, a path or an open file, as an opaque PNG.
+    """
     figure = Figure(figsize=size, dpi=DPI)
     axes = figure.subplots(rows, columns, **options)
     inches = {
@@ -36,8 +41,10 @@ def figure_at(path, rows, columns, size, **options):
 
 
 def _fix(panel):
-    """Few ticks, title and labels in fixed places: matplotlib would measure every tick to find
-    them; both take long."""
+    """Limit the number of ticks, and fix the positions of title and axis labels.
+
+    Many ticks are slow to draw, and matplotlib would measure every tick to place the labels.
+    """
     for axis in (panel.xaxis, panel.yaxis):
         if axis.get_scale() == "linear":
             axis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 5, 10)))
@@ -51,25 +58,25 @@ def _fix(panel):
 
 
 def plain_decades(axis):
-    """Give a logarithmic axis its numbers as people write them, at 1, 2, 5, 10 ..."""
+    """Label a logarithmic axis with plain numbers at 1, 2, 5, 10 ..."""
     axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
     axis.set_major_formatter("{x:g}")
     axis.set_minor_locator(NullLocator())
 
 
 def legend_above(panel, columns: int = 3, **options):
-    """Put the legend of a panel above it, at its right, where no data are; its title is then at the
-    left."""
+    """Put the legend above the right end of a panel; the title is at the left."""
     place = {"loc": "lower right", "bbox_to_anchor": (1.0, 1.0), "borderaxespad": 0.2}
     panel.legend(**place, ncols=columns, fontsize=8, handlelength=2.5, columnspacing=1.2, **options)
 
 
 def envelope(y, share: float, columns: int = 1000) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return mean, least and greatest value (c,) of even readings y (k,) within a `share` of them,
-    about every k/c-th.
+    """Return the running mean, minimum and maximum (c,) of evenly spaced samples y (k,).
 
-    They are those of the deviation from the mean, so that a decline alone makes no band, but within
-    those of y itself."""
+    The window is a `share` of the k samples, and c is about `columns`. Minimum and maximum are
+    those of the deviation from the mean, so that a trend alone makes no band; they never exceed
+    the range of y itself within the window.
+    """
     size = max(round(share * len(y)), 1)
     mean = uniform_filter1d(y, size, mode="nearest")
     below = mean + minimum_filter1d(y - mean, size, mode="nearest")

@@ -1,4 +1,4 @@
-"""The deformed body seen at a slant, as lit polygons in the order of their distance."""
+"""Deformed body in an oblique view, as lit polygons sorted by distance."""
 
 import numpy as np
 
@@ -6,14 +6,16 @@ from modal.mesh.hexahedron import VTK_HEXAHEDRON27
 from modal.modes import Body
 
 AZIMUTH, ELEVATION = np.deg2rad(-60), np.deg2rad(32)
-"""Where the eye is: below the x axis, which points to the patch, and above the top face."""
+"""View direction [rad].
+
+The azimuth starts at the x axis, which points to the patch; the elevation is above the top face.
+"""
 LIGHT, DIM = np.array([0.3, -0.5, 0.81]), 0.6
-"""Where the light comes from, and how bright a surface is that it grazes."""
+"""Direction of the light, and brightness of a surface at grazing incidence."""
 
 
 def square(axis, end):
-    """The nodes (3, 3) of the side of a 27-node hexahedron where a coordinate has the value 0 or
-    2."""
+    """Return the nodes (3, 3) of a 27-node hexahedron on the side where `axis` equals `end`."""
     lattice = np.array(VTK_HEXAHEDRON27)
     on = np.flatnonzero(lattice[:, axis] == end)
     return on[np.lexsort(np.delete(lattice[on], axis, axis=1).T)].reshape(3, 3)
@@ -24,8 +26,10 @@ TRIANGLES = np.array([(0, 1, 2), (0, 1, 3), (0, 2, 3), (1, 2, 3)])
 
 
 def skin(body: Body):
-    """Polygons (k, 3 or 4) of node numbers on the surface of a body; a curved quadrilateral is four
-    flat ones."""
+    """Return the surface of a body as polygons (k, 3 or 4) of node numbers.
+
+    Four flat quadrilaterals represent each curved one.
+    """
     if "tetra" in body.cell_type:
         return outer(body.cells[:, TRIANGLES].reshape(-1, 3), np.arange(3))
     if body.cell_type == "hexahedron":
@@ -38,7 +42,7 @@ def skin(body: Body):
 
 
 def outer(sides, corners):
-    """The sides (k, n) that only one cell has, told by their corners."""
+    """Return the sides (k, n) that belong to a single cell; their corner nodes identify them."""
     _, first, count = np.unique(
         np.sort(sides[:, corners], axis=1), axis=0, return_index=True, return_counts=True
     )
@@ -46,17 +50,20 @@ def outer(sides, corners):
 
 
 def seen(points):
-    """Right, up and towards the eye (..., 3) of points (..., 3), from afar."""
+    """Return the components (..., 3) of points (..., 3) to the right, up and towards the viewer.
+
+    The projection is parallel.
+    """
     (c, s), (ce, se) = [(np.cos(a), np.sin(a)) for a in (AZIMUTH, ELEVATION)]
     return points @ np.array([[-s, c, 0], [-se * c, -se * s, ce], [ce * c, ce * s, se]]).T
 
 
 def view(body: Body, polygons, i, factor):
-    """The polygons (k, n) of the body moved by factor times mode i, the farthest first, as they are
-    seen.
+    """Project the polygons (k, n) of a body displaced by `factor` times mode i, farthest first.
 
-    Returns places (k, n, 2), how far each moves over the farthest (k,), and how brightly it is lit
-    from above (k,)."""
+    Returns places (k, n, 2), mean displacements relative to the greatest (k,), and brightnesses
+    (k,).
+    """
     moved = (body.points + factor * body.displacement[i])[polygons]
     far = np.linalg.norm(body.displacement[i], axis=1)[polygons].mean(axis=1)
     normal = np.cross(moved[:, 2] - moved[:, 0], moved[:, -1] - moved[:, 1])

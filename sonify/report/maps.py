@@ -1,5 +1,7 @@
-"""COLUMNS -> PICTURE: numbers as contours, categories by their marks, over one axis or two; failed
-runs as crosses."""
+"""COLUMNS -> PICTURE: a map of sweep results over one or two axes.
+
+Contours show numbers, marks show categories, and crosses show failed runs.
+"""
 
 from collections import Counter, defaultdict
 from dataclasses import dataclass
@@ -15,15 +17,18 @@ from sonify.report.figure import figure_at
 
 MARKS = "osD^vP*Xhp<>d8H"
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7", "#56b4e9", "#e69f00")
-"""Told apart by the colour-blind; in grey print the marks tell."""
+"""Colours distinguishable for the colour-blind; in grey print, the marks differ."""
 DECADE = 12.0
 LEVELS, WIDE, WORDS = 12, 300.0, 16
 
 
 @dataclass(frozen=True, kw_only=True)
 class Map:
-    """Columns `of` over `x`, and `y` if there is one: `columns` by name, as lists with None where
-    there is no value; the names in `logs` have logarithmic scales, those in `units` a unit."""
+    """Column `of` over column `x` and, if given, column `y`.
+
+    `columns` are lists by name, with None for missing values. Columns in `logs` have logarithmic
+    scales; `units` are by column.
+    """
 
     x: str
     y: str | None
@@ -33,7 +38,7 @@ class Map:
     units: dict[str, str]
 
     def points(self) -> dict[tuple, list]:
-        """Return the values by place (x) or (x, y), what is None left out."""
+        """Return the values at each place (x,) or (x, y), without the missing ones."""
         found = defaultdict(list)
         for *place, value in zip(
             *(self.columns[name] for name in (*self.over, self.of)), strict=True
@@ -42,7 +47,7 @@ class Map:
         return found
 
     def named(self, name: str) -> str:
-        """Return the name of a column with its unit, where it has one."""
+        """Return the name of a column with its unit, if it has one."""
         return f"{name} [{self.units[name]}]" if name in self.units else name
 
     @property
@@ -52,8 +57,11 @@ class Map:
 
 
 def draw_map(what: Map, path):
-    """Draw a map into a PNG file. Runs that differ in other axes share a place: there the median is
-    drawn, or the most frequent category."""
+    """Draw a map into a PNG file.
+
+    Runs that differ in other parameters share a place, which shows their median or their most
+    frequent category.
+    """
     points = what.points()
     values = [value for found in points.values() for value in found]
     shared = max(map(len, points.values()))
@@ -118,7 +126,7 @@ def _numbers(figure, panel, places, values, what):
     within = (scaled - scaled.min(axis=0)) / np.maximum(np.ptp(scaled, axis=0), 1e-300)
     if (
         np.linalg.matrix_rank(within - within.mean(axis=0), 1e-6) < 2 or len(places) < 4
-    ):  # on a line, or few
+    ):  # collinear or too few
         drawn = panel.scatter(*places.T, c=values, cmap="viridis")
     else:
         around = Triangulation(*within.T)
@@ -133,7 +141,7 @@ def _numbers(figure, panel, places, values, what):
 
 
 def _levels(values):
-    """Even levels, in the logarithm where positive values span more than WIDE."""
+    """Return contour levels and norm: logarithmic for positive values that span more than WIDE."""
     low = min(values)
     high = max(values)
     if not 0 < WIDE * low < high:
@@ -166,12 +174,12 @@ def _failed(panel, places):
 
 
 def _heights(places, at):
-    """The second coordinates of places; over one axis all are `at` one height."""
+    """Return the y coordinates (n,) of places; in a map over one axis, all are `at`."""
     return places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
 
 
 def _legend(panel):
-    """Beside the panel, where there is room; over it beside a bar of colours."""
+    """Place the legend to the right of the panel, or over it if there is a colour bar."""
     beside = (
         {"loc": "upper left", "bbox_to_anchor": (1.01, 1)}
         if len(panel.figure.axes) == 1

@@ -14,13 +14,13 @@ from sonify.report.mode_names import caption, stiff_share  # noqa: F401, found h
 
 COLUMNS = 5
 ACROSS, SLANTED, ABOVE, HEAD = 2.6, 1.9, 2.5, 0.6
-"""Width of a mode, heights of its two views and of the title, over the radius of the disk."""
+"""Width of a mode, and heights of its two views and its caption [disk radii]."""
 SCALE = 0.95
-"""Height of the scales of colour, over the radius of the disk."""
+"""Height of the colour scales [disk radii]."""
 INCH = 0.95
-"""Size of a radius [in]."""
+"""Length of a disk radius in the figure [in]."""
 STRETCH = 0.16
-"""Largest drawn displacement over the radius, of the rim seen from above."""
+"""Largest drawn displacement [disk radii]."""
 
 
 def draw_modes(
@@ -31,15 +31,29 @@ def draw_modes(
     moving: str = "",
     table=None,
 ) -> None:
-    """Write a picture (png, svg, pdf by suffix) of every mode from above, if `slanted` with the
-    whole body over it.
+    """Write a picture of all modes: oblique view (if `slanted`) and view from above.
 
-    At a slant colour is how far a point moves; from above it is axial motion, black its nodal
-    lines, dashed the rim moved in its plane. All are to scale within a mode. The arc of the rim
-    over which the patch of `support` holds it, where it is given, is green. `moving`, lines on
-    where the modes go, stands where the next mode would. Below are those of a `table`: points (p,
-    2) and upward motion (n, p) of its face, n captions, and how many modes it has. A disk without
-    modes gives a picture that says so."""
+    In the oblique view, colour shows the displacement. In the view from above, colour shows axial
+    motion, solid black lines are its nodal lines, and the dashed line is the rim displaced in its
+    plane. Displacements within a mode are to scale. A disk without modes gives a picture that says
+    so.
+
+    Parameters
+    ----------
+    modes : Modes
+        Modes of the disk.
+    path : path or file
+        The suffix selects png, svg or pdf.
+    slanted : bool
+        If True, draw the oblique view of the whole body above the view from above.
+    support : Support or None
+        If it holds the disk by a patch, a green arc marks the patch on the rim.
+    moving : str
+        Lines on the change of the modes during the run, printed after the last mode.
+    table : tuple or None
+        Modes of the table, drawn below: points (p, 2), upward motion (n, p) of its top face,
+        n captions, and the total number of modes.
+    """
     tall = SLANTED if slanted else 0.0
     rows = max(1, -(-(len(modes) + bool(moving)) // COLUMNS))
     high = HEAD + tall + ABOVE
@@ -50,7 +64,7 @@ def draw_modes(
     FigureCanvasAgg(figure)
     axis = figure.add_axes(
         (0, 0, 1, 1)
-    )  # one for all: every other one would cost as much as a mode
+    )  # a single one, because each takes as long to draw as a mode
     limits = {"xlim": (0, ACROSS * COLUMNS), "ylim": (-high * rows - below - SCALE, HEAD)}
     axis.set(**limits)
     axis.set_axis_off()
@@ -99,7 +113,7 @@ def draw_modes(
 
 
 def legend(slanted: bool, support: Support | None) -> str:
-    """What the picture shows, in two lines."""
+    """Return the explanation of the picture, in two lines."""
     at_a_slant = "At a slant: the body exaggerated, bright where it moves most. " if slanted else ""
     held = (
         "; green: the patch that holds the disk, about which a swing turns"
@@ -115,8 +129,10 @@ def _on_patch(support: Support | None) -> bool:
 
 
 def draw_scale(axis, at, label: str, least: float, colours: str):
-    """A bar of the `colours` from `least` to 1 with numbers and `label`, in a box whose lower left
-    corner is (x, y)."""
+    """Draw a colour bar from `least` to 1 with numbers and `label`.
+
+    `at` (x, y) is the lower left corner of its box.
+    """
     x, y = at
     long = 2.0
     tall = 0.16
@@ -133,7 +149,7 @@ def draw_scale(axis, at, label: str, least: float, colours: str):
 
 
 def draw_solid(axis, modes: Modes, polygons, i, at):
-    """One mode at a slant, its centre `at` (x, y) in radii."""
+    """Draw the oblique view of mode i with its centre `at` (x, y) [disk radii]."""
     radius, _ = edges(modes)
     stretch = STRETCH * radius / np.abs(modes.body.displacement[i]).max()
     places, far, light = view(modes.body, polygons, i, stretch)
@@ -146,8 +162,10 @@ def draw_solid(axis, modes: Modes, polygons, i, at):
 
 
 def draw_table(axis, points, face, captions, count, top):
-    """The modes of a table from above, below the height `top`: upward motion (colour), nodal lines
-    (black)."""
+    """Draw the modes of a table from above, below the height `top`.
+
+    Colour shows upward motion; black lines are nodal lines.
+    """
     few = "" if len(face) == count else f", the lowest {len(face)} of {count}"
     told = f"Modes of the table{few}: upward motion of its top face (colour), nodal lines (black)"
     axis.text(ACROSS * COLUMNS / 2, top - HEAD / 2, told, fontsize=11, ha="center", va="center")
@@ -167,16 +185,20 @@ def draw_table(axis, points, face, captions, count, top):
 
 
 def edges(modes: Modes):
-    """Radius of the rim and of the hole, 0 if there is none, of the faces [m]: the weights add up
-    to (R^2 - r^2)/2."""
+    """Return the outer radius and the hole radius [m] of the faces; the latter is 0 without a hole.
+
+    The face weights sum to (R^2 - r^2)/2.
+    """
     radius = np.hypot(*modes.body.points[:, :2].T).max()
     hole = radius**2 - 2 * modes.face_weight.sum()
     return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
 
 
 def draw_above(axis, modes: Modes, i, at, support: Support | None):
-    """One mode from above, its centre `at` (x, y) in radii: colours, nodal lines, rim at rest and
-    displaced, patch."""
+    """Draw mode i from above with its centre `at` (x, y) [disk radii].
+
+    The picture contains colours, nodal lines, the rim at rest and displaced, and the patch.
+    """
     radius, hole = edges(modes)
     x, y, w = top_face(modes, i, radius, hole)
     x = x / radius + at[0]
@@ -196,8 +218,10 @@ def draw_above(axis, modes: Modes, i, at, support: Support | None):
 
 
 def top_face(modes: Modes, i, radius, hole):
-    """Cartesian grids x, y and axial motion w of the top face, closed around, up to the rim and the
-    centre or hole."""
+    """Return Cartesian grids x, y [m] and the axial motion w of the top face in mode i.
+
+    The grids close around the axis and extend to the rim and to the hole or the centre.
+    """
     w = modes.face_shape[i, 1]
     at = modes.face_radius
     rim = w[-1] + (w[-1] - w[-2]) * (radius - at[-1]) / (at[-1] - at[-2])
@@ -214,7 +238,7 @@ def top_face(modes: Modes, i, radius, hole):
 
 
 def moved_rim(modes: Modes, i, radius, factor):
-    """x, y (k + 1,) of the bottom edge displaced in the plane."""
+    """Return x, y (k + 1,) of the bottom edge displaced in its plane, as a closed curve."""
     radial = factor * modes.rim_shape[i, :, 0]
     tangential = factor * modes.rim_shape[i, :, 1]
     c = np.cos(modes.rim_angle)

@@ -1,5 +1,7 @@
-"""MOTION -> PICTURES: its course in SI units, the paper's figures 3 to 6, and the energies on a
-moving table."""
+"""MOTION -> PICTURES: time histories in SI units, the paper's figures 3 to 6, and energies.
+
+The energies are those of a motion with two-way coupling to the table.
+"""
 
 import numpy as np
 
@@ -13,16 +15,18 @@ PAPER = (
     ("y/R", "Figure 5: path of the centre"),
     ("precession rate dθ/dτ", "Figure 6"),
 )
-"""Names of the axis and of the panel for each of the paper's figures."""
+"""Axis label and panel title of each of the paper's figures."""
 AVERAGED = 0.015
-"""Share of the motion over which its range and its mean are drawn."""
+"""Window of the range and the mean, as a share of the duration."""
 ENERGY_UNITS = {1.0: "J", 1e-3: "mJ", 1e-6: "µJ", 1e-9: "nJ"}
-"""Units of energy by their size [J]."""
+"""Size of a unit of energy [J] -> its name."""
 
 
 def draw_motion(path, motion: dict, paper: dict | None = None):
-    """Draw a motion in SI units; below it, of the `paper`'s scene alone, its dimensionless figures
-    3 to 6."""
+    """Draw a motion in SI units.
+
+    If `paper` is given, for the paper's scene, draw its dimensionless figures 3 to 6 below.
+    """
     rows = 6 if paper else 3
     with figure_at(path, rows, 2, (11, 3.67 * rows)) as (_, axes):
         _draw_si(axes[:3], **motion)
@@ -31,9 +35,12 @@ def draw_motion(path, motion: dict, paper: dict | None = None):
 
 
 def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, before_end):
-    """Draw the curves over `time` (k,) [s]: inclination [degrees], energy [J] and force [N], and
-    the path of the `centre` (2, k) [mm]. `rates` and `before_end` are rows of times [s], precession
-    and nutation [Hz]."""
+    """Draw the curves over `time` (k,) [s] and the path of the `centre` (2, k) [mm].
+
+    The curves are inclination [degrees], energy [J] and force [N]; `weight` [N] is the reference of
+    the force. `rates` and `before_end` (3, q) have rows of times [s], precession [Hz] and nutation
+    [Hz].
+    """
     (tilt, held, load) = axes[:, 0]
     (hertz, end, path) = axes[[1, 2, 0], 1]
     for panel, curve in ((tilt, inclination), (load, force)):
@@ -71,8 +78,10 @@ def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, b
 
 
 def _range(rates):
-    """Return the frequencies [Hz] between which the rates (3, q) are drawn: not the last thousandth
-    of the time."""
+    """Return the limits of the frequency axis [Hz] for the rates (3, q).
+
+    They ignore the last thousandth of the time.
+    """
     time = rates[0]
     seen = np.concatenate([curve[time <= time[-1] - 1e-3 * np.ptp(time)] for curve in rates[1:]])
     seen = seen[np.isfinite(seen) & (seen > 0)]
@@ -80,9 +89,11 @@ def _range(rates):
 
 
 def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
-    """Draw the `curves` (x, y) of the paper's figures 3 to 6 in units of `chi` [s], the height of
-    the `weight` in that of the normal force, and what the paper says: the `frequency` over 1/chi
-    that it names, when it is `reached`."""
+    """Draw the `curves` (x, y) of the paper's figures 3 to 6, with the paper's statements.
+
+    `chi` [s] is the unit of time, and `weight` is the weight in units of the normal force curve.
+    According to the paper, the motion reaches the `frequency` [1/chi] at the time `reached` [chi].
+    """
     orange = "#d55e00"
     for panel, (x, y), (label, title) in zip(axes.flat, curves, PAPER, strict=True):
         panel.plot(x, y, color="k", lw=0.6)
@@ -107,7 +118,7 @@ def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
 
 STYLES = "-", "--", ":", "-.", (0, (5, 1)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)), (0, (3, 1))
 LEAST = 1e-6
-"""Energies are shown down to this part of the greatest."""
+"""Smallest drawn energy, as a share of the greatest."""
 CAUSE_NAMES = {
     "contact": "compression of the contact",
     "creep": "creep of the contact",
@@ -117,12 +128,14 @@ CAUSE_NAMES = {
     "film": "film of air",
     "body": "vibration of the disk",
 }
-"""Cause of a loss -> its name in a legend."""
+"""Cause of an energy loss -> its name in the legend."""
 
 
 def draw_energy(path, left, held: dict, lost: dict):
-    """Draw the energies [J] that are `held`, and what was `lost` since, by name (k,), at times
-    `left` [s]."""
+    """Draw energies [J] over the time `left` (k,) [s] until the end of the motion.
+
+    `held` are the stored energies and `lost` the cumulative losses, (k,) by name.
+    """
     with figure_at(path, 1, 2, (11, 5.6)) as (figure, axes):
         figure.subplots_adjust(top=0.76)
         for panel, curves, title in zip(

@@ -1,5 +1,7 @@
-"""RESULT -> PAGE: one self-contained HTML file with the sound, the pictures, the checks and the
-findings."""
+"""RESULT -> PAGE: one self-contained HTML file.
+
+It contains the sound, the pictures, the checks and the findings.
+"""
 
 from base64 import b64encode
 from collections import Counter
@@ -27,12 +29,15 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 MOST_EMBEDDED = 100_000_000
-"""A longer sound [bytes] is not put into a notebook."""
+"""Largest sound [bytes] that a notebook embeds."""
 
 
 def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
-    """Write the page of a result, with everything it shows and plays inside, but not a sound of
-    hours; what is `told` in it may be known as `numbers`."""
+    """Write the page of a result, with everything that it shows and plays embedded.
+
+    Sounds that are too long for a page are omitted. `numbers` is the return value of `told`, if
+    already known.
+    """
     modes = result.modes
     held = result.scene.support.kind == "patch"
     shapes = [shape_in_words(modes, i, held) for i in range(len(modes))]
@@ -64,14 +69,13 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
 
 
 def told(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
-    """Return the `page_data` of a result as JSON for its page, and whether that plays."""
+    """Return the `page_data` of a result as JSON, and a flag: True if the page plays sounds."""
     data = page_data(result, parts)
     return {"data": htmlsafe_json_dumps(data), "plays": bool(data["sounds"])}
 
 
 def bundle() -> dict[str, str]:
-    """Return script, style and licences of the page, built from `web/`, as they go into its
-    HTML."""
+    """Return script, style and licences of the page, built from `web/`, ready for its HTML."""
     files = {"script": "page.js", "style": "page.css", "licences": "page.licenses.txt"}
     held = {
         name: (resources.files("sonify.report") / "templates" / file).read_text("utf-8")
@@ -82,12 +86,12 @@ def bundle() -> dict[str, str]:
 
 @cache
 def templates() -> Environment:
-    """Return the templates of all pages."""
+    """Return the environment of all page templates."""
     return Environment(loader=PackageLoader("sonify.report"), autoescape=True)
 
 
 def in_words(result: "Result") -> str:
-    """Return a result in a few lines."""
+    """Return a summary of a result in a few lines of text."""
     passed = sum(check.passed for check in result.checks)
     head = f"{result.scene.name}: {result.motion.outcome.sentence}"
     count = (
@@ -99,13 +103,13 @@ def in_words(result: "Result") -> str:
 
 
 def counted(findings: list[Finding]) -> str:
-    """Return how many claims came out yes, no and undecided, as in "5 yes, 2 no, 1 undecided"."""
+    """Return the number of claims per verdict, as in "5 yes, 2 no, 1 undecided"."""
     verdicts = Counter(finding.verdict for finding in findings)
     return ", ".join(f"{verdicts[verdict]} {verdict}" for verdict in get_args(Verdict))
 
 
 def in_a_notebook(result: "Result") -> str:
-    """Return a result as a piece of HTML: the sound to play, and the verdict on every claim."""
+    """Return a result as an HTML fragment: a sound player and the verdict on each claim."""
     template = templates().get_template("notebook.html")
     sound = result.sound.audible
     audible = compressed(sound) if 3 * sound.frames <= MOST_EMBEDDED else ""

@@ -1,7 +1,6 @@
-"""RESULT -> NUMBERS OF THE PAGE: what the player, the curves and the two views in 3-D show, as one
-JSON value.
+"""RESULT -> NUMBERS OF THE PAGE: the data of player, curves and 3-D views, as one JSON value.
 
-Arrays are base64 of little-endian floats or integers, sounds are data URLs of FLAC.
+Arrays are little-endian floats or integers in base64; sounds are data URLs of FLAC.
 """
 
 from base64 import b64encode
@@ -27,19 +26,24 @@ if TYPE_CHECKING:
     from sonify.result import Result
 
 MOST_INSTANTS = 40_000
-"""Instants of the motion in the page: half of them share the time evenly, the others the turning of
-the contact."""
+"""Largest number of instants of the motion in the page.
+
+Half are evenly spaced in time, half in the rotation angle of the contact.
+"""
 MOST_SHAPES = 24
-"""Modes in the page, the lowest."""
+"""Largest number of modes in the page; the lowest modes are kept."""
 MOST_SOUND = 24_000_000
-"""Bytes of FLAC in the page. A sound of more is in the files beside it."""
+"""Largest size of all sounds in the page [bytes of FLAC]; larger ones are in files only."""
 PER_SAMPLE = 1.0
-"""Bytes that FLAC of 16 bits takes for a sample of a disk, or a little less."""
+"""Upper estimate of the size of a 16-bit sample of disk sound in FLAC [bytes]."""
 
 
 def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
-    """Return the numbers of a page, of which the `parts` that take long may be known already: the
-    `instants` of its motion, the `sounds`, and the colours of a spectrogram as bytes."""
+    """Return the data of a page.
+
+    `parts` are the slow parts, if already known: the `instants` of the motion, the `sounds`, and
+    the colours of a spectrogram as bytes.
+    """
     sound = result.sound
     motion = result.motion
     parts = parts or {
@@ -75,8 +79,10 @@ def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str
 
 
 def sounds(sound: Sound) -> dict[str, Any]:
-    """Return every stem in two scales: A-weighted and loud, as audible.wav, and true, as sound.wav;
-    empty where they are too long for a page."""
+    """Return every stem at two scales: A-weighted as in audible.wav, and true as in sound.wav.
+
+    The result is empty if the stems are too long for a page.
+    """
     if 2 * len(sound.stems) * sound.samples * PER_SAMPLE > MOST_SOUND:
         return {}
     audible = sound.audible.full_scale
@@ -88,17 +94,19 @@ def sounds(sound: Sound) -> dict[str, Any]:
 
 
 def tracks(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
-    """Return the stems over `full_scale` [Pa] by name; a stem alone may be louder than their sum,
-    and is clipped."""
+    """Return the stems, divided by `full_scale` [Pa], by name.
+
+    A single stem can be louder than the sum; it is then clipped.
+    """
     stems = [Weighted(track=track) if weighted else track for track in sound.stems.values()]
     copies = [Copy(track=stem, full_scale=full_scale) for stem in stems]
     return dict(
         zip(sound.stems, map(compressed, copies), strict=True)
-    )  # one by one: a run listens meanwhile
+    )  # one by one, because the run analyses the sound meanwhile
 
 
 def compressed(source) -> str:
-    """Return a source as a data URL of FLAC."""
+    """Encode a source as FLAC and return it as a data URL."""
     held = BytesIO()
     with soundfile.SoundFile(
         held, "w", source.sample_rate, source.channels, "PCM_16", format="FLAC"
@@ -109,15 +117,16 @@ def compressed(source) -> str:
 
 
 def rates(motion: Motion) -> dict[str, Any]:
-    """Return precession and nutation [Hz] over time [s]; the nutation is not a number where the
-    disk has none."""
+    """Return precession and nutation [Hz] over time [s]; NaN where the disk does not nutate."""
     columns = zip(("t", "precession", "nutation"), drawn_rates(motion), strict=True)
     return {name: packed(column) for name, column in columns}
 
 
 def instants(motion: Motion) -> dict[str, Any]:
-    """Return the time [s] and, at each, attitude [rad], centre [m], force along a_1, a_2, a_3 [N]
-    and energy [J]."""
+    """Return the motion at its `chosen` instants [s].
+
+    The columns are attitude [rad], centre [m], force along a_1, a_2, a_3 [N] and energy [J].
+    """
     t = chosen(motion)
     state, force = motion.at_and_force(t)
     columns = dict(zip(("precession", "inclination", "spin", "x", "y"), state.T[:5], strict=True))
@@ -132,8 +141,10 @@ def instants(motion: Motion) -> dict[str, Any]:
 
 
 def chosen(motion: Motion) -> np.ndarray:
-    """Return at most MOST_INSTANTS instants [s], from the first to the last: denser where the
-    contact turns faster."""
+    """Return about MOST_INSTANTS instants [s], including the first and the last.
+
+    They are denser where the contact turns faster.
+    """
     some = slice(None, None, max(len(motion.t) // 200_000, 1))
     t = motion.t[some]
     precession = motion.state[some, 0]
@@ -144,8 +155,10 @@ def chosen(motion: Motion) -> np.ndarray:
 
 
 def shapes(modes: Modes, support: Support) -> dict[str, Any]:
-    """Return the surface of the disk [m] and how the lowest modes move it, each over its greatest
-    displacement."""
+    """Return the surface of the disk [m] and the shapes of its lowest modes.
+
+    Each shape is normalised to its greatest component.
+    """
     squares = skin(modes.body)
     nodes, numbers = np.unique(squares, return_inverse=True)
     corners = numbers.reshape(squares.shape)
@@ -161,7 +174,7 @@ def shapes(modes: Modes, support: Support) -> dict[str, Any]:
 
 
 def table_shapes(table: SurfaceModes) -> dict[str, Any]:
-    """Return the top face of a table [m] and how its lowest modes move it, as `shapes` does."""
+    """Return the top face of a table [m] and the shapes of its lowest modes, as in `shapes`."""
     few = range(min(len(table), MOST_SHAPES))
     flat = np.zeros(len(table.points))
     moved = [np.stack([flat, flat, table.face[i]], axis=1) for i in few]
@@ -181,7 +194,10 @@ def _moving(points, triangles, captions, moved):
 
 
 def packed(values, kind: Any = np.float32) -> dict[str, str]:
-    """Return an array, flat, as base64 of its little-endian bytes; integers keep their kind."""
+    """Return the little-endian bytes of a flattened array in base64.
+
+    Arrays of uint8 keep their type; all others are converted to `kind`.
+    """
     values = np.asarray(values)
     kind = np.dtype(values.dtype if values.dtype == np.uint8 else kind)
     content = np.ascontiguousarray(values, kind.newbyteorder("<")).tobytes()

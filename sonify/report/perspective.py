@@ -1,4 +1,4 @@
-"""ATTITUDE -> IMAGE: the disk on its table in perspective, with motion blur."""
+"""ATTITUDE -> IMAGE: perspective view of the disk on its table, with motion blur."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -10,11 +10,11 @@ from dynamics import Disk
 from sonify.sound.modal_forcing import in_patch_frame
 
 SEGMENTS = 96
-"""Sides of the polygon that is drawn for the rim."""
+"""Number of sides of the polygon that represents the rim."""
 FINER = 2
-"""Pixels are drawn so many times finer, and then averaged."""
+"""Supersampling factor in each direction of the image."""
 MARKED = slice(0, 5)
-"""The sides of the rim that carry the mark."""
+"""Sides of the rim that carry the mark."""
 LIGHT = np.array([0.35, -0.45, 0.82])
 TABLE, LINES, SHADOW, MARK, TRACE = (
     (238, 236, 230),
@@ -27,8 +27,10 @@ TABLE, LINES, SHADOW, MARK, TRACE = (
 
 @dataclass(frozen=True, kw_only=True)
 class Camera:
-    """Looks from `distance` [m] and `elevation` [rad] at `target` (3,) [m]; `focal` [px]; the image
-    is `size` [px]."""
+    """Camera at `distance` [m] and `elevation` [rad] that looks at `target` (3,) [m].
+
+    `focal` is the focal length [px] and `size` the width and height of the image [px].
+    """
 
     target: np.ndarray
     distance: float
@@ -38,27 +40,31 @@ class Camera:
 
     @cached_property
     def axes(self) -> np.ndarray:
-        """To the right, up, and towards the camera, (3, 3)."""
+        """Unit vectors to the right, up and towards the camera, (3, 3)."""
         c = np.cos(self.elevation)
         s = np.sin(self.elevation)
         return np.array([[1.0, 0, 0], [0, s, c], [0, -c, s]])
 
     @property
     def position(self) -> np.ndarray:
-        """Where the camera is, (3,) [m]."""
+        """Position of the camera (3,) [m]."""
         return self.target + self.distance * self.axes[2]
 
     def project(self, points) -> np.ndarray:
-        """Return the places (..., 2) [px], from the upper left corner, of points (..., 3) [m]
-        before the camera."""
+        """Project points (..., 3) [m] in front of the camera to image positions (..., 2) [px].
+
+        The origin of the image is its upper left corner.
+        """
         right, up, near = np.moveaxis((points - self.target) @ self.axes.T, -1, 0)
         scale = self.focal / (self.distance - near)
         return np.stack([self.size[0] / 2 + right * scale, self.size[1] / 2 - up * scale], axis=-1)
 
 
 def patch_frame(state, inclination) -> np.ndarray:
-    """Return the axes (k, 3, 3) of the patch for states (k, 11), x to the contact and z along the
-    axis; (2.1)."""
+    """Return the axes (k, 3, 3) of the patch frame for states (k, 11); (2.1).
+
+    The x axis points to the contact, and the z axis is the axis of the disk.
+    """
     c = np.cos(state[:, 0])
     s = np.sin(state[:, 0])
     zero = 0 * inclination
@@ -74,8 +80,7 @@ def contact(state, inclination, disk: Disk) -> np.ndarray:
 
 
 def rims(state, inclination, disk: Disk) -> np.ndarray:
-    """Return the points (k, 2, SEGMENTS, 3) [m] of the lower and the upper rim, fixed in the
-    body."""
+    """Return the points (k, 2, SEGMENTS, 3) [m] of lower and upper rim, fixed in the body."""
     x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
     angle = state[:, 2, None] + np.arange(SEGMENTS) * 2 * np.pi / SEGMENTS
     round_ = np.einsum("kn,ki->kni", np.cos(angle), x) + np.einsum("kn,ki->kni", np.sin(angle), y)
@@ -86,8 +91,10 @@ def rims(state, inclination, disk: Disk) -> np.ndarray:
 
 
 def table(camera, radius: float) -> Image.Image:
-    """Return the image of the empty table, with circles one, two and three radii [m] around its
-    origin."""
+    """Return the image of the empty table.
+
+    Circles of one, two and three times `radius` [m] are centred below the target of the camera.
+    """
     image = Image.new("RGB", tuple(FINER * n for n in camera.size), TABLE)
     angle = np.linspace(0, 2 * np.pi, 361)
     circle = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]) * radius
@@ -98,10 +105,10 @@ def table(camera, radius: float) -> Image.Image:
 
 
 def exposed(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
-    """Return the mean image (h, w, 3) of the disk on the `empty` table; `bodies` (s, 2, n, 3) [m]
-    are its rims.
+    """Return the mean image (h, w, 3) of the disk on the `empty` table.
 
-    `hole` is the radius of a hoop's hole over that of its rim.
+    `bodies` (s, 2, n, 3) [m] are the two rims at s instants. `hole` is the radius of the hole of a
+    hoop, relative to the rim.
     """
     total = np.zeros((*camera.size[::-1], 3), np.uint32)
     for body in bodies:
@@ -112,8 +119,10 @@ def exposed(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
 
 
 def traced(camera, image, path) -> Image.Image:
-    """Return an image (h, w, 3) with a path (p, 3) [m] drawn over it, seen through whatever is
-    before it."""
+    """Return an image (h, w, 3) with a path (p, 3) [m] drawn over it.
+
+    Objects in front of the path do not hide it.
+    """
     line = Image.new("L", tuple(FINER * n for n in camera.size))
     if len(path) > 1:
         ImageDraw.Draw(line).line(_flat(camera, path), 255, 2 * FINER)
@@ -123,7 +132,10 @@ def traced(camera, image, path) -> Image.Image:
 
 
 def _draw_body(pen, camera, body, hole):
-    """The shadow right below, and whatever of the convex body faces the camera."""
+    """Draw the shadow directly below the body and the surfaces that face the camera.
+
+    The body is convex, so these do not overlap.
+    """
     for rim in body:
         pen.polygon(_flat(camera, rim * [1.0, 1.0, 0.0]), SHADOW)
     lower, upper = body
@@ -154,7 +166,7 @@ def _draw_body(pen, camera, body, hole):
 
 
 def _shade(normals):
-    """Grey levels of faces with these normals (n, 3), as colours."""
+    """Return the grey levels, as colours, of faces with normals (n, 3)."""
     lit = normals @ LIGHT / np.linalg.norm(normals, axis=1) / np.linalg.norm(LIGHT)
     return [(g, g, g) for g in (90 + 110 * np.maximum(lit, 0)).astype(int).tolist()]
 

@@ -1,5 +1,7 @@
-"""PICTURES: what was solved and what is heard, each readable without colour; this says what goes
-into them."""
+"""RESULT -> PICTURES: the data of each picture, from the solved motion and the sound.
+
+Every picture is readable without colour.
+"""
 
 import os
 import pickle
@@ -36,21 +38,26 @@ if TYPE_CHECKING:
 
 
 NEAREST = 1e-4
-"""The energies of a table that acts back are drawn up to this part of the time before the end."""
+"""End of the energy curves.
+
+It is a time before the end of the motion, as a share of the two-way coupled part.
+"""
 MOST_TABLE = 10
-"""Modes of the table that are drawn, the lowest."""
+"""Largest number of table modes drawn; the lowest modes are kept."""
 
 
 class Pictures:
-    """The pictures of a run, drawn by the `painter` as soon as what they show is known, and the
-    parts of its page that take long."""
+    """Pictures of a run, and the slow parts of its page.
+
+    The `painter` draws each picture as soon as its data are known.
+    """
 
     def __init__(self):
         self._futures: dict[str, Future] = {}
         self._parts = {"colours": painter().draw("sound", "draw_colours", dict)}
 
     def begin(self, found: "SolvedMotion | Result"):
-        """Start to draw the pictures whose content is known."""
+        """Start the pictures and the parts of the page for which the data are known."""
         known = ("motion",) if found.sound is None else ("motion", "sound")
         for name, (needs, *_) in PICTURES.items():
             if needs in known and name not in self._futures and not _left_out(name, found):
@@ -61,51 +68,58 @@ class Pictures:
             self._parts["sound"] = beside(_sounds, found.sound)
 
     def parts(self) -> dict[str, Any]:
-        """Return the `parts` of the page_data of a result for which this has begun."""
+        """Return the `parts` for the page_data of a result after `begin`."""
         return {name: part.result() for name, part in self._parts.items()}
 
     def write(self, result: "Result"):
-        """Write every picture of a result into its folder; in a draft not that of the stems."""
+        """Write every picture of a result into its folder.
+
+        Drafts omit the stems, and motions without two-way coupling omit the energies.
+        """
         self.begin(result)
         for name in PICTURES:
             path = result.out / f"{name}.png"
             if _left_out(name, result):
-                path.unlink(missing_ok=True)  # that of another run
+                path.unlink(missing_ok=True)  # left by an earlier run
                 continue
             with whole(path) as temporary:
                 temporary.write_bytes(self._futures[name].result())
 
 
 def _begun(name, found):
-    """The future of a picture, whose numbers a thread of the painter gathers."""
+    """Return the Future of a picture; a thread of the painter collects its data."""
     _, module, function, shown = PICTURES[name]
-    if name == "modes" and found.scene.support.kind != "contact":  # there they move over the run
+    # modes of a disk on its contact change over the run, so that no cache helps
+    if name == "modes" and found.scene.support.kind != "contact":
         return _of_the_modes(pickle.dumps(shown(found)))
     return painter().draw(module, function, partial(shown, found))
 
 
 @lru_cache(2)
 def _of_the_modes(content):
-    """The modes of a disk that was drawn last are not drawn again, however it moves and sounds."""
+    """Return the Future of a picture of modes.
+
+    The cache reuses a picture if only the motion and the sound of the disk differ.
+    """
     return painter().draw(*PICTURES["modes"][1:3], partial(pickle.loads, content))
 
 
 if sys.platform != "win32":
     os.register_at_fork(
         after_in_child=_of_the_modes.cache_clear
-    )  # what another process waits for does not come here
+    )  # futures of the parent do not complete in a child
 
 
 def _instants(motion):
-    from sonify.report.page_data import instants  # loads slowly
+    from sonify.report.page_data import instants  # slow import
 
     return instants(motion)
 
 
 def _sounds(sound):
-    from sonify.report.page_data import sounds  # loads slowly
+    from sonify.report.page_data import sounds  # slow import
 
-    _ = sound.loudness  # of which run.json tells, when nothing else is left to do
+    _ = sound.loudness  # computed early; run.json contains it
     return sounds(sound)
 
 
@@ -116,8 +130,10 @@ def _left_out(name, found):
 
 
 def picture(result: "Result", name: str) -> "Image":
-    """Return one of the PICTURES of a result, which a notebook shows. Raises ValueError for another
-    name."""
+    """Return one of the PICTURES of a result for a notebook.
+
+    Raises ValueError for an unknown name.
+    """
     from PIL import Image
 
     if name not in PICTURES:
@@ -149,14 +165,16 @@ def _stems(found):
 
 
 def _motion(found):
-    """The course of a motion, and the curves of the paper's figures where the scene is the
-    paper's."""
+    """Return the time histories of a motion.
+
+    For the paper's scene, the curves of the paper's figures are added.
+    """
     paper = _figures_of_the_paper(found.motion) if of_the_paper(found.scene) else None
     return {"motion": _course(found.motion), "paper": paper}
 
 
 def _course(motion):
-    """What is drawn of a motion, in SI units."""
+    """Return the time histories of a motion in SI units, with inclination in degrees."""
     t = np.linspace(0, motion.t[-1], 24_000)
     state, force = motion.at_and_force(t)
     rates = np.array(drawn_rates(motion))
@@ -173,8 +191,7 @@ def _course(motion):
 
 
 def _figures_of_the_paper(motion):
-    """The curves of the paper's figures, and the height of the weight in that of the normal
-    force."""
+    """Return the curves of the paper's figures and the weight in units of their normal force."""
     disk = motion.disk
     chi = disk.time_unit
     t = np.linspace(0, motion.t[-1], 12000)
@@ -201,7 +218,7 @@ def _figures_of_the_paper(motion):
 
 
 def _energy(found):
-    """The budget of a table that acts back, at times that come the closer the nearer the end is."""
+    """Return the energies of a two-way coupled motion, at times denser towards its end."""
     end = found.motion.t[-1]
     begin = two_way(found.motion)[1]
     t = nearing(begin, end)
@@ -219,14 +236,14 @@ def _energy(found):
 
 
 def nearing(begin: float, end: float) -> np.ndarray:
-    """Return times [s] from `begin` on that come the closer the nearer the end is."""
+    """Return times [s] from `begin`, denser towards `end`."""
     return np.maximum(
         end - np.geomspace(end - begin, NEAREST * (end - begin), 2000), begin
-    )  # not before, by round-off
+    )  # round-off must not give earlier times
 
 
 def _modes(found):
-    """The modes of a draft are seen from above only."""
+    """Return the modes of disk and table; drafts omit the oblique view."""
     steps = over_the_run(found.scene, found.motion, found.plan.highest_mode)
     slanted = found.plan.accuracy != "draft"
     table = found.table
@@ -245,8 +262,10 @@ def _modes(found):
 
 
 def moving(steps) -> str:
-    """Return a line for each mode of a disk on its contact: where its frequency goes as the disk
-    falls."""
+    """Return one line per mode of a disk on its contact.
+
+    It lists the frequency [Hz] of the mode at each inclination [degrees] as the disk falls.
+    """
     frequencies = [step.modes.frequency if step.modes else () for step in steps]
     rows = zip_longest(*[[f"{f:.0f}" for f in here] for here in frequencies], fillvalue="none")
     at = ",\n".join(f"{step.name} {np.degrees(step.inclination):.2g}°" for step in steps)
@@ -264,5 +283,4 @@ PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
     "energy": ("sound", "motion", "draw_energy", _energy),
     "modes": ("motion", "mode_shapes", "draw_modes", _modes),
 }
-"""By name: what has to be known, module and function that draw it, and what they are given to
-draw."""
+"""Name of a picture -> required data, module, drawing function, function that collects its data."""

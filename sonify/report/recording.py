@@ -1,5 +1,4 @@
-"""RECORDING -> FILES: what a sound file of the user's own tells, in words, numbers and a
-picture."""
+"""RECORDING -> FILES: the analysis of the user's sound file in words, numbers and a picture."""
 
 import json
 from collections.abc import Callable
@@ -21,12 +20,14 @@ def tell(
     scene: str | Path | None = None,
     warn: Callable[[str], None] = lambda line: None,
 ) -> list[str]:
-    """Listen to a recording, write heard.json and spectrogram.png into `out`, return what was heard
-    as lines; the carriers are matched to the resonances of a scene, if there is one. `warn` gets a
-    line if the file is truncated.
+    """Analyse a recording; return the results as lines of text.
 
-    Raises RecordingError and SceneError before anything is written, and OutputError when `out`
-    cannot be written."""
+    Writes heard.json and spectrogram.png into `out`. If a `scene` is given, the spectral lines are
+    matched to its resonances. `warn` is called with a line if the file is truncated.
+
+    Raises RecordingError and SceneError before anything is written, and OutputError if `out` cannot
+    be written.
+    """
     known = _resonances(scene) if scene else []
     heard = listen(recording)
     if heard.truncation:
@@ -55,15 +56,19 @@ def tell(
 
 
 def own_folder(recording: str | Path) -> Path:
-    """Return outputs/listen/<name of the recording>, or <name>-2, ... where the folder before is
-    another one's."""
+    """Return outputs/listen/<name of the recording>.
+
+    If that folder belongs to another recording, try <name>-2, <name>-3, ...
+    """
     first = Path("outputs") / "listen" / Path(recording).stem
     return numbered(first, lambda folder: _recording_in(folder) in (None, _name(recording)))
 
 
 def _recording_in(folder):
-    """The recording that a folder tells of; None where it tells of none, "" where a foreign program
-    told something."""
+    """Return the recording that the heard.json of a folder names.
+
+    Return None if there is no such file, and "" if another program wrote it.
+    """
     told = folder / "heard.json"
     try:
         return json.loads(told.read_text(encoding="utf-8"))["recording"] if told.exists() else None
@@ -76,7 +81,7 @@ def _name(recording):
 
 
 def _resonances(scene):
-    from sonify.claims.resonance_matching import resonances  # modes load slowly
+    from sonify.claims.resonance_matching import resonances  # slow import of modes
     from sonify.scene import load_scene
 
     return resonances(load_scene(scene))
@@ -91,21 +96,23 @@ def _matched(carrier, known):
 
 
 def numbers(heard: Heard, known=()) -> dict:
-    """Return what was heard as plain values: the fits, the carriers, and the ridge of the tone."""
+    """Return the analysis as plain values: the fits, the spectral lines and the tone ridge."""
     carriers = [carrier_numbers(carrier, known) for carrier in heard.carriers]
     tones = {name: _tone(getattr(heard, name)) for name in ("tone", "repetition")}
     return asdict(heard) | tones | {"carriers": carriers}
 
 
 def carrier_numbers(carrier: Carrier, known=()) -> dict:
-    """Return a carrier as plain values, with its course and the one of the known resonances that it
-    matches."""
+    """Return a spectral line as plain values.
+
+    They include its course and the known resonance that matches it.
+    """
     match = _matched(carrier, known)
     return asdict(carrier) | {"course": carrier.course, "matched": match and match._asdict()}
 
 
 def sentences(heard: Heard, known=()) -> list[str]:
-    """Return what was heard in words."""
+    """Return the analysis in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
     for name, tone in (
         ("rising tone", heard.tone),

@@ -1,5 +1,7 @@
-"""A process beside this one, in which matplotlib loads and pictures are drawn while a sound is
-rendered; and modes are solved while a motion is."""
+"""Worker process that draws pictures while this process renders a sound.
+
+It also loads matplotlib, and it solves modes while this process solves a motion.
+"""
 
 import atexit
 import gc
@@ -17,20 +19,21 @@ from typing import Any
 from sonify.runtime.signals import GoneError, asked, ended, what_is_asked
 
 MODULES = ("motion", "sound", "mode_shapes")
-"""Of this package: they draw, and load slowly."""
+"""Drawing modules of this package, which the worker imports in advance."""
 
 
 def drawn(module: str, name: str, data: dict) -> bytes:
-    """Return the PNG that function `name` of a module of this package draws of `data`, its
-    arguments."""
+    """Return the PNG that a function `name` of a module of this package draws from `data`."""
     file = BytesIO()
     getattr(import_module(f"sonify.report.{module}"), name)(path=file, **data)
     return file.getvalue()
 
 
 class Painter:
-    """Draws in a process of its own, which ends when this one does; where that cannot be had, in
-    this process."""
+    """Draws in a worker process, or in this process if no worker can be started.
+
+    The worker ends with this process.
+    """
 
     def __init__(self):
         self._gathering, self._waiting = (
@@ -40,14 +43,18 @@ class Painter:
         self._loaded = False
 
     def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
-        """Return the future of `drawn`; the pictures come one after the other. A thread calls
-        `data`, while the picture before is drawn."""
+        """Return the Future of `drawn`; pictures are drawn one after the other.
+
+        A thread calls `data` while the worker draws the previous picture.
+        """
         gathered = self._gathering.submit(data)
         return self._waiting.submit(lambda: self._ask(drawn, module, name, gathered.result()))
 
     def call(self, function: Callable, *arguments, **options) -> Any:
-        """Return what `function`, of a module, returns: called there once a picture has been drawn
-        there, else here, where it need not wait until that process is ready."""
+        """Return the result of a module-level `function`.
+
+        It runs in the worker once that has completed a first task, and otherwise in this process.
+        """
         if not self._loaded:
             return function(*arguments, **options)
         return self._waiting.submit(self._ask, function, *arguments, **options).result()
@@ -55,13 +62,13 @@ class Painter:
     def _ask(self, function, *arguments, **options):
         try:
             answer = asked(self._process.result(), function, *arguments, **options)
-        except (OSError, GoneError):  # there is none, or it died
+        except (OSError, GoneError):  # it was not started, or it died
             return function(*arguments, **options)
         self._loaded = True
         return answer
 
     def close(self):
-        """End the process."""
+        """End the worker process."""
         with suppress(OSError):
             ended(self._process.result())
         self._process = Future()
@@ -75,8 +82,7 @@ def _started():
 
 @lru_cache(1)
 def painter() -> Painter:
-    """Return the one painter of this process, which loads what it needs as soon as it is first
-    asked for."""
+    """Return the only painter of this process; the first call starts its worker."""
     one = Painter()
     atexit.register(one.close)
     return one
@@ -89,11 +95,11 @@ if sys.platform != "win32":
 
 
 def serve():
-    """Draw what is asked for until nobody asks any more."""
+    """Worker loop: serve drawing requests until the parent process exits."""
     if sys.platform != "win32":
-        os.nice(5)  # what is solved goes first
-    gc.disable()  # it would look through all of matplotlib some ten times a picture
+        os.nice(5)  # solvers have priority
+    gc.disable()  # it would scan all of matplotlib about ten times per picture
     for module in MODULES:
         import_module(f"sonify.report.{module}")
-    gc.freeze()  # and what is loaded now stays
+    gc.freeze()  # later collections ignore the loaded modules
     what_is_asked(gc.collect)

@@ -1,4 +1,4 @@
-"""FOLDER with an earlier run -> one line on what a new run of another scene replaces there."""
+"""FOLDER with an earlier run -> one line on the results that a run of another scene replaces."""
 
 from pathlib import Path
 
@@ -8,9 +8,10 @@ from sonify.scene_errors import SceneError
 
 
 def replaced_results(scene: Scene, folder: Path) -> str:
-    """Return which results in a folder a run of `scene` replaces, and which keys differ.
+    """Return one line on the results in a folder that a run of `scene` replaces.
 
-    Empty if the folder holds no run, or one of the same scene with the same settings.
+    It lists the keys that differ. It is empty if the folder holds no run, or a run of the same
+    scene with the same settings.
     """
     record = folder / "run.json"
     if not record.is_file():
@@ -31,7 +32,7 @@ def replaced_results(scene: Scene, folder: Path) -> str:
 
 
 def _flat(record, path=""):
-    """The values of a nested record by their dotted keys; a list is one value."""
+    """Return the values of a nested record by dotted key; a list is one value."""
     values = {}
     for key, value in record.items():
         if isinstance(value, dict):

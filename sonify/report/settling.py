@@ -1,11 +1,11 @@
-"""SETTLING RUNS -> WORDS AND NUMBERS of `sonify listen`."""
+"""SETTLING RUNS -> WORDS AND NUMBERS: the output of `sonify listen`."""
 
 from sonify.hearing.settling.detector import SettlingRun
 from sonify.hearing.settling.joint_region import Estimate
 
 
 def run_numbers(run: SettlingRun) -> dict:
-    """Return a run as plain values: an entry of `runs` in heard.json."""
+    """Return a run as plain values, an entry of `runs` in heard.json."""
     return {
         "kind": run.kind,
         "start": run.start,
@@ -21,7 +21,7 @@ def run_numbers(run: SettlingRun) -> dict:
 
 
 def run_sentences(run: SettlingRun) -> list[str]:
-    """Return two lines on a run: when and by which law; how certain."""
+    """Return two lines on a run: its time and power law, and its certainty."""
     end = f"{run.t_end.value:.3f} s ({run.t_end.low:.3f} to {run.t_end.high:.3f})"
     rate = f"{run.rate_at_1s.value:.1f} Hz ({run.rate_at_1s.low:.1f} to {run.rate_at_1s.high:.1f})"
     low = f"{run.exponent.low:.2f}"

@@ -1,5 +1,7 @@
-"""SOUND -> PICTURES: spectrograms with the solved lines over them, and the causes of sound against
-hearing."""
+"""SOUND -> PICTURES: spectrograms with the solved frequencies, and levels of the causes of sound.
+
+The levels are compared with the threshold of hearing.
+"""
 
 from itertools import cycle, pairwise
 
@@ -11,8 +13,11 @@ from sonify.hearing.spectrogram import RATES, REFERENCE_PRESSURE, Spectrogram
 from sonify.report.figure import figure_at, legend_above, plain_decades
 
 RANGE_DB = 65.0
-"""From the darkest to the brightest; the brightest is the loudest of each band: the modes may be
-far below the rest."""
+"""Range of the colour scale [dB].
+
+The brightest colour is the loudest level of each band, because the modes may be much quieter
+than the contact rates.
+"""
 STEM_STYLES = (
     ("#0072b2", "-"),
     ("#d55e00", "--"),
@@ -22,17 +27,17 @@ STEM_STYLES = (
     ("#cc79a7", (0, (5, 1, 1, 1, 1, 1))),
     ("#e69f00", (0, (3, 2))),
 )
-"""Colours told apart by the colour-blind, with dashes told apart in grey print."""
+"""Colours distinguishable for the colour-blind; the dashes differ in grey print."""
 LOWEST_MODE = 250.0
-"""From here on [Hz] the band of the modes is drawn."""
+"""Lower limit of the band of the modes [Hz]."""
 ROWS = 400
-"""Of an image: about the pixels of the height of a panel."""
+"""Number of rows of an image, close to the height of a panel in pixels."""
 EDGES = 0.04
-"""The share of a panel over which the lines of a table go."""
+"""Length of the lines of the table modes, as a share of the width of a panel."""
 LINE = 14
 """Height of a line of small text [px]."""
 EDGE = [withStroke(linewidth=2.5, foreground="k")]
-"""Makes a white line visible on white."""
+"""Dark outline that keeps a white line visible on a white background."""
 
 
 def draw_spectrogram(
@@ -46,10 +51,27 @@ def draw_spectrogram(
     table=(),
     carrier=None,
 ):
-    """Draw the pressure in the bands of the contact rates and of the modes, over both `spans` [s],
-    with the precession and nutation `rates` [Hz] at the listener's `time` [s], and the frequencies
-    [Hz] of the modes, over it, those of an elastic `table` at its right edge; where the contact is
-    elastic, the times [s] and frequencies [Hz] of its resonance, the `carrier`."""
+    """Draw spectrograms of the pressure with the solved frequencies.
+
+    Parameters
+    ----------
+    path : path or file
+        Destination of the PNG.
+    low, high : Spectrogram
+        Bands of the contact rates and of the modes.
+    spans : sequence of two tuples
+        Time spans of the two columns of panels [s].
+    time : ndarray, shape (k,)
+        Time at the listener [s].
+    rates : sequence of two ndarrays, shape (k,)
+        Precession and nutation [Hz].
+    frequencies : ndarray, shape (m,)
+        Frequencies of the modes of the disk [Hz].
+    table : ndarray, shape (n,)
+        Frequencies of the modes of an elastic table [Hz], drawn at the right edge.
+    carrier : tuple of two ndarrays or None
+        Times [s] and frequencies [Hz] of the resonance of an elastic contact.
+    """
     floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(LOWEST_MODE, np.inf))]
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
@@ -94,8 +116,10 @@ def draw_spectrogram(
 
 
 def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, tone=None):
-    """Draw a sound in two bands, relative to full scale, with the rising tone that was heard, if
-    any, over it."""
+    """Draw the spectrogram of a recording in two bands, relative to full scale.
+
+    The fitted rising `tone` is drawn over it, if there is one.
+    """
     floors = [loudest_db(part, 1.0) - RANGE_DB for part in (low, high.band(LOWEST_MODE, np.inf))]
     with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
         log_frequency(axes[0], RATES)
@@ -128,21 +152,22 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, t
 
 
 def log_frequency(axes, band):
-    """Make the height of a panel the logarithm of frequency over `band` [Hz], with ticks at 1, 2,
-    5, 10 ..."""
+    """Make the frequency axis of a panel logarithmic over `band`, with ticks at 1, 2, 5, 10 ..."""
     axes.set(yscale="log", ylim=band)
     plain_decades(axes.yaxis)
 
 
 def loudest_db(seen, reference=REFERENCE_PRESSURE) -> float:
-    """Return the greatest level of a spectrogram [dB re `reference`], rounded up to the next 5
-    dB."""
+    """Return the highest spectrogram level [dB re `reference`], rounded up to a multiple of 5."""
     return float(5 * np.ceil(seen.level_db(reference).max(initial=-200.0) / 5))
 
 
 def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
-    """Draw the level [dB re `reference`], from `floor` on, of a spectrogram over time [s] and
-    frequency [Hz, over `unit`]; where there is no window it is as dark as the floor."""
+    """Draw a spectrogram level [dB re `reference`] over time and frequency; return the image.
+
+    The time is in s and the frequency in Hz divided by `unit`. The colour scale starts at `floor`
+    [dB], and times without a window have the colour of the floor.
+    """
     axes.set_facecolor(colormaps["magma"](0))
     level = seen.level_db(reference)
     options = {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
@@ -161,8 +186,10 @@ def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
 
 
 def _rows(level, frequency, axes):
-    """The levels (f, t) on even heights of a panel: the loudest where a row holds several
-    frequencies."""
+    """Resample levels (f, t) to evenly spaced rows of a panel.
+
+    A row that holds several frequencies shows the loudest.
+    """
     heights = axes.yaxis.get_transform().transform(axes.get_ylim())
     edges = np.linspace(*heights, ROWS + 1)
     edges = axes.yaxis.get_transform().inverted().transform(edges)
@@ -171,7 +198,7 @@ def _rows(level, frequency, axes):
 
 
 def draw_colours(path):
-    """Write the colours of a `level_image` from dark to bright into a file, (256, 3) bytes."""
+    """Write the colours of a `level_image`, from dark to bright, into a file as (256, 3) bytes."""
     path.write((255 * colormaps["magma"](np.arange(256))[:, :3]).round().astype(np.uint8).tobytes())
 
 
@@ -195,8 +222,10 @@ def _legend(axes):
 
 
 def _table_lines(panels, table, span):
-    """Short lines at the right edge: a table has many modes, and what they sound is seen on its way
-    through them."""
+    """Draw the modes of a table as short lines at the right edge.
+
+    A table has many modes; longer lines would hide their sound.
+    """
     begin = span[1] - EDGES * (span[1] - span[0])
     for axes, unit in zip(panels, (1.0, 1e3), strict=True):
         axes.hlines(
@@ -210,11 +239,13 @@ def _table_lines(panels, table, span):
 
 
 def _labels(axes, frequencies, unit):
-    """Write frequencies [Hz] beside the right edge, none over another: where there is no room, not
-    all of them."""
+    """Write frequencies [Hz] to the right of a panel.
+
+    Labels that would overlap or move too far from their lines are omitted.
+    """
     scaled = axes.yaxis.get_transform().transform
     (low, high) = axes.get_ylim()
-    heights = np.unique(np.round(frequencies)) / unit  # the two of a pair are one line
+    heights = np.unique(np.round(frequencies)) / unit  # a degenerate pair is one line
     shares = (scaled(heights) - scaled(low)) / (scaled(high) - scaled(low))
     apart = LINE / axes.get_window_extent().height
     last = -1.0
@@ -247,11 +278,11 @@ def _labels(axes, frequencies, unit):
 
 
 def draw_stems(path, stems, end: float, duration: float):
-    """Draw over time the A-weighted level of each cause of sound, and how far it is above the
-    threshold of hearing.
+    """Draw the A-weighted level of each cause of sound, and its level above the hearing threshold.
 
-    `stems` are times (t,) [s] and both levels (t,) [dB] by name, `end` and `duration` [s] are those
-    of motion and sound."""
+    `stems` holds times (t,) [s] and both levels (t,) [dB] by name. `end` is the end of the motion
+    [s], and `duration` is that of the sound [s].
+    """
     with figure_at(path, 2, 1, (11, 8.6)) as (_, (weighted, above)):
         for (name, (time, a_weighted, above_threshold)), (color, style) in zip(
             stems.items(), cycle(STEM_STYLES)

@@ -1,5 +1,4 @@
-"""RESULT -> FILES: run.json, motion.npz, the modes, the pictures and the page that shows them
-all."""
+"""RESULT -> FILES: run.json, motion.npz, the modes, the pictures and the page."""
 
 import json
 import shutil
@@ -37,8 +36,8 @@ LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "ma
 
 
 def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
-    """Return the numbers of the page of a result, as it holds them."""
-    from sonify.report import page  # loads slowly
+    """Return the data of the page of a result, in the form that the page embeds."""
+    from sonify.report import page  # slow import
 
     return page.told(result, pictures.parts())
 
@@ -46,9 +45,11 @@ def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
 def write_record(
     result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future
 ) -> None:
-    """Write everything but the sound into the folder of the result; the stages are timed. `record`
-    and `told` have become what run.json and the page hold."""
-    from sonify.report import page  # loads slowly
+    """Write all files except the sound into the folder of a result, and time the stages.
+
+    `record` and `told` are Futures of the contents of run.json and of the data of the page.
+    """
+    from sonify.report import page  # slow import
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
@@ -65,8 +66,10 @@ def write_record(
 
 
 def moved(result: "Result") -> dict:
-    """Return what modes.json says of the modes of a disk on its contact as the inclination [rad]
-    falls."""
+    """Return the entry of modes.json for a disk on its contact.
+
+    It holds the modes at several inclinations [rad] of the run.
+    """
     steps = over_the_run(result.scene, result.motion, result.plan.highest_mode)
     columns = ("frequency", "decay_rate")
     rows = [
@@ -81,8 +84,11 @@ def moved(result: "Result") -> dict:
 
 
 def write_motion(motion: Motion, path: Path):
-    """Write instants [s], states, forces [N] and regimes at the ends of the pieces, the jumps and
-    the transitions."""
+    """Write the motion into a NumPy archive.
+
+    It holds times [s], states, forces [N] and regimes at the ends of the pieces, the jumps, and the
+    transitions between regimes.
+    """
     jumps = motion.jumps
     events = motion.transitions
     with whole(path) as temporary:
@@ -104,15 +110,17 @@ def write_motion(motion: Motion, path: Path):
 
 
 def keep_mesh(file: Path, out: Path):
-    """Copy the mesh of a table beside run.json, which names it alone and so is a scene on any
-    machine."""
+    """Copy the mesh of a table into the folder `out` of run.json.
+
+    The record names the mesh without its folder, so it is a valid scene on any machine.
+    """
     if (out / file.name).resolve() != file.resolve():
         with whole(out / file.name) as temporary:
             shutil.copyfile(file, temporary)
 
 
 def scene_record(scene) -> dict:
-    """Return every key of a scene; a mesh by the name that it has beside run.json."""
+    """Return all keys of a scene; a mesh is named without its folder."""
     record = finite(asdict(scene))
     if scene.surface.kind == "mesh":
         record["surface"]["file"] = Path(scene.surface.file).name
@@ -120,7 +128,7 @@ def scene_record(scene) -> dict:
 
 
 def run_record(result: "Result") -> dict:
-    """Return what run.json holds: plain values, none of them infinite or not a number."""
+    """Return the content of run.json as plain, finite values."""
     sound = result.sound
     return {
         "scene": scene_record(result.scene),
@@ -154,8 +162,10 @@ def run_record(result: "Result") -> dict:
 
 
 def ring_down_record(ringing: RingDown) -> dict:
-    """Return frequency [Hz], decay rate and T60 of the modes after the motion, and the mean gap [m]
-    of the film."""
+    """Return the modes that ring after the motion: frequency [Hz], decay rates [1/s] and T60 [s].
+
+    The mean gap [m] of the air film is added.
+    """
     columns = {
         "frequency": ringing.frequency,
         "decay_rate": ringing.decay_rate,
@@ -166,13 +176,16 @@ def ring_down_record(ringing: RingDown) -> dict:
 
 
 def rounded(seconds: dict[str, float]) -> dict[str, float]:
-    """Return the seconds of the stages to the millisecond."""
+    """Return the durations of the stages [s], rounded to milliseconds."""
     return {name: round(spent, 3) for name, spent in dict(seconds).items()}
 
 
 def summary(result: "Result") -> dict[str, Any]:
-    """Return the plain scalars of a result, one row of a table: of each finding and check, by its
-    key, the value and whether it holds or passed; the seconds of each stage."""
+    """Return the scalars of a result as one row of a table.
+
+    The row includes value and verdict of each finding and check, and the duration of each stage
+    [s].
+    """
     row = {
         "outcome": result.motion.outcome.name,
         "t_end": float(result.motion.t[-1]),
@@ -187,7 +200,7 @@ def summary(result: "Result") -> dict[str, Any]:
 
 
 def judged(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
-    """Return of each finding and check, by its key, the value and whether it holds or passed."""
+    """Return the value and the verdict of each finding and check, by key."""
     row: dict[str, Any] = {}
     for finding in findings:
         row |= {finding.key: finding.value, f"{finding.key}_holds": finding.holds}
@@ -197,12 +210,15 @@ def judged(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
 
 
 def timed(seconds: dict[str, float]) -> dict[str, float]:
-    """Return the seconds of each stage as scalars of a row."""
+    """Return the duration of each stage [s] as scalars of a row."""
     return {f"seconds_{name.replace(' ', '_')}": spent for name, spent in seconds.items()}
 
 
 def roughness_before(sound: Sound) -> dict | str:
-    """Return the roughness of the last seconds of the motion, or why there is none."""
+    """Return the roughness [asper] in the last seconds of the motion.
+
+    If it cannot be computed, return the reason.
+    """
     try:
         time, asper = roughness(sound.pressure, sound.source_end)
         return {"time": time.tolist(), "asper": asper.tolist()}
@@ -211,7 +227,7 @@ def roughness_before(sound: Sound) -> dict | str:
 
 
 def finite(value):
-    """Return nested values with every infinity as a string: JSON has none."""
+    """Return nested values with non-finite floats as strings, because JSON has none."""
     if isinstance(value, dict):
         return {key: finite(item) for key, item in value.items()}
     if isinstance(value, (list, tuple)):
@@ -220,21 +236,23 @@ def finite(value):
 
 
 def write_json(value, path: Path):
-    """Write strict JSON. Raises ValueError for a value that is not finite."""
+    """Write strict JSON. Raises ValueError if a value is not finite."""
     with whole(path) as temporary:
         temporary.write_text(json.dumps(value, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of this program, its commit where it runs from a checkout, and what it
-    stands on."""
+    """Return the versions of Python, the platform, this program and its libraries.
+
+    The entry `commit` identifies the checkout, if there is one.
+    """
     found = {"python": python_version(), "platform": platform(), "commit": commit()}
     return found | {name: version_of(name) for name in (NAME, *LIBRARIES)}
 
 
 @lru_cache
 def version_of(package: str) -> str:
-    """Return the version of a package, or that it is not installed."""
+    """Return the version of a package, or "not installed"."""
     try:
         return version(package)
     except PackageNotFoundError:
@@ -242,8 +260,10 @@ def version_of(package: str) -> str:
 
 
 def commit(*asked: str) -> str:
-    """Return what git tells of the checkout that this file is in, its commit unless `asked` else;
-    or 'unknown'."""
+    """Return the output of a git command in the checkout of this file.
+
+    The default is the hash of its commit. The result is "unknown" without output.
+    """
     command = ["git", "-C", str(Path(__file__).parent), *(asked or ("rev-parse", "HEAD"))]
     try:
         return (

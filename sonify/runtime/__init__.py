@@ -1,1 +1,1 @@
-"""Signals, progress, files and the console: how a command meets the system around it."""
+"""Interface to the operating system: signals, worker processes, progress and files."""

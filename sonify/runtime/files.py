@@ -1,4 +1,4 @@
-"""Files that are either whole or not there, and nothing left behind by whatever way a run ends."""
+"""Atomic file output that leaves no temporary files, however a run ends."""
 
 import errno
 import os
@@ -11,8 +11,7 @@ from secrets import token_hex
 from filelock import FileLock, Timeout
 
 HIDDEN = ".sonify-"
-"""So begin the names of a file that is being written and of the lock that its writer holds as long
-as it lives."""
+"""Prefix of the names of unfinished files and of the locks that their writers hold."""
 
 
 class OutputError(OSError):
@@ -20,8 +19,10 @@ class OutputError(OSError):
 
 
 def claim(folder: str | Path) -> Path:
-    """Make `folder` if need be and prove that a file can be written in it, before any work. Raises
-    OutputError."""
+    """Create `folder` if it does not exist, and check that it is writable before any work.
+
+    Raises OutputError if it is not.
+    """
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -34,7 +35,7 @@ def claim(folder: str | Path) -> Path:
 
 
 def numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
-    """Return the first of the folders `first`, `first`-2, `first`-3, ... that `serves`."""
+    """Return the first of the folders `first`, `first`-2, ... for which `serves` is True."""
     return next(
         filter(serves, chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2))))
     )
@@ -42,28 +43,30 @@ def numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
 
 @contextmanager
 def claimed(folder: str | Path) -> Iterator[Path]:
-    """Yield the `claim`ed folder; what was made for it goes again if nothing is written in it.
-    Raises OutputError."""
+    """Yield the folder after `claim`; remove the created folders that are still empty at the end.
+
+    Raises OutputError if the folder is not writable.
+    """
     path = Path(folder)
     new = [
         made for made in (path, *path.parents) if not os.path.exists(made)
-    ]  # Path.exists raises if it is too long
+    ]  # Path.exists raises if the path is too long
     try:
         yield claim(folder)
     finally:
         for made in new:
-            with suppress(OSError):  # it holds something, or was not made
+            with suppress(OSError):  # it is not empty, or was not created
                 made.rmdir()
 
 
 @contextmanager
 def whole(path: str | Path):
-    """Yield a temporary path beside `path`, renamed to it if the block ends well and removed if it
-    does not.
+    """Yield a temporary path in the folder of `path`, for an atomic write.
 
-    Raises IsADirectoryError where `path` is one; an OSError that names no file, as of a full disk,
-    names `path`. What a process that was killed has left beside it is removed, too;
-    tests/test_files.py kills some."""
+    The temporary file is renamed to `path` if the block succeeds, and removed if it fails. Files
+    that killed processes left in the folder are also removed. Raises IsADirectoryError if `path` is
+    a directory. If an OSError does not name a file, as for a full disk, `path` is added to it.
+    """
     path = Path(path)
     if path.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
@@ -84,11 +87,10 @@ def whole(path: str | Path):
 
 @contextmanager
 def _alive(folder):
-    """Yield a hidden name that no one else has in `folder`; its lock lasts no longer than this
-    process."""
+    """Yield a unique hidden file name in `folder`; its lock ends with the block or the process."""
     lock = folder / f"{HIDDEN}{token_hex(6)}.lock"
     try:
-        lock.touch()  # where none can be made FileLock may wait for ever
+        lock.touch()  # FileLock may wait forever if it cannot create the file
     except FileNotFoundError as error:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
     try:
@@ -99,15 +101,15 @@ def _alive(folder):
 
 
 def _remove_orphans(folder):
-    """Remove the files in `folder` whose writer is dead, which is when its lock can be had."""
+    """Remove the unfinished files in `folder` of dead writers; their locks can be acquired."""
     for lock in folder.glob(f"{HIDDEN}*.lock"):
         with suppress(Timeout):
             with FileLock(lock, timeout=0):
                 for orphan in folder.glob(f"{lock.stem}.*"):
                     _unlink(orphan)
-            _unlink(lock)  # Windows removes none that is held
+            _unlink(lock)  # Windows cannot remove a held lock
 
 
 def _unlink(path):
-    with suppress(PermissionError):  # Windows: it is held, by us or by someone who will remove it
+    with suppress(PermissionError):  # Windows: the holder of the lock removes it later
         path.unlink(missing_ok=True)

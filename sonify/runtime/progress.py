@@ -1,4 +1,4 @@
-"""Which stage a run is in, how long each took, and what goes on beside it."""
+"""Stage times, progress estimates and background threads of a run."""
 
 from collections import deque
 from collections.abc import Callable
@@ -17,31 +17,33 @@ if TYPE_CHECKING:
 
 
 class Stages:
-    """Times the stages of a run, of which some go on beside each other; `seconds` by name. Silent:
-    the command line shows them by a subclass."""
+    """Timer for the stages of a run, which may overlap; `seconds` maps names to durations [s].
+
+    This class prints nothing; the command line uses a subclass that prints.
+    """
 
     def __init__(self, seconds: dict[str, float] | None = None):
         self.seconds = {} if seconds is None else seconds
 
     @contextmanager
     def stage(self, name: str):
-        """Time the block as stage `name`; yields watch(share done, note)."""
+        """Time the block as stage `name`; yield a callback watch(share_done, note)."""
         began = perf_counter()
         yield lambda share, note="": None
         self.seconds[name] = perf_counter() - began
 
     def notice(self, line: str):
-        """Take note of something the user should know before the work."""
+        """Receive a message for the user before the work starts."""
 
     def answer(self, result: "Result"):
-        """Take note of what was found, before it is drawn and written."""
+        """Receive the result before it is drawn and written."""
 
 
 class StageProgress:
-    """How far one stage is, and how long it will still take at the speed of its last half minute.
+    """Progress of one stage, with the remaining time at the average speed of the last 30 s.
 
-    Times are those of a clock [s] that the caller reads. The share that is done never falls, and is
-    None before the first report.
+    The caller passes the clock times [s]. The completed share never decreases and is None before
+    the first report.
     """
 
     def __init__(self, name: str, began: float):
@@ -52,7 +54,7 @@ class StageProgress:
         self._history: deque[tuple[float, float]] = deque()
 
     def report(self, now: float, share: float, note: str = ""):
-        """Take the share that is done, from 0 to 1, and a note of a few words."""
+        """Record the completed share, from 0 to 1, and a short note."""
         window = 30.0  # s
         self.share = max(share, self.share or 0.0)
         self.note = note
@@ -61,7 +63,7 @@ class StageProgress:
         self._history.append((now, self.share))
 
     def remaining(self, now: float) -> float | None:
-        """Return the time [s] that the rest will take; None as long as nothing can be said."""
+        """Return the estimated remaining time [s], or None while it is unknown."""
         if self.share is None:
             return None
         before, share_before = self._history[0]
@@ -69,7 +71,7 @@ class StageProgress:
         return (1 - self.share) * (now - before) / gained if gained > 0 else None
 
     def line(self, now: float) -> str:
-        """Return name, percent, remaining time and note; without a percentage the time so far."""
+        """Return name, percentage, remaining time and note; initially name and elapsed time."""
         if self.share is None:
             return f"{self.name} for {duration_in_words(now - self.began)}"
         unfinished = min(self.share, 0.999)
@@ -83,12 +85,12 @@ class StageProgress:
 
 
 def percent(share: float) -> str:
-    """Return a share in percent, rounded down: 100 % only of what is complete."""
+    """Return a share in percent, rounded down, so that only a complete stage shows 100 %."""
     return f"{floor(100 * share)} %"
 
 
 def duration_in_words(seconds: float) -> str:
-    """Return a duration in the unit that people use: "0.8 s", "12 min", "3.4 h", "2.1 days"."""
+    """Return a duration in a suitable unit: "0.8 s", "12 min", "3.4 h", "2.1 days"."""
     for size, unit in ((DAY, "days"), (HOUR, "h"), (MINUTE, "min")):
         if seconds >= 1.5 * size:
             return f"{_two_digits(seconds / size)} {unit}"
@@ -96,13 +98,12 @@ def duration_in_words(seconds: float) -> str:
 
 
 def _two_digits(number):
-    """Two significant digits, more only before the point."""
+    """Format a number with two significant digits, or more if its integer part needs them."""
     return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
 
 
 def beside(work: Callable, *arguments: Any) -> Future:
-    """Return the future of work in a thread of its own, for which nobody waits who does not ask for
-    its result."""
+    """Run `work` in a background thread and return its Future."""
     thread = ThreadPoolExecutor(1, work.__name__)
     try:
         return thread.submit(work, *arguments)

@@ -1,5 +1,4 @@
-"""How a command meets the system around it: the signals that end it, and readers who leave before
-it is done."""
+"""Termination signals, closed output streams and worker processes."""
 
 import errno
 import os
@@ -14,42 +13,40 @@ from queue import Empty, SimpleQueue
 from stat import S_ISREG
 
 ENDS = [signal.SIGINT, signal.SIGTERM]
-"""Signals that end a command: Ctrl-C, the end of a batch job, and, except on Windows, the end of
-the terminal."""
+"""Signals that end a command: Ctrl-C, end of a batch job, and (not on Windows) closed terminal."""
 if sys.platform != "win32":
     ENDS.append(signal.SIGHUP)
 AGAIN = 0.05
-"""So long [s] a signal waits, and again, for the end of an import."""
+"""Interval at which a signal is repeated until an import has finished [s]."""
 LEFT = {errno.EPIPE, errno.EIO, errno.EINVAL}
-"""What a stream answers whose reader has left: a closed pipe, a closed terminal, a closed pipe of
-Windows."""
+"""Error codes of a stream without a reader: closed pipe, closed terminal, closed Windows pipe."""
 
 
 ONE_THREAD = ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM")
-"""Whose threads a process has one of: the cores are taken by other runs."""
+"""Libraries limited to one thread per process, because other runs occupy the remaining cores."""
 
 
 class BrokenOffError(RuntimeError):
-    """A command cannot go on, though nothing was wrong with what it was given; the message is one
-    line."""
+    """A command cannot continue although its input is valid; the message is one line."""
 
 
 class GoneError(Exception):
-    """The process that was asked is dead."""
+    """The called worker process is dead."""
 
 
 @contextmanager
 def well_behaved():
-    """Within, every signal that ends is a KeyboardInterrupt that holds its number, and unread
-    streams are no error."""
+    """Turn termination signals into KeyboardInterrupt(number) and ignore closed output streams."""
     with _signals(), redirect_stdout(Unread(sys.stdout)), redirect_stderr(Unread(sys.stderr)):
         yield
 
 
 @contextmanager
 def _signals():
-    """Only the main thread may set what answers a signal; one that is ignored, as under nohup,
-    stays so."""
+    """Install the signal handlers, in the main thread only.
+
+    Signals that are already ignored, e.g. under nohup, remain ignored.
+    """
 
     def end(number, frame):
         if not _imports(frame):
@@ -67,7 +64,7 @@ def _signals():
 
 
 def _send(thread, number):
-    """Send a signal to a thread, even a sleeping one; Windows can only raise it in this thread."""
+    """Send a signal to a thread and wake it; Windows can only raise it in the current thread."""
     if sys.platform != "win32":
         signal.pthread_kill(thread, number)
     else:
@@ -75,16 +72,17 @@ def _send(thread, number):
 
 
 def _imports(frame):
-    """Whether a module is just being imported: some would take the interrupt for a dependency that
-    is missing."""
+    """Return True if a module is being imported.
+
+    Some modules would mistake the interrupt for a missing dependency.
+    """
     while frame and not frame.f_code.co_filename.startswith("<frozen importlib"):
         frame = frame.f_back
     return frame is not None
 
 
 class Unread:
-    """A text stream that goes on into nothing once its reader has left, for the files are wanted
-    all the same."""
+    """Text stream that discards its output once the reader has left, so that the run continues."""
 
     def __init__(self, stream):
         self._stream = stream
@@ -93,11 +91,11 @@ class Unread:
         return getattr(self._stream, name)
 
     def write(self, text: str) -> int:
-        """Write as the stream does."""
+        """Write to the stream."""
         return self._unheard(self._stream.write, text)
 
     def flush(self):
-        """Flush as the stream does."""
+        """Flush the stream."""
         self._unheard(self._stream.flush)
 
     def _unheard(self, act, *what):
@@ -111,8 +109,10 @@ class Unread:
 
 
 def started(python: str, module: str, **how) -> subprocess.Popen:
-    """Return a process of one thread that runs a module of this program, with pipes to its input
-    and from its output; no script of the user's is run again in it."""
+    """Start a worker process with single-threaded libraries, and pipes to its input and output.
+
+    The process runs a module of this program; it does not import the script of the user.
+    """
     home = str(Path(__file__).parent.parent)
     environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in ONE_THREAD}
     environment["PYTHONPATH"] = os.pathsep.join(filter(None, [home, os.environ.get("PYTHONPATH")]))
@@ -121,14 +121,17 @@ def started(python: str, module: str, **how) -> subprocess.Popen:
         env=environment,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
-        start_new_session=True,  # Ctrl-C of a terminal is for the driver
+        start_new_session=True,  # Ctrl-C reaches only the parent
         **how,
     )
 
 
 def asked(process, function, *arguments, **options):
-    """Return what `function`, of a module, returns in a process that does `what_is_asked`. Raises
-    what it raises there, and GoneError where that process is dead."""
+    """Call a module-level `function` in a worker process, and return its result.
+
+    The process runs `what_is_asked`. Exceptions of the function are raised here. Raises GoneError
+    if the process is dead.
+    """
     try:
         pickle.dump((function, arguments, options), process.stdin)
         process.stdin.flush()
@@ -138,7 +141,7 @@ def asked(process, function, *arguments, **options):
         EOFError,
         ValueError,
         pickle.UnpicklingError,
-    ) as error:  # ValueError: its pipes are closed
+    ) as error:  # ValueError: the pipes are closed
         raise GoneError(str(error) or "no answer") from None
     if fault:
         raise fault
@@ -146,13 +149,15 @@ def asked(process, function, *arguments, **options):
 
 
 def what_is_asked(rest=lambda: None, idle: float | None = None):
-    """Do what is `asked` of this process, with a `rest` after each answer, until whoever asked is
-    gone, by whatever way, or asks nothing for a time of `idle` [s]."""
+    """Worker loop: serve pickled calls until the parent exits, or no call arrives for `idle` [s].
+
+    `rest` is called after each answer.
+    """
     signal.signal(
         signal.SIGINT, signal.SIG_IGN
-    )  # on Windows, Ctrl-C reaches all processes of a terminal
+    )  # Windows sends Ctrl-C to all processes of a terminal
     answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what a library prints is no answer
+    os.dup2(2, 1)  # keep the output of libraries out of the answers
     tasks: SimpleQueue = SimpleQueue()
     threading.Thread(target=_listen, args=(tasks,), daemon=True).start()
     with suppress(Empty, BrokenPipeError):
@@ -167,19 +172,19 @@ def what_is_asked(rest=lambda: None, idle: float | None = None):
             pickle.dump((answer, fault), answers)
             answers.flush()
             rest()
-    os._exit(0)  # without a word on the broken pipe
+    os._exit(0)  # exit without a message about the broken pipe
 
 
 def _listen(tasks):
     try:
         while True:
             tasks.put(pickle.load(sys.stdin.buffer))
-    finally:  # the input has ended, or is none: whoever asked knows by the end of this process
+    finally:  # input ended or invalid; the exit of this process informs the parent
         os._exit(0)
 
 
 def ended(process: subprocess.Popen):
-    """Kill a process, wait until it is gone, and close the pipes to it."""
+    """Kill a process, wait for its exit, and close its pipes."""
     with suppress(OSError), process:
         process.kill()
 

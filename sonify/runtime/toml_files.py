@@ -1,4 +1,4 @@
-"""NAME or PATH -> DOCUMENT: what is shipped, or a file of the user's own, read as plain values."""
+"""NAME or PATH -> DOCUMENT: read a shipped file or a file of the user as plain values."""
 
 import json
 import tomllib
@@ -9,13 +9,15 @@ from sonify.suggestions import did_you_mean
 
 
 def shipped(folder: Path) -> list[str]:
-    """Return the names of what is shipped in a folder."""
+    """Return the names of the TOML files in a folder, without their suffix."""
     return sorted(file.stem for file in folder.glob("*.toml"))
 
 
 def named(source: str | Path, folder: Path, what: str, fault: type[Exception]) -> Path:
-    """Return the file of a name that is shipped in a folder, or of a path. Raises `fault` for any
-    other name."""
+    """Return the path of a shipped name, or `source` itself if it is a path.
+
+    Raises `fault` for an unknown name.
+    """
     if Path(source).is_file() or not str(source).replace("-", "").replace("_", "").isalnum():
         return Path(source)
     if str(source) not in shipped(folder):
@@ -26,13 +28,15 @@ def named(source: str | Path, folder: Path, what: str, fault: type[Exception]) -
 
 
 def read(path: Path, fault: type[Exception]) -> dict[str, Any]:
-    """Return what a TOML file holds, or one that ends in .json. Raises `fault`, one line, where it
-    cannot be read."""
+    """Parse a TOML file, or a JSON file if its suffix is .json.
+
+    Raises `fault` with a one-line message if the file cannot be read.
+    """
     form, parse = ("JSON", json.loads) if path.suffix == ".json" else ("TOML", tomllib.loads)
     try:
         return parse(
             path.read_bytes().decode("utf-8-sig")
-        )  # some editors of Windows begin a text with a mark
+        )  # some Windows editors write a byte-order mark
     except OSError as error:
         raise fault(f"{path}: cannot be read: {error.strerror}") from None
     except (ValueError, RecursionError) as error:

@@ -1,21 +1,18 @@
-"""AIR -> LISTENER: absorption of sound by the air on its way (ISO 9613-1), as one filter for all
-stems."""
+"""AIR -> LISTENER: absorption of sound by the air (ISO 9613-1), as one filter for all stems."""
 
 import numpy as np
 from scipy.signal import oaconvolve
 
 HIGHEST_FREQUENCY = 20e3  # Hz
-"""Frequency at which the absorption is compared with the least audible one."""
+"""Frequency at which the absorption is compared with MIN_AUDIBLE_ABSORPTION_DB."""
 MIN_AUDIBLE_ABSORPTION_DB = 0.5
-"""Absorption at HIGHEST_FREQUENCY [dB] from which on the filter is applied; a smaller one is
-inaudible."""
+"""Absorption [dB] at HIGHEST_FREQUENCY above which the filter is applied; less is inaudible."""
 FILTER_HALF_LENGTH = 64  # samples
 """Half the length of the absorption filter."""
 
 
 def absorbed_db(air, distance: float, frequency=HIGHEST_FREQUENCY):
-    """Return the absorption [dB] by `air` over a distance [m] at one frequency or several
-    frequencies (k,) [Hz]."""
+    """Return the absorption [dB] over a distance [m], at one frequency or several (k,) [Hz]."""
     return air.absorption(frequency) * distance if air.pressure else 0.0 * frequency
 
 
@@ -25,12 +22,12 @@ def absorption_latency(air, distance: float) -> int:
 
 
 def absorbing(air, distance: float, sample_rate: float):
-    """Return filter(stems (k, s)) -> stems (k, s), `absorption_latency` samples late, to be called
-    once per block.
+    """Return filter(stems (k, s)) -> stems (k, s), `absorption_latency` samples late, called once
+    per block.
 
     The filter has linear phase. That is exact for absorption by viscosity. The dispersion by
-    relaxation of oxygen and nitrogen is smaller than their absorption, if a radian is compared with
-    8.7 dB. tests/test_absorption.py."""
+    relaxation of oxygen and nitrogen is smaller than their absorption, with 1 rad counted as 8.7
+    dB. See tests/test_absorption.py."""
     if not absorption_latency(air, distance):
         return lambda stems: stems
     half = FILTER_HALF_LENGTH

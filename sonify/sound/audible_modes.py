@@ -39,18 +39,16 @@ class RingDown:
 
     @property
     def decay_time(self) -> np.ndarray:
-        """Reverberation time T60 (m,) [s], in which each mode decays by 60 dB; infinite without
-        losses."""
+        """Reverberation time T60 (m,) [s], for a decay by 60 dB; infinite without losses."""
         with np.errstate(divide="ignore"):
             return 3 * np.log(10) / self.decay_rate
 
 
 def sounding(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
-    """Return those of the indices `wanted` (all modes if None) whose frequency is below half the
-    sample rate, (k,).
+    """Return the indices (k,) in `wanted` (all modes if None) with frequencies below half the
+    sample rate.
 
-    Higher modes are left out, because they would alias.
-    """
+    Higher modes are left out, because they would alias."""
     keep = np.arange(len(modes)) if wanted is None else np.array(wanted, dtype=int)
     return keep[modes.frequency[keep] < sample_rate / 2]
 
@@ -73,11 +71,9 @@ def response_to_unit_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.nd
 
 
 def ring_down(modes: Modes, scene: Scene, decay_rate: np.ndarray | None = None) -> float:
-    """Return the time [s] for which the modes remain audible after the motion, at most
-    MAX_RING_TIME.
+    """Return the time [s] until the modes are inaudible after the motion, at most MAX_RING_TIME.
 
-    `decay_rate` (m,) [1/s] replaces that of the modes where a film adds to it.
-    """
+    `decay_rate` (m,) [1/s] replaces that of the modes where a film adds to it."""
     loudness, _ = response_to_unit_jump(modes, scene)
     at_start = loudness * np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
     rate = modes.decay_rate if decay_rate is None else decay_rate

@@ -1,10 +1,11 @@
-"""EXTERIOR FIELD: sound of a solid disk a gap above a baffle, radiated by its face and by the flow
-out of the gap.
+"""EXTERIOR FIELD: sound of a solid disk above a baffle, radiated by its face and by the flow out of
+the gap.
 
-Lengths are over the radius R, pressures over density times R times acceleration. Waves are exp(i w
-t), of order n round the axis; k = w R/c. Finite elements in the half plane of r and z extend from
-the disk to a hemisphere, where the field is a sum of outgoing multipoles. Their amplitudes give the
-pressure at every listener beyond the hemisphere. tests/test_sound_open_film.py."""
+Lengths are in units of the radius R, pressures in units of density times R times acceleration.
+Waves are exp(i w t), of order n round the axis; k = w R/c. Finite elements in the half plane of r
+and z extend from the disk to a hemisphere, where the field is a sum of outgoing multipoles. Their
+amplitudes give the pressure at every listener beyond the hemisphere. See
+tests/test_sound_open_film.py."""
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -107,8 +108,9 @@ def listener_pressure(
     """Return the pressures (a, MULTIPOLES) of unit multipoles of order n at a listener, at
     wavenumbers k (a,).
 
-    The multipoles are normalised on the hemisphere of radius `far`; the listener is at a distance
-    over the radius, an elevation [rad], and azimuth 0; retarded to the centre."""
+    The multipoles are normalised on the hemisphere of radius `far`. The listener is at a distance
+    in units of the radius, an elevation [rad], and azimuth 0. The pressures are retarded to the
+    centre."""
     order = n + 2 * np.arange(MULTIPOLES)
     k = np.asarray(wavenumbers)[:, None]
     wave = _hankel(order, k * distance) / _hankel(order, k * far)
@@ -148,8 +150,7 @@ def _coordinates(basis):
 
 
 def _hankel(order, x, derivative=False):
-    """Return the spherical Hankel function of the second kind, which is outgoing with exp(i w
-    t)."""
+    """Return the outgoing spherical Hankel function for exp(i w t), of the second kind."""
     return spherical_jn(order, x, derivative) - 1j * spherical_yn(order, x, derivative)
 
 

@@ -1,11 +1,12 @@
-"""FILM + EXTERIOR FIELD -> PRESSURE: radiation of a rigid disk that vibrates over its film, by its
-face and its rim.
+"""FILM + EXTERIOR FIELD -> PRESSURE: radiation of a rigid disk that vibrates over its film, by face
+and rim.
 
 In the wedge the pressure is constant across the gap, and viscosity and heat conduction act on the
-air (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units of outside.py. The flow of the
-film meets the exterior field at the rim. There the pressure varies as -2/pi ln of the distance from
-a line source in the corner, so the coupling is known for the local gap. Film and exterior field
-together have resonances, which move little with the gap. tests/test_sound_open_film.py."""
+air (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units of exterior_field.py. The flow
+of the film meets the exterior field at the rim. There the pressure varies as -2/pi ln of the
+distance from a line source in the corner, so the coupling is known for the local gap. Film and
+exterior field together have resonances, which move little with the gap. See
+tests/test_sound_open_film.py."""
 
 from dataclasses import dataclass
 from functools import lru_cache
@@ -31,8 +32,8 @@ WAVENUMBERS = np.concatenate(
 EXTERIOR_WAVENUMBERS = np.linspace(WAVENUMBERS[0], WAVENUMBERS[-1], 16)
 """Values of k R at which the exterior field is solved; it has no resonance."""
 MEAN_GAPS = np.append(np.geomspace(1e-4, 0.08, 8), [0.13, 0.2, 0.3, 0.43, 0.6])
-"""Tabulated mean gaps over the radius, dense from 0.1 on, where resonances move; the ends act for
-gaps beyond them."""
+"""Tabulated mean gaps over the radius, dense from 0.1 on, where resonances move; gaps outside the
+range act as its nearest end."""
 EXTERIOR_GAPS = (0.02, 0.2)
 """Mean gaps over the radius at which the exterior field is solved; it is linear in the gap up to
 the larger one."""
@@ -62,8 +63,8 @@ class RadiatedMultipoles:
     def pressure_at(self, distance: float, elevation: float) -> np.ndarray:
         """Return the pressures (a, k, 2 RIM_ORDERS + 1, 3) over density and radius at a listener.
 
-        The distance is over the radius, theta is the listener's azimuth; retarded to the centre of
-        the disk."""
+        The distance is in units of the radius, and theta is the listener's azimuth. The pressures
+        are retarded to the centre of the disk."""
         from sonify.sound.exterior_field import listener_pressure  # scikit-fem loads slowly
 
         orders = [
@@ -112,8 +113,7 @@ def film_at(mesh, gap: float, k: float, radius: float, air):
 
 
 def couple_at_rim(gap: float, film, rim, exterior, wedge: bool = True) -> np.ndarray:
-    """Return the multipoles (2 RIM_ORDERS + 1, m, 3) of a film that meets the exterior field at its
-    rim.
+    """Return the multipoles (2 RIM_ORDERS + 1, m, 3) of a film coupled to the exterior field.
 
     Parameters
     ----------
@@ -127,7 +127,7 @@ def couple_at_rim(gap: float, film, rim, exterior, wedge: bool = True) -> np.nda
     exterior : ndarray, shape (RIM_ORDERS + 1, m, 3)
         Exterior multipoles of the same three.
     wedge : bool
-        False for a gap that is the same everywhere.
+        False for a uniform gap.
     """
     order = np.append(np.arange(RIM_ORDERS + 1), np.arange(1, RIM_ORDERS + 1))
     norm = pi * np.where(order == 0, 2.0, 1.0)
@@ -166,8 +166,7 @@ def _wedge_coupling():
 
 
 WEDGE_COUPLING = _wedge_coupling()
-"""Coupling of the harmonics of the rim flow by the variation of the gap along the rim of the
-wedge."""
+"""Coupling of the harmonics of the rim flow by the gap's variation along the rim."""
 
 
 def _exterior_at_gap(thickness, gap, far):

@@ -1,4 +1,4 @@
-"""MODES + FILM -> MODES: frequency, decay and radiation of each mode against the gap, and
+"""MODES + FILM -> MODES: frequency, decay and radiation of each mode as functions of the gap, and
 oscillators."""
 
 from dataclasses import dataclass, replace
@@ -19,8 +19,7 @@ from sonify.sound.oscillators import Knots, OscillatorBank
 from sonify.sound.radiation import directions, listener_of, position, rayleigh
 
 TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
-"""Mean gaps at which the film is solved; a wider gap acts as the first, a closer one as the
-last."""
+"""Mean gaps at which the film is solved; gaps outside the range act as its nearest end."""
 MESH_GRADING = 6.0
 """Grading of the film's mesh, the argument `nearest` of FilmMesh."""
 RIM_FLOW_ORDERS = 4
@@ -73,14 +72,12 @@ class FluidLoadedModes:
         return frequency(gap), self.decay_rate + np.maximum(np.exp(log_added(gap)) - MIN_DECAY, 0.0)
 
     def nearest_tuning(self, gap: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return frequency and decay rate (m,) that GapTunedOscillators use at the logarithm of a
-        gap."""
+        """Return the tuning (m,) that GapTunedOscillators use at the logarithm of a gap."""
         return self.tuning(self.gap[0] - TUNING_LOG_GAP_STEP * tuning_level(gap, self.gap))
 
     @cached_property
     def _curves(self):
-        """Monotone interpolants of frequency and log decay: between two gaps neither leaves the
-        range of its two."""
+        """Monotone interpolants of frequency and log decay, which never overshoot."""
         values = (self.frequency, np.log(self.added + MIN_DECAY))
         return [PchipInterpolator(self.gap[::-1], column[::-1]) for column in values]
 
@@ -208,8 +205,7 @@ def _parity_parts(modes, i, half_meshes, radius):
 
 
 def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
-    """Return the response of the film to a mode that oscillates at a rate [rad/s] above a mean gap
-    [m]."""
+    """Return the response of the film to a mode at a rate [rad/s] above a mean gap [m]."""
     sigma = 12 * air.viscosity * rate * radius**2 / (air.pressure * gap**2)
     layers = boundary_layer_number(gap, rate, air)
     heat = layers * PRANDTL**0.5
@@ -294,7 +290,7 @@ def radiation_gain(modes: Modes, scene, flows, views=16, max_wavenumber=1.5) -> 
 
 
 class GapTunedOscillators:
-    """m modes as oscillators whose frequency and decay rate follow the gap without clicks.
+    """Oscillators for m modes; their frequency and decay rate follow the gap without clicks.
 
     The solution is exact while the tuning is constant. When the tuning changes, the velocity is
     kept, and so is the displacement relative to the static equilibrium: the film does not resist
@@ -361,8 +357,8 @@ def tuning_level(gap, tabulated) -> np.ndarray:
 def _bank_rows(bank: OscillatorBank) -> np.ndarray:
     """Return the coefficients of a bank (l, m) as (l, 15, m), for `_step_oscillators`.
 
-    Rows 0 to 4: the step. 5 to 8 and 9 to 12: (q - g/w^2, q') to the state and back. 13, 14: the
-    part of g in them."""
+    Rows 0 to 4 contain the step. Rows 5 to 8 and 9 to 12 convert (q - g/w^2, q') to the state and
+    back. Rows 13 and 14 contain the contribution of g to them."""
     late = bank.late - [bank.omega**-2.0, 0 * bank.omega]
     return np.ascontiguousarray(
         np.concatenate([bank.step, *bank.rows, *bank.back, late]).swapaxes(0, 1)
@@ -371,8 +367,7 @@ def _bank_rows(bank: OscillatorBank) -> np.ndarray:
 
 @njit(cache=True)
 def _apply_gain(ringing, where, gain):
-    """Multiply ringing (s, k, m) by gain (a, m), interpolated linearly at fractional rows `where`
-    (k,)."""
+    """Multiply ringing (s, k, m) by gain (a, m), interpolated at fractional rows `where` (k,)."""
     for n in range(len(where)):
         low = min(int(where[n]), len(gain) - 2)
         for m in range(gain.shape[1]):
@@ -387,8 +382,8 @@ def _step_oscillators(levels, level_before, bank, g, interval, impulses, state, 
     """Step the oscillators through samples g (k + 1, m) at tuning levels (k,) into accelerations
     `out` (k, m).
 
-    `level_before` is the level of the last sample before. `impulses` (2, j, m) act at the ends of
-    the intervals (j,)."""
+    `level_before` is the level of the preceding sample. `impulses` (2, j, m) act at the ends of the
+    intervals (j,)."""
     knot = 0
     level = level_before
     for n in range(len(out)):

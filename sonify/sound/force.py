@@ -11,8 +11,7 @@ from dynamics.observables import precession_rate
 from dynamics.rigid_motion import FORCE_HARMONICS
 
 LOW_PASS_HALF_WIDTH = 8  # samples
-"""Half width of the windowed sinc that filters the force where it changes too fast for the sample
-rate."""
+"""Half width of the windowed sinc that filters a force too fast for the sample rate."""
 CALM_STRIDE = 16  # samples
 """Distance of the nodes at which a calm force is evaluated; it is interpolated between them."""
 CALM_NODES = 6
@@ -80,11 +79,10 @@ def force_in_newton(force, state):
 
 
 def final_contact_rate(motion) -> float:
-    """Return the angular rate [rad/s] of the contact at the end of a motion, at least half that of
-    steady motion there.
+    """Return the angular rate [rad/s] of the contact at the end of a motion.
 
-    The bound matters for a disk that rattles on a moving table: it may stand still at the last
-    instant."""
+    The result is at least half the rate of steady motion there: a disk that rattles on a moving
+    table may be at rest at the last instant."""
     state = motion.at(motion.t[-1:])
     steady = 2 / (motion.disk.time_unit * np.sqrt(np.sin(state[0, 1])))
     return max(abs(precession_rate(state)[0]), steady / 2)
@@ -173,8 +171,7 @@ class ForceSampler:
         )
 
     def _sampled(self, n):
-        """Return the continuous part at samples n (k,), and where it needed no low-pass filter
-        (k,)."""
+        """Return the continuous part at samples n (k,), and a mask (k,) of unfiltered samples."""
         t = self._times(n)
         state, smooth = self._continuous_part(t)
         after_end = t > self.end + LOW_PASS_HALF_WIDTH / self.sample_rate
@@ -183,8 +180,8 @@ class ForceSampler:
         return smooth, unfiltered
 
     def _interpolated(self, n):
-        """Return the interpolated continuous part at successive samples n (k,), and where the force
-        is calm (k,)."""
+        """Return the interpolated continuous part at samples n (k,), and a mask (k,) of calm
+        ones."""
         if not self.calm:
             return np.empty((len(n), len(self.rest))), np.zeros(len(n), bool)
         nodes_before = CALM_NODES // 2 - 1
@@ -231,8 +228,7 @@ class ForceSampler:
         return self._levels.take(np.searchsorted(self.jump_time, t, side="right"), axis=0)
 
     def _evaluate(self, t):
-        """Return states (k, 11) and channels (k, c) at t (k,) [s]; outside the motion those of its
-        nearer end."""
+        """Return states (k, 11) and channels (k, c) at t (k,) [s], clipped to the motion."""
         self.evaluations += len(t)
         state, force = self.motion.at_and_force(self._clip_to_motion(t))
         return state, self.channels(force, state)
@@ -243,8 +239,7 @@ class ForceSampler:
         return state, self._faded(t, channels) - self._step_sum(t)
 
     def _fade_factor(self, t):
-        """Return the raised cosine (k, c) of the fade at t (k,) [s]: 1 before it, 0 at the end of
-        the motion."""
+        """Return the fade (k, c) at t (k,) [s], a raised cosine: 1 before, 0 at the end."""
         share = (self.end - np.asarray(t)[:, None]) / np.maximum(self.fade, 1e-300)
         return np.cos(np.pi / 2 * np.clip(1 - share, 0, 1)) ** 2
 
@@ -257,14 +252,12 @@ class ForceSampler:
         return values
 
     def _oversampling(self, state):
-        """Return the oversampling (k,) that the force needs at states (k, 11), a power of 2;
-        usually 1."""
+        """Return the required oversampling (k,) at states (k, 11): a power of 2, usually 1."""
         needed = np.clip(2 * self.motion.bandwidth(state) / self.sample_rate, 1, 2**16)
         return 2 ** np.ceil(np.log2(needed)).astype(int)
 
     def _low_passed(self, n):
-        """Return the continuous part, filtered by a windowed sinc, at samples n (k,) in ascending
-        order."""
+        """Return the continuous part at ascending samples n (k,), filtered by a windowed sinc."""
         if not len(n):
             return np.empty((0, len(self.rest)))
         width = LOW_PASS_HALF_WIDTH
@@ -300,8 +293,7 @@ class ForceSampler:
 
 
 def lagrange_weights(nodes, x) -> np.ndarray:
-    """Return the weights (n, k) of values at `nodes` (n,) in their interpolating polynomial at x
-    (k,)."""
+    """Return the Lagrange interpolation weights (n, k) of `nodes` (n,) at x (k,)."""
     apart = np.subtract.outer(nodes, nodes) + np.eye(len(nodes))
     ratios = (x - nodes[:, None])[None] / apart[..., None]
     factors = np.where(np.eye(len(nodes), dtype=bool)[..., None], 1.0, ratios)

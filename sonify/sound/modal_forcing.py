@@ -57,8 +57,7 @@ def rigid_sources(force, attitude, disk: Disk, *ears: float) -> np.ndarray:
 
 
 def listener_azimuth(attitude, turning_with_body: bool) -> np.ndarray:
-    """Return the azimuth (k,) [rad] of the table's x axis in the frame of the patch or of the free
-    body.
+    """Return the azimuth (k,) [rad] of the table's x axis in the frame of the patch or the body.
 
     The patch is a quarter turn ahead of the precession, along a_2; the free body also turns by the
     spin."""
@@ -85,7 +84,7 @@ def modal_drive(modes: Modes, scene: Scene):
 
 
 def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
-    """Return the modal forcing (3, m) by 1 N along x, y, z of the patch; of a free disk the rms
+    """Return the modal forcing (3, m) by 1 N along x, y, z of the patch; for a free disk the rms
     round the rim."""
     if scene.support.kind == "free":
         return np.sqrt(np.mean(modes.rim_shape**2, axis=1)).T
@@ -96,19 +95,18 @@ def forcing_per_newton(modes: Modes, scene: Scene) -> np.ndarray:
 
 
 def _forcing_on_springs(modes, disk, by_support):
-    """Return the forcing (3, m) where a separate stem has the vibration of the rigid disk on its
+    """Return the forcing (3, m) if a separate stem contains the vibration of the rigid disk on its
     contact.
 
     The force is then that of the springs, and does work on the elastic part of a shape: the shape
-    minus its rigid part. Modes that are mostly rigid belong to the other stem and are not driven.
-    """
+    minus its rigid part. Modes that are mostly rigid belong to the other stem and are not
+    driven."""
     rigid_share = np.square(modes.participation) @ (1 / inertia(disk))
     return (by_support + modes.rim_shape[:, 0].T) * (rigid_share < 0.5)
 
 
 def _rim_spline(modes):
-    """Return the displacement (k, m, 3) of the bottom edge at angles (k,) as a periodic cubic
-    spline."""
+    """Return a periodic cubic spline of the bottom edge's displacement (k, m, 3) at angles (k,)."""
     angle = np.append(modes.rim_angle, modes.rim_angle[0] + 2 * np.pi)
     closed = np.concatenate([modes.rim_shape, modes.rim_shape[:, :1]], axis=1)
     return CubicSpline(angle, closed.swapaxes(0, 1), bc_type="periodic")

@@ -8,8 +8,7 @@ from numba import njit
 
 
 class Knots(NamedTuple):
-    """Times at which a force departs from the straight line between two samples, in ascending
-    order.
+    """Times, in ascending order, at which a force departs from a straight line between samples.
 
     Attributes
     ----------
@@ -110,11 +109,10 @@ class OscillatorBank:
         self.settle(0.0)
 
     def settle(self, g, slope=0.0):
-        """Set the steady response to a force that has always risen with `slope` (m,) and now has
-        the value g (m,).
+        """Set the steady response to a force with value g (m,) that has always risen with `slope`
+        (m,).
 
-        The samples of the next block must begin with g.
-        """
+        The samples of the next block must begin with g."""
         v = slope / self.omega**2 + 0 * self.omega
         q = (g - 2 * self.decay * v) / self.omega**2
         self.state = self._observed(np.stack([q, v]) - self.late * g)
@@ -208,8 +206,8 @@ def _step_bank(g, one_per_mode, state, step, stops, impulses, out):
     """Step the bank through samples g; `impulses` (2, j, m) act before the samples `stops`.
 
     Each mode has its own force if `one_per_mode` is 1, and the same force if it is 0. The
-    operations at a sample do not depend on where a block begins, so the bits of the result do not
-    either."""
+    operations at a sample do not depend on the start of a block, so the results are bit-identical
+    for all block sizes."""
     start = 0
     for j in range(len(stops)):
         for n in range(start, stops[j]):

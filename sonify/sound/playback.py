@@ -21,7 +21,8 @@ TRUE_PEAK_DB = -1.0
 TRUE_PEAK_OVERSAMPLING = 4
 """Oversampling in the search for the true peak, BS.1770-4, annex 2."""
 MAX_OVERSHOOT = 2.5
-"""Bound of the true peak over the greatest sample: the absolute filter weights add up to less."""
+"""Upper bound of the true peak over the greatest sample; it exceeds the sum of the absolute filter
+weights."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -48,8 +49,7 @@ class DerivedTrack:
 
 @dataclass(frozen=True, kw_only=True)
 class Weighted(DerivedTrack):
-    """A-weighted copy of a track [Pa]; up to `max_cached` samples it is filtered once and kept in
-    memory."""
+    """A-weighted copy of a track [Pa], filtered once and cached up to `max_cached` samples."""
 
     max_cached: int = 1 << 23
 
@@ -89,8 +89,7 @@ class Copy(DerivedTrack):
 
 
 def audible(track) -> Copy:
-    """Return the A-weighted copy of a track [Pa], amplified to LOUDNESS_LUFS or at most
-    TRUE_PEAK_DB."""
+    """Return the A-weighted copy of a track [Pa] at LOUDNESS_LUFS, but at most TRUE_PEAK_DB."""
     weighted = Weighted(track=track)
     full_scale_at_peak = true_peak(weighted) / 10 ** (TRUE_PEAK_DB / 20) or 1.0
     at_peak = Copy(
@@ -127,8 +126,8 @@ def true_peak(source) -> float:
 
 
 def _overlapping_parts(source, filter_reach=32):
-    """Return parts of a source that overlap by the reach of the resampling filter [samples] on both
-    sides."""
+    """Return parts of a source, extended on both sides by the reach of the resampling filter
+    [samples]."""
     return pieces(source, 1 << 16, 2 * filter_reach)
 
 
@@ -145,7 +144,7 @@ def a_weighting(rate: float) -> np.ndarray:
     """Return a causal A-weighting filter at a sample rate [Hz], as second-order sections (3, 6).
 
     Poles and zeros of the standard are mapped by z = exp(s / rate). Two more zeros correct the gain
-    at a quarter of the sample rate. tests/test_sound_audible.py."""
+    at a quarter of the sample rate. See tests/test_sound_audible.py."""
     zeros = np.ones(4)
     poles = np.exp(-2 * np.pi * np.array(A_WEIGHTING_POLES) / rate)
     at = np.array([1.0, rate / 4])

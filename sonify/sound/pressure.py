@@ -1,5 +1,4 @@
-"""SOUND: the pressure at the listener, by cause, which can be read again and again, from any place
-on."""
+"""SOUND: the pressure at the listener and its causes, readable repeatedly from any sample on."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -15,24 +14,23 @@ from sonify.sound.audible_modes import RingDown
 from sonify.sound.playback import Copy, audible, energy_below, loudness
 
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
-"""The disk moves up and down as a whole; it tilts; its modes follow the smooth force; they ring
-after its jumps. These sound in every scene; a scene may have more."""
+"""Causes of sound in every scene: heave and tilt of the rigid disk, and its modes under the smooth
+force and under jumps. A scene may have more."""
 COLUMNS = ("pressure", *STEMS)
 LISTENING_PEAK_DB = -1.0
 """Peak of sound.wav relative to full scale [dB]."""
 MOST_IN_MEMORY = 1 << 27
-"""A sound of more bytes lies in a nameless file in the system's temporary folder."""
+"""Size [bytes] above which a sound is kept in an unnamed temporary file."""
 BLOCK = 1 << 16
-"""Samples read at once."""
+"""Number of samples read at once."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Track:
-    """One column of a sound [Pa]: `frames` samples at `sample_rate` [Hz]; a source for everything
-    in sonify.hearing.
+    """One column of a sound [Pa], an audio source for everything in sonify.hearing.
 
-    What `others` hear of the same are its further channels.
-    """
+    It has `frames` samples at `sample_rate` [Hz]. `others` are the same column at further
+    listeners; they are the further channels."""
 
     sample_rate: int
     columns: object
@@ -54,13 +52,12 @@ class Track:
         return 1 + len(self.others)
 
     def read(self, first: int = 0, last: int | None = None) -> np.ndarray:
-        """Return the samples (k,) of the first listener from number `first` up to `last`, or to the
+        """Return samples (k,) of the first listener from `first` to `last`, by default to the
         end."""
         return self.columns[first:last][:, self.column]
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, channels), float32: the samples from number `start` on; every call begins
-        anew."""
+        """Yield float32 blocks (k, channels) from sample `start` on; each call starts again."""
         for first in range(start, self.frames, BLOCK):
             block = np.zeros((min(BLOCK, self.frames - first), self.channels), np.float32)
             for channel, track in enumerate((self, *self.others)):
@@ -71,15 +68,38 @@ class Track:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Sound:
-    """What is heard of the scene `name`, as rendered.
+    """The rendered sound of a scene.
 
-    `columns` (n, 1 + s) [Pa], float32, are the pressure and its causes, of these `names` (s,); they
-    are read by slices of rows. `modes_heard` is the number of modes that sound. `source_end` [s] is
-    when the end of the motion, its `outcome`, reaches the listener; from then on the modes ring as
-    `ringing` states. `energy` (e,) [J] is that of the modes at `energy_time` (e,) [s], in the time
-    of the motion; that of the modes of an elastic table is `table_energy` (e,) [J]. `others` are
-    what further listeners hear; where the sound is `turned`, the last column is the pressure at an
-    ear a quarter turn round the disk, for audible.wav."""
+    Attributes
+    ----------
+    name : str
+        Name of the scene.
+    sample_rate : int
+        [Hz]
+    columns : ndarray or Scratch, shape (n, 1 + s)
+        Pressure and its causes [Pa], float32, read by slices of rows.
+    modes_heard : int
+        Number of modes rendered.
+    source_end : float
+        Time [s] at which the end of the motion reaches the listener; then the modes ring down.
+    outcome : Outcome
+        Outcome of the motion.
+    ringing : RingDown
+        Frequencies and decay rates of the modes after the motion.
+    energy_time : ndarray, shape (e,)
+        Times [s] of the energies, on the clock of the motion.
+    energy : ndarray, shape (e,)
+        Energy [J] of the modes of the disk.
+    table_energy : ndarray, shape (e,), or None
+        Energy [J] of the modes of an elastic table.
+    names : tuple of str, length s
+        Names of the causes.
+    others : tuple of Sound
+        Sounds at further listeners.
+    turned : bool
+        True if one more column contains the pressure at an ear a quarter turn round the disk, for
+        audible.wav.
+    """
 
     name: str
     sample_rate: int
@@ -106,8 +126,7 @@ class Sound:
         return {name: self.track(name) for name in self.names}
 
     def track(self, name: str) -> Track:
-        """Return the pressure or one of its causes by its name. Raises ValueError for another
-        one."""
+        """Return the pressure or one of its causes by name; raise ValueError for other names."""
         if name not in (tracks := ("pressure", *self.names)):
             raise ValueError(f"there is no track {name!r}: it is one of {', '.join(tracks)}")
         return self._track(
@@ -141,22 +160,22 @@ class Sound:
 
     @property
     def peak(self) -> float:
-        """The greatest pressure, of either sign [Pa]."""
+        """Greatest magnitude of the pressure [Pa]."""
         return float(self._peaks[0])
 
     @property
     def stem_peak(self) -> dict[str, float]:
-        """The greatest pressure of each cause [Pa]."""
+        """Greatest magnitude of each cause [Pa], by name."""
         return dict(zip(self.names, self._peaks[1 : 1 + len(self.names)].tolist(), strict=True))
 
     @property
     def finite(self) -> bool:
-        """Whether every sample is a finite number."""
+        """True if every sample is a finite number."""
         return bool(np.isfinite(self._peaks).all())
 
     @property
     def full_scale(self) -> float:
-        """The pressure [Pa] that 1.0 in sound.wav stands for."""
+        """Pressure [Pa] that 1.0 in sound.wav represents."""
         return self.peak / 10 ** (LISTENING_PEAK_DB / 20) or 1.0
 
     @property
@@ -166,24 +185,23 @@ class Sound:
 
     @property
     def copy(self) -> Copy:
-        """What sound.wav holds: the pressure over its `full_scale`."""
+        """Content of sound.wav: the pressure divided by `full_scale`."""
         return Copy(track=self.pressure, full_scale=self.full_scale)
 
     @cached_property
     def audible(self) -> Copy:
-        """What audible.wav holds: the pressure A-weighted and made loud, for two ears at least."""
+        """Content of audible.wav: the A-weighted, amplified pressure; two ears if `turned`."""
         beside = (self._track("beside", 1 + len(self.names)),) if self.turned else ()
         return audible(replace(self.pressure, others=beside or self.pressure.others))
 
     @cached_property
     def loudness(self) -> tuple[float | str, float | str]:
-        """The loudness of sound.wav and of audible.wav by BS.1770 [LUFS], or why there is none."""
+        """Loudness of sound.wav and audible.wav by BS.1770 [LUFS], or why it is undefined."""
         return loudness(self.copy), loudness(self.audible)
 
     @cached_property
     def low_share(self) -> tuple[float, ...]:
-        """The shares of the energy of the pressure below 100 and below 300 Hz, which small
-        loudspeakers hardly play."""
+        """Shares of energy below 100 Hz and 300 Hz, where small loudspeakers are weak."""
         return energy_below(self.pressure, 100.0, 300.0)
 
     def __repr__(self):
@@ -192,8 +210,8 @@ class Sound:
 
 
 class Scratch:
-    """Rows (n, width) in a nameless file that goes with the last reader; scratch[first:last] reads
-    them."""
+    """Rows (n, width) in an unnamed temporary file, read by scratch[first:last]; it is deleted with
+    the object."""
 
     def __init__(self, width: int):
         self._file = TemporaryFile()  # noqa: SIM115, closed below
@@ -202,9 +220,9 @@ class Scratch:
         finalize(self, self._file.close)
 
     def append(self, rows):
-        """Write rows (k, width), float32. Raises OSError when the disk is full."""
+        """Write rows (k, width), float32. Raises OSError if the disk is full."""
         self._file.write(rows.tobytes())
-        self._file.flush()  # what is read is the file
+        self._file.flush()  # readers read the file, not the buffer
         self._rows += len(rows)
 
     def __len__(self):
@@ -222,13 +240,12 @@ class Scratch:
 
 
 def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
-    """Return `count` rows that come in blocks (k, width), float32: as an array, or on disk where
-    they are too many."""
+    """Return `count` rows from float32 blocks (k, width): an array, or a Scratch if large."""
     first = next(rows)
     if first.itemsize * first.shape[1] * count <= MOST_IN_MEMORY:
         return np.concatenate(
             [block.T for block in (first, *rows)], axis=1
-        ).T  # a column is read at once
+        ).T  # columns are contiguous, for fast reading
     scratch = Scratch(first.shape[1])
     for block in chain([first], rows):
         scratch.append(block)
@@ -236,7 +253,8 @@ def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
 
 
 def with_sum(stems) -> np.ndarray:
-    """Return pressure and stems (k, 1 + s), float32, of stems (k, s) [Pa]: rounded, their sum in
-    double precision and rounded."""
+    """Return pressure and stems (k, 1 + s), float32, from stems (k, s) [Pa].
+
+    The pressure is the sum of the rounded stems in double precision, rounded."""
     stems = stems.astype(np.float32)
     return np.column_stack([sum(stem.astype(float) for stem in stems.T).astype(np.float32), stems])

@@ -45,14 +45,13 @@ class Listener:
         return position(self, self.azimuth)
 
     def transit(self, radius: float) -> float:
-        """Half the time that a plane wave towards the listener takes across a disk of `radius` [m],
-        in s."""
+        """Return half the time [s] of a plane wave to the listener across a disk of `radius`
+        [m]."""
         return radius * np.cos(self.elevation) / self.air.sound_speed
 
 
 def listeners_of(scene: Any) -> list[Listener]:
-    """Return the listeners of a scene: those of `audio.listeners`, or the one of its audio
-    section."""
+    """Return the listeners of a scene: `audio.listeners`, or the one of its audio section."""
     alone = Ear(distance=scene.audio.distance, elevation_deg=scene.audio.elevation_deg)
     return [
         Listener(
@@ -139,9 +138,9 @@ def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0)
     """Return (step, taps): the pressure of a disk that heaves, in units of `piston_strength`.
 
     step(t) is the response at t [s] to a unit step of the acceleration; `taps` (2 w + 1,) filter
-    samples h [s] apart, joined by straight lines. The finite size of the disk, its `radius` [m],
-    acts as a low-pass filter. To first order in radius/distance. The radiation of a `hole` of that
-    radius [m] is subtracted."""
+    samples h [s] apart, joined by straight lines. The finite `radius` [m] of the disk acts as a
+    low-pass filter. The kernel is accurate to first order in radius/distance. The radiation of a
+    hole of radius `hole` [m] is subtracted."""
     return _subtract_hole(
         lambda r: _kernel(listener.transit(r), h, _heave), radius, hole, (hole / radius) ** 2
     )
@@ -178,8 +177,7 @@ def _subtract_hole(kernel, radius, hole, share):
 def _kernel(transit, h, shape):
     """Return step response and taps of a pulse of half width `transit` [s].
 
-    shape(s) gives the step response of the pulse and its integral at s = time / transit.
-    """
+    shape(s) returns the step response of the pulse and its integral at s = time / transit."""
     width = max(transit, h)  # at least one sample, so that a step spreads over more than one
     reach = int(np.ceil(width / h)) + 1
     t = np.arange(-reach - 1, reach + 2) * h / width
@@ -213,8 +211,7 @@ def _tilt_near(s):
 
 
 def piston_strength(radius: float, distance: float, density: float = AIR_DENSITY) -> float:
-    """Return rho R^2/(2 r): pressure [Pa] of a small disk in a baffle per unit acceleration
-    [m/s^2]."""
+    """Return rho R^2/(2 r), the pressure of a small baffled disk per acceleration [kg/m^2]."""
     return density * radius**2 / (2 * distance)
 
 

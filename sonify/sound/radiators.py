@@ -16,8 +16,7 @@ from sonify.sound.radiation import (
 
 
 class RigidFace:
-    """Radiates the heave and the tilt of a disk; `reach` is the half width of its kernels
-    [samples]."""
+    """Radiates heave and tilt of a disk; `reach` is the half width of its kernels [samples]."""
 
     def __init__(self, disk, listener: Listener, h: float):
         kernels = [
@@ -69,8 +68,7 @@ class RigidFace:
 
 
 class ElasticFace:
-    """Radiates elastic modes towards a listener whose azimuth turns; the output is `latency`
-    samples late."""
+    """Radiates elastic modes towards a moving azimuth; the output is `latency` samples late."""
 
     def __init__(self, modes, listener: Listener, sample_rate: float, latency: int):
         self._modes = modes
@@ -87,8 +85,8 @@ class ElasticFace:
         called once per block.
 
         `direction` is cosine and sine of the listener's azimuth before the first block. With a
-        `second_ear` [rad] one more column is the sum of the stems at an ear that much further
-        round."""
+        `second_ear` [rad], one more column is the sum of the stems at an ear turned by this angle
+        from the listener."""
         past = None
         past_direction = np.tile(direction, (self._latency, 1))
 
@@ -120,8 +118,8 @@ def _radiate_modes(ringing, turns, sharpness, taps):
     summed over modes.
 
     `taps` (AZIMUTHS, m, 3) are interpolated linearly at azimuths `turns` (k,) [turns]. `sharpness`
-    (k,) is 1 where the azimuth is well defined; it falls to 0, which takes the mean over all
-    azimuths, where it turns too fast."""
+    (k,) is 1 where the azimuth is well defined. It falls to 0 where the azimuth turns too fast; the
+    taps are then the mean over all azimuths."""
     rows = (
         taps[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTHS, -1)
     )  # (a, 3 m), ordered n, n + 1, n + 2 as in memory

@@ -114,8 +114,8 @@ class Renderer:
         self.samples = ceil((self.source_end + tail) * self.sample_rate)
 
     def _sources_at(self, listener) -> tuple[ElasticDisk, list[Source]]:
-        """Return the elastic disk and all sources of the scene for one listener; add new causes of
-        sound here."""
+        """Return the elastic disk and all sources for one listener; add new causes of sound
+        here."""
         face = RigidFace(self.scene.disk, listener, 1 / self.sample_rate)
         rigid, elastic = disk_sources(
             self.scene, self.motion, self.modes, self.chosen, listener, face
@@ -194,15 +194,13 @@ class Renderer:
         return np.column_stack([source.channels(force, state) for source in self.sources])
 
     def _joined(self, parts):
-        """Return the stems (k, s) of all sources, and their sum at the second ear as one more
-        column."""
+        """Return the stems (k, s) of all sources, and their sum at a second ear as a column."""
         if not self._turned:
             return np.hstack(parts)
         return np.hstack([part[:, :-1] for part in parts] + [sum(part[:, -1:] for part in parts)])
 
     def _enveloped(self, stems, first):
-        """Return the stems (k, s) of the samples from `first` on, multiplied by the fades at both
-        ends."""
+        """Return the stems (k, s) from sample `first` on, multiplied by the fades at both ends."""
         fade_in_end = FADE_IN * self.sample_rate
         fade_out_start = self.samples - FADE_OUT * self.sample_rate
         if fade_in_end < first and first + len(stems) < fade_out_start:

@@ -31,8 +31,7 @@ class Driven:
         self._smooth.settle(settled)
 
     def advance(self, force) -> np.ndarray:
-        """Return the accelerations (2, k, m) in the block of a ContactForce whose channels are
-        modal forces."""
+        """Return the accelerations (2, k, m) in the block of a ContactForce of modal forces."""
         none = 0 * force.bend
         out = np.empty((2, len(force.t) - 1, force.smooth.shape[1]))
         self._smooth.advance(force.smooth, Knots(*force.knots, none, force.bend), out[0])
@@ -44,8 +43,8 @@ class Carried:
     """The modes of indices `chosen` (m,) as solved by a Vibrating motion: at rest before it,
     `ringing` after it.
 
-    The solution does not separate smooth force and jumps: all of the response counts as that to the
-    smooth force."""
+    The solution does not separate smooth force and jumps: the whole response counts as the response
+    to the smooth force."""
 
     def __init__(self, motion, chosen, ringing: RingDown):
         self._ringing = ringing
@@ -55,8 +54,7 @@ class Carried:
         self._final_state = motion.vibration(motion.t[-1:])[0][:2, chosen]
 
     def advance(self, force) -> np.ndarray:
-        """Return the accelerations (2, k, m) at the times of a ContactForce; its values are not
-        used."""
+        """Return the accelerations (2, k, m) at the times of a ContactForce, without its values."""
         t = force.t[:-1]
         out = np.zeros((2, len(t), len(self._chosen)))
         during = (t >= 0) & (t <= self._end)
@@ -65,8 +63,7 @@ class Carried:
         return out
 
     def _ring_down(self, elapsed):
-        """Return the free accelerations (k, m) at times `elapsed` (k, 1) [s] after the end of the
-        motion."""
+        """Return the free accelerations (k, m) at times `elapsed` (k, 1) [s] after the motion."""
         omega = 2 * np.pi * self._ringing.frequency
         decay = self._ringing.decay_rate
         q0, v0 = self._final_state

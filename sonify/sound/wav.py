@@ -1,5 +1,4 @@
-"""SOUND -> FILES: pascal in 32-bit float, one file for the whole and one for every cause, and
-copies to listen to."""
+"""SOUND -> FILES: pressure and stems in pascal as 32-bit float, and copies for listening."""
 
 import errno
 from collections.abc import Callable
@@ -17,20 +16,19 @@ NOT_THE_END = "; the motion did not come to rest, and its end is missing: {}"
 NOT_PASCAL = "A-weighted and made loud for small loudspeakers, not the pressure; 1.0 = {:.6g} pascal, A-weighted"
 
 MOST_BYTES = 2**32 - 2**12
-"""Samples that take more do not fit into a WAV file: it is RF64 then (EBU Tech 3306), which has
-lengths of 64 bits."""
+"""Largest size of the samples [bytes] in a WAV file. A larger file is RF64 (EBU Tech 3306), with
+64-bit lengths."""
 BYTES = {"FLOAT": 4, "PCM_24": 3}
 
 
 def write_sound(
     sound: Sound, folder: str | Path, watch: Callable[[float], None] = lambda share: None
 ) -> None:
-    """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`, with what 1.0
-    is in each.
+    """Write pressure.wav, stems/*.wav [Pa], sound.wav and audible.wav into `folder`.
 
-    The comment of a file also says where the motion did not come to rest, so that the sound lacks
-    its end. Memory does not grow with the length. `watch(share)` is called with the share done.
-    Raises OSError when the disk is full."""
+    The comment of each file states the value of 1.0, and whether the end of the sound is missing
+    because the motion did not come to rest. The memory required does not grow with the length.
+    `watch(share)` is called with the share done. Raises OSError if the disk is full."""
     folder = Path(folder)
     pascal = "1.0 = 1 pascal at the listener"
     unfinished = (
@@ -73,7 +71,7 @@ def write_sound(
 
 @contextmanager
 def _wav(path, rate, channels, subtype, form):
-    """A WAV file that is whole or not there, and the same bytes for the same samples."""
+    """Open a WAV file that is written completely or not at all; equal samples give equal bytes."""
     with whole(path) as temporary:
         try:
             with soundfile.SoundFile(temporary, "w", rate, channels, subtype, format=form) as file:
@@ -81,7 +79,7 @@ def _wav(path, rate, channels, subtype, form):
         except (
             AssertionError,
             soundfile.LibsndfileError,
-        ) as error:  # a short write is all that libsndfile says
+        ) as error:  # libsndfile reports only a short write
             raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
         _forget_time(temporary)
 

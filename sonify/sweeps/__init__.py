@@ -1,2 +1,1 @@
-"""SCENE x AXES -> TABLE: many runs as one table, on this machine or on a cluster, and what the
-table says."""
+"""SCENE x AXES -> TABLE: run many scenes, here or on a cluster, and evaluate their table."""

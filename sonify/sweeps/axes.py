@@ -1,5 +1,4 @@
-"""AXES -> POINTS: the values that the keys of a scene take in each run, by its number; nothing is
-listed beforehand."""
+"""AXES -> POINTS: compute the values of the scene keys from the run number, without a list."""
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -14,19 +13,19 @@ from sonify.scene_errors import InputError
 
 RANGE = {"from", "to", "n", "scale"}
 SHAPES = ("disk", "material", "support", "surface", "numerics", "audio")
-"""Sections that modes depend on: their axes come first, so that neighbouring runs share modes."""
+"""Sections that the modes depend on; their axes come first, so that successive runs share modes."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Samples:
-    """Points drawn from the box that the axes span, instead of a grid over them."""
+    """Settings for points sampled in the box that the axes span, instead of a grid."""
 
     method: Literal["latin", "sobol"]
-    """A Latin hypercube, or a scrambled Sobol sequence."""
+    """Sampling method: Latin hypercube or scrambled Sobol sequence."""
     n: Annotated[int, Ge(1), Le(2**30)]
-    """Number of points; of Sobol's a power of two."""
+    """Number of points; a power of two for a Sobol sequence."""
     seed: Annotated[int, Ge(0)] = 0
-    """The same seed draws the same points."""
+    """Seed of the random number generator; equal seeds give equal points."""
 
     def __post_init__(self):
         if self.method == "sobol" and not log2(self.n).is_integer():
@@ -37,7 +36,7 @@ class Samples:
             )
 
     def shares(self, dimensions: int) -> np.ndarray:
-        """Return the points (n, dimensions), each coordinate in [0, 1)."""
+        """Return the sampled points (n, dimensions); each coordinate is in [0, 1)."""
         from scipy.stats import qmc
 
         draw = qmc.Sobol if self.method == "sobol" else qmc.LatinHypercube
@@ -46,8 +45,11 @@ class Samples:
 
 @dataclass(frozen=True, kw_only=True)
 class Axis:
-    """Keys that move together, either through `values` (n of them) or from `ends[0]` to `ends[1]`
-    in `n` steps; every value and end is a tuple with one for each key."""
+    """Axis of a sweep: scene keys that vary together.
+
+    The keys take either the n entries of `values`, or n points from `ends[0]` to `ends[1]`. Each
+    entry is a tuple with one value per key.
+    """
 
     keys: tuple[str, ...]
     n: int
@@ -56,7 +58,7 @@ class Axis:
     log: bool = False
 
     def at(self, share: float) -> tuple:
-        """Return the values of the keys at a share in [0, 1] of the way."""
+        """Return the values of the keys at the fraction `share` of the axis, in [0, 1]."""
         if self.values:
             return self.values[min(int(share * self.n), self.n - 1)]
         if share in (0.0, 1.0):
@@ -67,8 +69,10 @@ class Axis:
         )
 
     def step(self, k: int) -> tuple:
-        """Return the values of the keys at step k < n; between whole ends, those that are whole
-        stay so."""
+        """Return the values of the keys at step k < n.
+
+        If all ends are integers, integral values are returned as integers.
+        """
         if self.values:
             return self.values[k]
         inside = self.at(k / max(self.n - 1, 1))
@@ -82,8 +86,10 @@ class Axis:
 
 @dataclass(frozen=True, kw_only=True)
 class Points:
-    """The point of every run, a value for each key: a grid, the last axis fastest, or `samples` of
-    it."""
+    """Sequence of the points of all runs; each point maps scene keys to values.
+
+    The points form a grid in which the last axis varies fastest, or are drawn as `samples`.
+    """
 
     axes: tuple[Axis, ...]
     samples: Samples | None = None
@@ -94,7 +100,7 @@ class Points:
 
     @property
     def count(self) -> int:
-        """How many runs there are."""
+        """Number of runs."""
         return self.samples.n if self.samples else prod(axis.n for axis in self.axes)
 
     def __getitem__(self, run: int) -> dict[str, Any]:
@@ -110,8 +116,10 @@ class Points:
 
 
 def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
-    """Return the points of a sweep file. Raises InputError for an axis that is empty, reversed or
-    named twice."""
+    """Return the points defined by the axes of a sweep file.
+
+    Raises InputError if an axis is empty or reversed, or if two axes share a key.
+    """
     if not axes:
         raise InputError(
             'axes: none is given; name what differs between runs, as "friction.mu_static" = [0.3, '
@@ -130,8 +138,7 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
 
 
 def axis_of(name: str, given: Any) -> Axis:
-    """Return the axis of a line `"key" = [...]` or `"key, key" = {from, to, n, scale}` of a sweep
-    file."""
+    """Parse one axis of a sweep file: `"key" = [...]` or `"key, key" = {from, to, n, scale}`."""
     keys = tuple(key.strip() for key in name.split(","))
     if isinstance(given, list):
         if not given:
@@ -174,7 +181,7 @@ def _range(name, keys, given):
 
 
 def _each(name, keys, value):
-    """The value of each key: a list with as many, or one that they share."""
+    """Return one value per key, from a list of that length or from a single shared value."""
     if len(keys) == 1 or not isinstance(value, list):
         return (value,) * len(keys)
     if len(value) != len(keys):

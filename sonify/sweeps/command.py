@@ -1,5 +1,4 @@
-"""`python -m sonify sweep` and `map`: from the file of a sweep to its table, its pictures and what
-they say."""
+"""`python -m sonify sweep`: run a sweep file; write its table, pictures and conclusions."""
 
 from collections import Counter
 from collections.abc import Iterator
@@ -23,21 +22,21 @@ from sonify.sweeps.store import NAME, Table, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
 
 UNASKED = 1_000_000
-"""Runs of which no more are begun without `yes`."""
+"""Largest number of runs that start without `yes`."""
 
 
 class RunTime(NamedTuple):
-    """Measured times of the runs of a sweep, solved as the sweep would solve them."""
+    """Run times of a sweep, measured under the same conditions as in the sweep."""
 
     first: float
-    """Time from the start of a process to its first result [s]: loading, compiling and one run."""
+    """Time from process start to the first result [s]: loading, compilation and one run."""
     later: float
-    """Time of a further run in the same process [s]."""
+    """Time of each further run in the same process [s]."""
     measured: int
-    """Number of runs that were solved."""
+    """Number of runs measured."""
 
     def total(self, runs: int, processes: int) -> float:
-        """Return the time [s] of so many runs on so many processes, each of which starts once."""
+        """Return the total time [s] for `runs` runs on `processes` processes that start once."""
         rounds = ceil(runs / processes)
         return self.first + self.later * (rounds - 1)
 
@@ -51,14 +50,43 @@ def sweep(
     retry: bool = False,
     stages: Stages | None = None,
 ) -> Path:
-    """Run what is missing of a sweep, a shipped name, a TOML file or its document; return the path
-    of the table, in `out` (default outputs/sweeps/<name>).
+    """Solve the runs that the table of a sweep does not contain yet.
 
-    The runs are solved by `processes` of this machine (default: its cores), or by the workers of
-    the Dask `scheduler`, an address or "local". More than a million are begun only with `yes`; with
-    `retry` those with an error are solved again. Raises InputError, before any work, where sweep,
-    scheduler or workers are wrong, OutputError where the table cannot be written, OSError when the
-    disk is full, BrokenOffError where the scheduler dies. No row that was added is ever lost."""
+    No row that was added to the table is ever lost.
+
+    Parameters
+    ----------
+    source : str, Path or dict
+        Name of a shipped sweep, TOML file, or parsed sweep document.
+    scheduler : str, optional
+        Address of a Dask scheduler, or "local"; without it, processes of this machine are used.
+    out : str or Path, optional
+        Folder for the table (default: outputs/sweeps/<name>).
+    processes : int, optional
+        Number of processes on this machine (default: number of available cores).
+    yes : bool
+        Allow more than a million runs.
+    retry : bool
+        Solve runs again that ended with an error.
+    stages : Stages, optional
+        Receiver of progress and stage times.
+
+    Returns
+    -------
+    Path
+        Path of the table.
+
+    Raises
+    ------
+    InputError
+        If the sweep, the scheduler or the workers are invalid; checked before any work.
+    OutputError
+        If the table cannot be written.
+    OSError
+        If the disk is full.
+    BrokenOffError
+        If the scheduler or the worker processes die.
+    """
     asked = load_sweep(source)
     stages = stages or Stages()
     folder = Path(out or Path("outputs") / "sweeps" / asked.name)
@@ -83,7 +111,7 @@ def sweep(
             f"{folder}: holds {held} of {asked.points.count} rows: its files were changed meanwhile"
         )
     with stages.stage("pictures"):
-        from sonify.sweeps.maps import draw_maps  # drawing loads slowly
+        from sonify.sweeps.maps import draw_maps  # deferred: the drawing libraries load slowly
 
         draw_maps(folder, asked.find)
     if asked.name in CONCLUSIONS:
@@ -94,8 +122,7 @@ def sweep(
 
 
 def says(path: str | Path) -> tuple[list[str], bool]:
-    """Return how the runs of a table went, in a line, and whether every self-check of theirs
-    passed."""
+    """Return a one-line summary of a table, and True if no self-check failed."""
     table = read_table(path)[0].to_pydict()
     ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
     errors = sum(error is not None for error in table["error"])
@@ -113,7 +140,7 @@ def says(path: str | Path) -> tuple[list[str], bool]:
 def plan(
     source: str | Path | dict[str, Any], processes: int | None = None, stages: Stages | None = None
 ) -> list[str]:
-    """Return what a sweep would do, line by line; a few runs are solved to measure their time."""
+    """Return the lines that describe a sweep; the run time is measured on a few runs."""
     asked = load_sweep(source)
     points = asked.points
     processes = processes or cores()
@@ -137,12 +164,11 @@ def plan(
 
 
 def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
-    """Measure a first and a later run in each of the processes that the sweep would keep busy.
+    """Measure a first and a later run in each process that the sweep would use.
 
-    They run at the same time and compete for the same cores and caches as in the sweep. They start
-    at points spread over the whole sweep and continue with the run that they would get next, so
-    that modes are reused as often as in the sweep. Runs of scenes that contradict themselves take
-    no time and are skipped.
+    The processes run concurrently and compete for cores and caches as in the sweep. They start at
+    points spread over the whole sweep. Each continues with the run that it would receive next, so
+    modes are reused as often as in the sweep. Contradictory scenes take no time and are skipped.
     """
     count = min(processes, asked.points.count)
     starts = [(2 * k + 1) * asked.points.count // (2 * count) for k in range(count)]
@@ -161,7 +187,7 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
 
 
 def _measured(asked, start, stride):
-    """Return the times [s] of two runs in a new process; the first includes its start."""
+    """Return the times [s] of two runs in a new process; the first includes the process start."""
     seconds = []
     began = perf_counter()
     hand = Hand()
@@ -170,14 +196,14 @@ def _measured(asked, start, stride):
     for run in islice(_possible(asked, start, stride), 2):
         row = hand.row(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
         seconds.append(perf_counter() - began)
-        if row is None:  # the process is dead
+        if row is None:  # the process died
             break
         began = perf_counter()
     return seconds
 
 
 def _possible(asked, start, stride, tries=1000):
-    """Yield runs with a possible scene: every `stride`-th from `start` on, then those before it."""
+    """Yield runs with a valid scene: every `stride`-th one from `start`, then those before it."""
     runs = chain(range(start, asked.points.count, stride), range(start % stride, start, stride))
     for run in islice(runs, tries):
         try:
@@ -202,6 +228,6 @@ def _task(asked, run, folder):
 
 
 def _rows(asked, tasks, submit: Submit, capacity) -> Iterator[list[dict]]:
-    """What was found, run by run, beside the values of the axes."""
+    """Yield lists of finished rows, including the values of the axes."""
     for found in rows_of(tasks, asked.limit, submit, capacity):
         yield [{"run": run} | asked.columns(run) | {"error": None} | row for run, row in found]

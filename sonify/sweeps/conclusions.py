@@ -1,4 +1,4 @@
-"""TABLE -> SENTENCES: what the shipped sweeps say, computed from their tables."""
+"""TABLE -> SENTENCES: compute the conclusions of the shipped sweeps from their tables."""
 
 from collections.abc import Callable
 
@@ -8,12 +8,11 @@ import pyarrow as pa
 from dynamics.air import STANDARD_PRESSURE
 
 HELD = 100.0
-"""Lam up to which the law of the film has been held against solutions."""
+"""Largest compressibility number Lam at which the film law was compared with solutions."""
 
 
 def friction(table: pa.Table) -> list[str]:
-    """When the published disk comes to its end, and how often it slips, over Coulomb friction and
-    rolling arm."""
+    """Describe how end time and number of slips depend on Coulomb friction and rolling arm."""
     mu, arm, end, slips = columns(
         table, "friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips"
     )
@@ -45,8 +44,10 @@ def friction(table: pa.Table) -> list[str]:
 
 
 def halt(table: pa.Table) -> list[str]:
-    """What takes the last energy of a steel disk on glass, and whether contact is lost, where the
-    film's law holds."""
+    """Describe where the last energy of a steel disk on glass goes and whether contact is lost.
+
+    Runs outside the validated range of the film law are reported separately.
+    """
     pressure, moment, squeezed = columns(
         table, "air.pressure", "dissipation.contour_moment", "film_squeezed"
     )
@@ -78,8 +79,7 @@ def halt(table: pa.Table) -> list[str]:
 
 
 def halt_table(table: pa.Table) -> list[str]:
-    """What ends a disk that runs into the waves of a table of one mode, by its mass and by the
-    pressure of the air."""
+    """Describe what ends the motion on a table with one mode, over modal mass and air pressure."""
     mass, pressure, kept, end = columns(
         table, "surface.modes.0.modal_mass", "air.pressure", "contact_kept", "t_end"
     )
@@ -111,8 +111,7 @@ def halt_table(table: pa.Table) -> list[str]:
 
 
 def pitch(table: pa.Table) -> list[str]:
-    """What carries the rising tone of the last second, over the thickness of a glass plate and the
-    distance."""
+    """Describe whether plate or disk emits the rising tone, over plate thickness and distance."""
     thickness, distance = columns(table, "surface.thickness", "audio.distance")
     over, late = columns(table, "table_carries_the_tone", "table_takes_little")
     (by_thickness,), _ = powers(late, thickness)
@@ -135,21 +134,23 @@ def pitch(table: pa.Table) -> list[str]:
 
 
 def is_in(table: pa.Table, name: str, text: str) -> np.ndarray:
-    """Return where (n,) a column of text says so."""
+    """Return a mask (n,) of the rows in which column `name` equals `text`."""
     return np.array([value == text for value in table[name].to_pylist()])
 
 
 def columns(table: pa.Table, *names: str) -> list[np.ndarray]:
-    """Return columns of numbers as arrays (n,), not a number where there is none."""
+    """Return numeric columns as arrays (n,), with NaN for missing values."""
     return [
         np.array([np.nan if v is None else v for v in table[name].to_pylist()]) for name in names
     ]
 
 
 def powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
-    """Return the powers (k,) of the k positive quantities `over` (n,) whose product follows `value`
-    (n,) best, in logarithms, and by how much that is off, in quadratic mean, relative; the powers
-    to two digits."""
+    """Fit `value` (n,) by a product of powers of k positive quantities (n,) each.
+
+    The fit is a least-squares fit of the logarithms. Returns the exponents (k,), rounded to two
+    decimals, and the relative root-mean-square residual.
+    """
     matrix = np.column_stack([*map(np.log, over), np.ones(len(value))])
     found = np.linalg.lstsq(matrix, np.log(value))[0]
     return found[:-1].round(2) + 0.0, float(np.sqrt(np.mean((matrix @ found - np.log(value)) ** 2)))
@@ -161,4 +162,4 @@ CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {
     "halt-table": halt_table,
     "pitch": pitch,
 }
-"""Shipped sweep -> what its table says."""
+"""Shipped sweep -> function that returns the conclusions from its table."""

@@ -1,5 +1,4 @@
-"""TASKS -> ROWS: the threads that wait for runs, on this machine or, by Dask, on the workers of a
-cluster."""
+"""TASKS -> ROWS: distribute runs to local processes or to the workers of a Dask cluster."""
 
 import logging
 import os
@@ -17,20 +16,19 @@ from sonify.sweeps.row_processes import EndedError, end_all, solve_apart
 from sonify.sweeps.version import version
 
 LOCAL = "local"
-"""Instead of an address: a scheduler of Dask that lives as long as the sweep, with one worker of so
-many threads."""
+"""Replaces an address: a Dask scheduler for this sweep, with one multithreaded worker."""
 AHEAD = 3
-"""Tasks per process that wait or run: no process is ever without."""
+"""Submitted tasks per process, waiting or running; enough to keep each process busy."""
 PATIENCE = 4.0
-"""Time in which a scheduler has to answer [s]."""
+"""Timeout for the answer of a scheduler [s]."""
 WORKER_PATIENCE = 5.0
-"""Time in which a first worker has to join a scheduler [s]."""
+"""Timeout for the first worker to join a scheduler [s]."""
 GONE = "what has been found is kept, but the processes are gone"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
 
 def cores() -> int:
-    """Return the number of cores that this process may use."""
+    """Return the number of CPU cores available to this process."""
     if sys.platform == "linux":
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
@@ -40,9 +38,11 @@ def cores() -> int:
 def engine(
     scheduler: str | None, processes: int | None
 ) -> Iterator[tuple[Submit, Callable[[], int]]]:
-    """Yield what submits a call, and what tells how many processes there are; LOCAL is a scheduler
-    of this machine's own. Raises InputError if the scheduler does not answer, if it has no workers,
-    or if they have another version of this program."""
+    """Yield a function that submits a call, and one that returns the number of processes.
+
+    If `scheduler` is LOCAL, a scheduler is started on this machine. Raises InputError if the
+    scheduler does not answer, has no workers, or has workers with another version of this program.
+    """
     if scheduler == LOCAL:
         count = processes or cores()
         local = dask().LocalCluster(n_workers=1, threads_per_worker=count, dashboard_address=None)
@@ -55,7 +55,7 @@ def engine(
 
 @contextmanager
 def machine(processes: int):
-    """So many processes of this machine; they end with the block, in whatever they do."""
+    """Yield an executor with `processes` processes of this machine; exit kills them."""
     threads = ThreadPoolExecutor(processes)
     try:
         yield threads.submit, lambda: processes
@@ -67,7 +67,7 @@ def machine(processes: int):
 
 
 def dask():
-    """Return Dask's package. Raises InputError where it is not installed."""
+    """Import and return the Dask package. Raises InputError if it is not installed."""
     try:
         import distributed
     except ModuleNotFoundError:
@@ -77,12 +77,12 @@ def dask():
 
 @contextmanager
 def cluster(address: str):
-    """The workers of the Dask scheduler at `address`."""
+    """Yield an executor for the workers of the Dask scheduler at `address`."""
     distributed = dask()
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
         client = distributed.Client(address, timeout=PATIENCE)
-    except Exception as error:  # whatever is there need not speak Dask's language
+    except Exception as error:  # another kind of server may answer
         raise InputError(f"--scheduler {address}: no scheduler answers: {error}") from None
     try:
         _require_worker(client, address)
@@ -93,7 +93,7 @@ def cluster(address: str):
 
 
 def _require_worker(client, address):
-    """Wait for a first worker. Raises InputError if none joins the scheduler."""
+    """Wait for the first worker. Raises InputError if none joins the scheduler."""
     try:
         client.wait_for_workers(1, timeout=WORKER_PATIENCE)
     except TimeoutError:
@@ -103,8 +103,10 @@ def _require_worker(client, address):
 
 
 def _capacity(client):
-    """How many processes the workers have; a cluster grows and shrinks, and is asked once a
-    second."""
+    """Return a function that counts the worker threads, with at most one query per second.
+
+    The size of a cluster may change during the sweep.
+    """
     asked = -1.0
     found = 0
 
@@ -122,8 +124,10 @@ def _capacity(client):
 
 
 def _same_version(client):
-    """Prove that all workers have this version of the program, whose functions they import by
-    name."""
+    """Raise InputError unless all workers have this version of the program.
+
+    The workers import its functions by name.
+    """
     for worker, found in client.run(version, on_error="return").items():
         if found != version():
             raise InputError(
@@ -135,9 +139,11 @@ def _same_version(client):
 def rows_of(
     tasks: Iterable[tuple[int, dict]], limit: float, submit: Submit, processes: Callable[[], int]
 ):
-    """Yield what is done of `tasks`, numbers and what to solve, as lists of (number, row), in any
-    order; an empty list after a second without news. Raises BrokenOffError where no more can be
-    done."""
+    """Solve `tasks`, pairs (run number, task); yield lists of (run number, row) in any order.
+
+    After one second without a result, the list is empty. Each task has `limit` [s]. Raises
+    BrokenOffError if the processes or the scheduler are lost.
+    """
     tasks = iter(tasks)
     running = dict[Future, int]()
     while True:
@@ -154,7 +160,7 @@ def _row(future):
         row = future.result()
     except (CancelledError, EndedError) as error:
         raise BrokenOffError(f"{GONE}: {error or 'the scheduler does not answer'}") from None
-    except Exception as error:  # as Dask's KilledWorker: a run that took several workers with it
+    except Exception as error:  # e.g. KilledWorker of Dask: the run killed several workers
         return {
             "error": f"{type(error).__name__}: {' '.join(str(error).split())}",
             "version": version(),

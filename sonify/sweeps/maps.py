@@ -1,4 +1,4 @@
-"""TABLE -> PICTURES, by the names of columns; the sweep itself is not needed."""
+"""TABLE -> PICTURES: draw columns of a table by name, without the sweep file."""
 
 from pathlib import Path
 
@@ -11,9 +11,9 @@ from sonify.sweeps.axes import Samples, points_of
 from sonify.sweeps.store import NAME, read_table
 
 RESULT_UNITS = {"t_end": "s", "sound_seconds": "s", "peak_pascal": "Pa"}
-"""Units of the columns that a run adds to the keys of its scene."""
+"""Units of the result columns."""
 USUAL = ("outcome", "t_end")
-"""What is drawn where nothing else is asked for."""
+"""Columns that are drawn by default."""
 
 
 def make_map(
@@ -23,9 +23,30 @@ def make_map(
     y: str | None = None,
     out: str | Path | None = None,
 ) -> Path:
-    """Draw the column `of` of a table over its columns `x` and `y`, unless given its first two
-    axes, into `out`, unless given <of>.png beside the table; return the path. Raises InputError
-    where a column is missing or holds nothing."""
+    """Draw one column of a table over one or two other columns.
+
+    Parameters
+    ----------
+    path : str or Path
+        Table of a sweep.
+    of : str
+        Name of the column to draw.
+    x, y : str, optional
+        Names of the columns for the axes of the map (default: the first two axes of the sweep). If
+        only `x` is given, the map has one axis.
+    out : str or Path, optional
+        Path of the picture (default: <of>.png in the folder of the table).
+
+    Returns
+    -------
+    Path
+        Path of the picture.
+
+    Raises
+    ------
+    InputError
+        If a column is missing or empty.
+    """
     table, about = read_table(path)
     axes = points_of(about["axes"], about["samples"] and Samples(**about["samples"])).axes
     keys = [axis.keys[0] for axis in axes]
@@ -50,14 +71,14 @@ def make_map(
 
 
 def _verdict(holds: bool | None, value: float | None) -> str | None:
-    """Return the verdict of a finding as text; None where the run has no such finding."""
+    """Return the verdict of a finding as text; None if the run does not have this finding."""
     if value is None:
         return None
     return "undecided" if holds is None else "yes" if holds else "no"
 
 
 def draw_maps(folder: Path, find=()):
-    """Draw what was asked for by name, else the USUAL, of the table in `folder`."""
+    """Draw the columns named in `find`, or the USUAL ones, of the table in `folder`."""
     table, _ = read_table(folder / NAME)
     for of in [name for name in find if name in table.column_names] or USUAL:
         if of in table.column_names and table[of].null_count < len(table):

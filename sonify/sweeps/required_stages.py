@@ -1,4 +1,4 @@
-"""QUESTION -> STAGES: which stages of a run answer it, from what its findings need."""
+"""QUANTITIES -> STAGES: determine the stages of a run that the requested quantities need."""
 
 import inspect
 from collections.abc import Callable, Iterable
@@ -13,22 +13,21 @@ from sonify.scene_errors import InputError
 from sonify.suggestions import did_you_mean
 
 STAGES = ("motion", "modes", "sound")
-"""A sound needs, and tells, all that the others tell."""
+"""Stages of a run; the sound stage includes the results of the other two."""
 SCALARS = dict.fromkeys(("outcome", "t_end", "passed", "ended_by", "film_squeezed"), "motion")
 SCALARS |= dict.fromkeys(
     ("sound_seconds", "peak_pascal", "energy_below_100_hz", "energy_below_300_hz"), "sound"
 )
 READ = {"motion": {"motion", "scene", "film law"}, "modes": {"modes", "scene"}}
-"""What the findings of a stage may need; those that need anything else are found with the sound."""
+"""Stage -> inputs available to its findings; findings with other inputs need the sound stage."""
 HOOKS = {"motion": ("motion_findings", "motion_checks"), "modes": ("mode_findings", "mode_checks")}
-"""Stage -> functions by which a module of the claims returns what that stage can judge by
-itself."""
+"""Stage -> names of the functions in `sonify.claims` that judge this stage without the sound."""
 KEPT = {"arrays": "motion", "wav": "sound", "page": "sound"}
-"""What a run may write -> the stage it needs."""
+"""Kind of output file -> stage that it needs."""
 
 
 def hooked(hook: str) -> list[Callable[..., list]]:
-    """Return what the modules of the claims define under the name `hook`, as motion_findings."""
+    """Return the functions named `hook`, e.g. motion_findings, that the claim modules define."""
     found = [getattr(module, hook, None) for module in modules()]
     return [
         f
@@ -38,8 +37,10 @@ def hooked(hook: str) -> list[Callable[..., list]]:
 
 
 def found_by(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
-    """Return the findings of all that is called `hook`, a function of what was `solved`, or of the
-    scene and that."""
+    """Return the findings of all functions named `hook`.
+
+    These functions take either (solved,) or (scene, solved).
+    """
     return [
         finding
         for judge in hooked(hook)
@@ -49,15 +50,18 @@ def found_by(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
 
 @cache
 def stage_of() -> dict[str, str]:
-    """Return the stage that finds it by the name of every scalar, finding and check."""
+    """Return a map from each scalar, finding and check to the stage that computes it."""
     return SCALARS | {
         key: _stage(set(judge.needs), judge.function.__module__) for key, judge in judges().items()
     }
 
 
 def _stage(needs, module):
-    """A stage tells by itself what is a function of nothing else, and is asked for by a hook of its
-    module."""
+    """Return the stage that computes a finding with the inputs `needs`.
+
+    Motion or modes suffice if they provide all inputs and the module defines a hook for them;
+    otherwise the sound stage is needed.
+    """
     own = {
         stage
         for stage, hooks in HOOKS.items()
@@ -69,9 +73,11 @@ def _stage(needs, module):
 
 
 def needed(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:
-    """Return the stages that tell what to `find`, by names of stages, scalars, findings or checks,
-    and that yield the files to `keep`: the sound where nothing is named. Raises InputError for an
-    unknown name."""
+    """Return the stages needed for the quantities in `find` and for the files in `keep`.
+
+    `find` names stages, scalars, findings or checks; if it is empty, the sound stage is needed.
+    Raises InputError for an unknown name.
+    """
     known = stage_of() | {stage: stage for stage in STAGES}
     stages = {KEPT[kind] for kind in keep}
     for name in find:

@@ -1,7 +1,7 @@
-"""TASK -> ROW in a process of its own, which a run that takes too long, or that crashes, takes with
-it and no more.
+"""TASK -> ROW: solve each run in a separate process.
 
-The same on one machine and on every worker of a cluster: each thread has one such process.
+A run that crashes or exceeds its time limit ends only that process. Each thread has one such
+process, on a single machine and on each worker of a cluster.
 """
 
 import sys
@@ -13,13 +13,13 @@ from sonify.sweeps.version import version
 from sonify.sweeps.worker_loop import solved
 
 TRIES = 2
-"""Processes that a run may bring down before that is its result."""
+"""Number of processes that a run may crash before its row reports an error."""
 OWN = threading.local()
 HANDS: set["Hand"] = set()
 
 
 class Hand:
-    """A process that waits for tasks; `late` where it was ended because one took too long."""
+    """Process that waits for tasks; `late` is True if a task exceeded its time limit."""
 
     def __init__(self):
         self.process = started(sys.executable, "sonify.sweeps.worker_loop")
@@ -28,7 +28,7 @@ class Hand:
         self.version = self._answer(version)
 
     def row(self, task: dict, limit: float) -> dict[str, Any] | None:
-        """Return the row of a task, None if the process has died of it."""
+        """Return the row of a task, or None if the process died or exceeded `limit` [s]."""
         clock = threading.Timer(limit, self._too_late)
         clock.start()
         try:
@@ -43,7 +43,7 @@ class Hand:
             return None
 
     def end(self):
-        """End the process, whatever it does."""
+        """Kill the process, even during a task."""
         HANDS.discard(self)
         ended(self.process)
 
@@ -53,12 +53,15 @@ class Hand:
 
 
 class EndedError(Exception):
-    """The processes were ended while one solved, or none can be started."""
+    """The processes were ended during a run, or a process cannot be started."""
 
 
 def solve_apart(task: dict, limit: float) -> dict[str, Any]:
-    """Return the row of a task, solved in the process of this thread within `limit` [s]; if that
-    process dies, in a new one; if that dies too, or is late, the row says so."""
+    """Solve a task in the process of this thread within `limit` [s], and return its row.
+
+    If the process dies, a new one repeats the task once. If that also dies, or if the task exceeds
+    the limit, the row contains the error.
+    """
     for _ in range(TRIES):
         hand = own_hand()
         if (row := hand.row(task, limit)) is not None:
@@ -81,7 +84,7 @@ def solve_apart(task: dict, limit: float) -> dict[str, Any]:
 
 
 def own_hand() -> Hand:
-    """Return the living process of this thread; one that had nothing to do has ended itself."""
+    """Return the process of this thread; start one if none runs, e.g. after an idle timeout."""
     hand: Hand | None = getattr(OWN, "hand", None)
     if hand and hand.process.poll() is not None:
         hand.end()

@@ -1,4 +1,4 @@
-"""DOCUMENT -> ROW: one run of a sweep, with no more stages than its question needs."""
+"""DOCUMENT -> ROW: solve one run of a sweep, limited to the stages that it needs."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -24,7 +24,7 @@ MAX_CACHED_MODES = 4
 
 
 def remembered(scene: Scene, **asked) -> Modes:
-    """Return the `eigenmodes` of a scene, solved once for scenes with the same disk."""
+    """Return the cached `eigenmodes` of a scene; scenes with equal disks share them."""
     return _modes_of(body_scene(scene), **asked)
 
 
@@ -36,15 +36,17 @@ def _modes_of(body: BodyScene, **asked) -> Modes:
 def row_of(
     document: dict, stages: tuple[str, ...], keep: tuple[str, ...] = (), folder: str = ""
 ) -> dict[str, Any]:
-    """Return what a run of the scene in `document` finds in these `stages`, as plain scalars; the
-    files to `keep` are written into `folder` first. What goes wrong is the scalar `error`, one
-    line. Raises OSError where a file cannot be written."""
+    """Run the `stages` of the scene in `document`, and return the results as scalars.
+
+    The files in `keep` are written to `folder` first. If the run fails, the row contains a one-line
+    `error`. Raises OSError if a file cannot be written.
+    """
     watch = Stages()
     try:
         row = _row(solvable(from_document(document), None), stages, keep, Path(folder), watch)
     except OSError:
-        raise  # a full disk is not the fault of the run
-    except Exception as error:  # a run may fail in any way, and its sweep goes on
+        raise  # a full disk is not an error of the run
+    except Exception as error:  # the sweep continues after any failure of a run
         row = {"error": f"{type(error).__name__}: {' '.join(str(error).split())}"}
     return row | timed(watch.seconds)
 
@@ -88,10 +90,10 @@ def _arrays(result, folder, _):
 
 
 ALONE: dict[str, Callable] = {"motion": _motion, "modes": _modes}
-"""Stage -> what is found without a sound."""
+"""Stage -> function that solves it without the sound."""
 WHOLE: dict[str, Callable] = {
     "arrays": _arrays,
     "wav": lambda result, folder, watch: write_sound(result.sound, folder, lambda share: None),
     "page": write,
 }
-"""What to keep -> what writes it."""
+"""Kind of output file -> function that writes it."""

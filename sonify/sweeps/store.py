@@ -1,9 +1,9 @@
-"""ROWS -> runs.parquet: a table that loses no row that was added, however the process or the
-machine ends.
+"""ROWS -> runs.parquet: a table that keeps every added row if the process or the machine fails.
 
-Rows go to a journal, a line each, and onto the disk before they count as added; now and then, and
-at the end, they move into the table, which is replaced as a whole. A line that was cut short fails
-its checksum and is left out."""
+Rows are first written to a journal, one line each, and synchronized to disk. Periodically, and at
+the end, they move into the table, and the file is replaced atomically. A truncated line fails its
+checksum and is ignored.
+"""
 
 import json
 import os
@@ -25,17 +25,18 @@ from sonify.scene_errors import InputError
 
 NAME, JOURNAL, LOCK, KEY = "runs.parquet", "runs.journal", ".runs.lock", b"sonify.sweep"
 FIRST = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
-"""Columns that every table begins with, after the number of the run and its axes."""
+"""Leading columns of every table; the axes follow the run number."""
 PAUSE, SHARE = 30.0, 20
-"""The journal moves into the table after this time [s], or after so many times the time that it
-last took."""
+"""Minimum interval between moves of the journal into the table [s], and as a multiple of the
+duration of the last move [-]; the larger one applies."""
 
 
 class Table:
-    """The table of a sweep in `folder`, which this process alone writes; a context. `done` marks
-    the runs it holds.
+    """Context manager for the table of a sweep in `folder`, with exclusive write access.
 
-    Raises OutputError where another process writes it, InputError where it is of another sweep.
+    `done` (count,) is True for the runs that the table contains; with `retry`, runs with an error
+    do not count. On entry, raises OutputError if another process writes the table, and InputError
+    if the table belongs to another sweep.
     """
 
     def __init__(
@@ -82,12 +83,12 @@ class Table:
         with self._held:
             if kind is None or not issubclass(
                 kind, OSError
-            ):  # what a full disk had no room for stays in the journal
+            ):  # on a full disk, the rows stay in the journal
                 self.move()
             self._close()
 
     def add(self, rows: list[dict[str, Any]]):
-        """Add rows; when this returns, they are on the disk. Raises OSError where that is full."""
+        """Add rows and synchronize them to disk. Raises OSError if the disk is full."""
         if not rows:
             return
         if not self._file:
@@ -127,7 +128,7 @@ class Table:
         self._file = None
 
     def _journalled(self):
-        """The rows of the journal, the last of each run, in order of their numbers."""
+        """Return the last journal row of each run, sorted by run number."""
         if not self.journal.exists():
             return []
         with open(self.journal, "rb") as lines:
@@ -155,8 +156,10 @@ class Table:
 
 
 def read_table(path: str | Path) -> tuple[pa.Table, dict]:
-    """Return a table and what its sweep was. Raises InputError where the file is no table of a
-    sweep."""
+    """Return a table and the identity of its sweep.
+
+    Raises InputError if the file is not the table of a sweep.
+    """
     if not Path(path).is_file():
         raise InputError(f"{path}: no such file")
     try:
@@ -179,12 +182,12 @@ def _as_table(rows, known, axes):
 
 
 def _column(name, values, known, axis):
-    """One column; of what was found, a number that is not finite is none."""
+    """Return one column; numbers that are not finite become null, except in an axis."""
     given = {type(value) for value in values if value is not None}
     if name == "run":
         return pa.array(values, pa.int64())
     if given <= {bool}:
-        boolean = given or name.endswith("_holds")  # null where a finding is undecided or absent
+        boolean = given or name.endswith("_holds")  # null if a finding is undecided or absent
         return pa.array(values, pa.bool_() if boolean else _known(known, name))
     if given <= {int, float}:
         numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
@@ -213,7 +216,7 @@ def _record(line):
 
 
 def _sync_folder(folder):
-    """Put the names in a folder onto the disk; Windows does that by itself, and opens no folder."""
+    """Synchronize a folder to disk; Windows cannot open folders and does not need this step."""
     if os.name == "posix":
         handle = os.open(folder, os.O_RDONLY)
         try:

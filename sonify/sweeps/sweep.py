@@ -1,4 +1,4 @@
-"""FILE -> SWEEP: what is to be run, read strictly from TOML."""
+"""FILE -> SWEEP: read and validate the definition of a sweep from TOML."""
 
 import json
 from copy import deepcopy
@@ -18,41 +18,38 @@ from sonify.sweeps.required_stages import needed
 
 SWEEPS = Path(__file__).parent / "shipped"
 MOST = 1_000_000_000
-"""Runs beyond which a sweep is to be cut into several: their marks alone fill a memory."""
+"""Largest number of runs of a sweep; the completion flags of more runs would fill the memory."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Sweep:
-    """The keys of a sweep file."""
+    """Contents of a sweep file."""
 
     __pydantic_config__ = ConfigDict(extra="forbid", strict=True)
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")]
-    """Name of the sweep, and of the folder that it is written into."""
+    """Name of the sweep and of its output folder."""
     scene: str = "published"
-    """The scene that all runs share but for the axes: a shipped name, or a path, from the folder of
-    the sweep file."""
+    """Scene common to all runs: a shipped name, or a path relative to the sweep file."""
     accuracy: Literal["draft", "standard", "reference"] | None = None
-    """Instead of the scene's."""
+    """Accuracy level; overrides the level of the scene."""
     set: tuple[str, ...] = ()
-    """Values of the scene to replace, as `--set` of `run` does."""
+    """Assignments that replace values of the scene, as `--set` of `run`."""
     axes: dict[str, Any]
-    """What differs between the runs: keys of the scene, each with a list of values or {from, to, n,
-    scale}."""
+    """Scene keys that vary, each with a list of values or {from, to, n, scale}."""
     samples: Samples | None = None
-    """Points drawn from the box of the axes instead of a grid."""
+    """Settings for sampled points; without them, the points form a grid."""
     find: tuple[str, ...] = ()
-    """What is asked for: names of stages, scalars, findings, checks; everything if nothing is
-    named."""
+    """Names of the requested stages, scalars, findings and checks; everything if empty."""
     keep: tuple[Literal["arrays", "wav", "page"], ...] = ()
-    """Files of each run to keep."""
+    """Kinds of output files that each run keeps."""
     limit: Annotated[float, Gt(0), Le(1e6)] = 600.0
-    """Time after which a run is ended [s]."""
+    """Time limit of a run [s]."""
     folder = Path()
 
     @cached_property
     def document(self) -> dict:
-        """The document of the scene that all runs share."""
+        """Document of the scene common to all runs."""
         near = self.folder / self.scene
         scene = load_scene(near if near.is_file() else self.scene).replace(*self.set)
         return (
@@ -61,17 +58,17 @@ class Sweep:
 
     @cached_property
     def points(self) -> Points:
-        """The values of the axes in each run."""
+        """Values of the axes in each run."""
         return points_of(self.axes, self.samples)
 
     @cached_property
     def stages(self) -> tuple[str, ...]:
-        """The stages that every run has."""
+        """Stages that every run solves."""
         return needed(self.find, self.keep)
 
     @property
     def identity(self) -> dict[str, Any]:
-        """What makes two sweeps the same: plain values."""
+        """Plain values that identify the sweep; equal sweeps can share a table."""
         drawn = asdict(self.samples) if self.samples else None
         same = {"scene": self.document, "axes": self.axes, "samples": drawn}
         return json.loads(
@@ -79,12 +76,14 @@ class Sweep:
         )
 
     def scene_of(self, run: int) -> dict:
-        """Return the document of the scene of a run."""
+        """Return the scene document of a run."""
         return placed(self.document, self.points[run])
 
     def columns(self, run: int) -> dict[str, Any]:
-        """Return the values of the axes in a run as columns hold them, which are of one type: JSON
-        where they differ, or are neither numbers nor text."""
+        """Return the values of the axes in a run in the form stored in the table.
+
+        A column has one type. Mixed types, lists and tables are stored as JSON.
+        """
         return {k: json.dumps(v) if k in self._texts else v for k, v in self.points[run].items()}
 
     @cached_property
@@ -97,11 +96,11 @@ class Sweep:
         return {key for key, found in kinds.items() if {*found} not in ({float}, {bool}, {str})}
 
     def check(self):
-        """Prove that every value of a list and both ends of every range are allowed.
+        """Check all listed values and both ends of every range.
 
-        Raises SceneError for a value that no scene may have, and for an axis without any possible
-        value. A value that only contradicts other keys is an error of its own runs. The other axes
-        are at their first values, at their last, or absent.
+        Each value is tested with the other axes at their first values, at their last values, and
+        absent. Raises SceneError if a value is forbidden in every scene, or if an axis has no valid
+        value. A value that only contradicts other keys becomes an error of its runs.
         """
         axes = self.points.axes
         ends = [
@@ -119,9 +118,9 @@ class Sweep:
 
 
 def _contradiction(documents):
-    """Return None if one of the documents is a scene, else why it is none.
+    """Return None if one of the documents is a valid scene, else its ContradictionError.
 
-    Raises SceneError for a value that is forbidden in each of them.
+    Raises SceneError if each document contains a forbidden value.
     """
     faults = []
     for document in documents:
@@ -138,8 +137,7 @@ def _contradiction(documents):
 
 
 def placed(document: dict, values: dict[str, Any]) -> dict:
-    """Return a copy of a document with values in the places of keys, as `friction.mu_static` or
-    `release.omega.2`."""
+    """Return a copy of a document with new values at keys such as `release.omega.2`."""
     document = deepcopy(document)
     for path, value in values.items():
         *sections, key = path.split(".")
@@ -158,8 +156,10 @@ def placed(document: dict, values: dict[str, Any]) -> dict:
 
 
 def load_sweep(source: "str | Path | dict") -> Sweep:
-    """Return the sweep of a shipped name, a TOML file or a document, checked. Raises InputError
-    where it is wrong."""
+    """Load and check a sweep from a shipped name, a TOML file or a document.
+
+    Raises InputError if the sweep is invalid.
+    """
     path = Path() if isinstance(source, dict) else named(source, SWEEPS, "sweep", InputError)
     document = source if isinstance(source, dict) else read(path, InputError)
     try:
@@ -178,5 +178,5 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
 
 def shipped_sweeps() -> list[str]:
-    """Return the names of the sweeps that come with the program."""
+    """Return the names of the shipped sweeps."""
     return shipped(SWEEPS)

@@ -1,4 +1,4 @@
-"""Which program this is, to the letter."""
+"""Version identifier, including uncommitted changes."""
 
 from functools import cache
 from hashlib import sha256
@@ -11,8 +11,7 @@ import sonify
 
 @cache
 def version() -> str:
-    """Return the version with a digest of the source of the three packages, the same on every
-    system."""
+    """Return the version with a platform-independent digest of the source of the three packages."""
     digest = sha256()
     for package in (dynamics, modal, sonify):
         folder = Path(str(package.__file__)).parent

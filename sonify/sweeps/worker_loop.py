@@ -1,5 +1,7 @@
-"""A process that solves one scene after the other, and ends when there is nothing to do; `hand.py`
-starts it."""
+"""Worker process: solve one scene after another, and exit when idle.
+
+`row_processes` starts it.
+"""
 
 import json
 from time import perf_counter
@@ -9,13 +11,12 @@ from sonify.runtime.signals import what_is_asked
 from sonify.sweeps.version import version
 
 IDLE = 60.0
-"""Time without a task [s] after which the process gives its memory back."""
+"""Idle time after which the process exits and frees its memory [s]."""
 
 
 def solved(task: dict) -> dict[str, Any]:
-    """Return the row of a task as plain values, with the seconds that it took and the version of
-    the program."""
-    from sonify.sweeps.run_row import row_of  # loads slowly, and who asks has no need of it
+    """Solve a task; return its row as plain values, with the run time [s] and the version."""
+    from sonify.sweeps.run_row import row_of  # deferred: slow, and the parent does not need it
 
     began = perf_counter()
     try:
@@ -26,6 +27,6 @@ def solved(task: dict) -> dict[str, Any]:
 
 
 if __name__ == "__main__":
-    import sonify.sweeps.run_row  # before the first task  # noqa: F401
+    import sonify.sweeps.run_row  # load before the first task  # noqa: F401
 
     what_is_asked(idle=IDLE)

@@ -46,14 +46,17 @@ def rough() -> tuple[Motion, np.ndarray]:
 
 
 def portable() -> tuple[Motion, np.ndarray]:
-    """Return the motion of the integrator that Numba compiles, and its force at many times [N]."""
+    """Return the motion from the Numba integrator and its force at many times [N]."""
     motion = simulate(load_scene("published").replace(*PORTABLE))
     return motion, motion.force(np.linspace(0.0, 0.5, 5000))
 
 
 def main(names: list[str]) -> None:
-    """Print name, end and hash of each result by name, then the fused operations among those of a
-    march."""
+    """Print name, end and hashes of each result in alphabetical order.
+
+    Then print the numbers of multiplications and of fused operations in the machine code of
+    `march`.
+    """
     cases = {"table": table, "rough": rough, "portable": portable}
     found = {name: cases[name]() for name in names}
     for name, (motion, more) in sorted(found.items()):

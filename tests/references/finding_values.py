@@ -10,7 +10,7 @@ from pathlib import Path
 
 
 def main(folder: str):
-    """Read every run.json below a folder and write the values beside this file."""
+    """Read every run.json in the subfolders and write the values next to this script."""
     values = {}
     for path in sorted(Path(folder).glob("*/run.json")):
         findings = json.loads(path.read_text("utf-8"))["findings"]

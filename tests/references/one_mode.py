@@ -86,8 +86,10 @@ def solved(W, y, b):
 
 @njit
 def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
-    """Stop the slip, or oppose what is left of it with an impulse of size `slips`; return whether
-    it slides."""
+    """Stop the slip with an impulse, or oppose it with an impulse of size `slips`.
+
+    Return True if the contact slides.
+    """
     u = v + cross(L / J1 + E * (n @ L) * n, r)
     W = np.zeros((2, 2))
     for j in range(2):
@@ -116,7 +118,8 @@ def friction(v, L, n, r, m, J1, E, holds, slips, sliding):
 
 @njit
 def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
-    """Fill rows (time, inclination, direction of the tilt); return when contact is first lost."""
+    """Fill rows (time, inclination, direction of the tilt); return the time of the first loss of
+    contact."""
     m, J1, J2, R, H, g = body
     w = 2 * np.pi * FREQUENCY
     E = 1 / J2 - 1 / J1
@@ -161,8 +164,8 @@ def run(x, n, v, L, p, pv, body, mus, arms, h, steps, every, out):
 
 
 def halt(rate, phase, stop):
-    """Return when the precession first passes 300 Hz, contact is lost, the disk is flat: [s] after
-    tau = 250."""
+    """Return the times [s] after tau = 250 of 300 Hz precession, first loss of contact and flat
+    disk."""
     scene = load_scene("published")
     disk = scene.disk
     laws = scene.friction

@@ -28,8 +28,10 @@ DEGREES, LEVELS, FACTOR, SIZE, NEAR, COUNT = (4, 5, 6), 10, 0.3, 0.35, 0.08, 9
 
 
 def quarter():
-    """The mesh of the quarter y, z > 0 of a disk of radius 1, its planes and the patch named, small
-    at its edge."""
+    """Return the mesh of the quarter y, z > 0 of a disk of radius 1.
+
+    The symmetry planes and the patch are named; the cells are small at the edge of the patch.
+    """
     body = Cylinder(Pnt(0, 0, 0), Z, r=1, h=HEIGHT) * HalfSpace(Pnt(0, 0, 0), -Y)
     sector = body * HalfSpace(Pnt(0, 0, 0), Dir(-np.sin(HALF_ANGLE), np.cos(HALF_ANGLE), 0))
     shape = Glue([body - sector, sector])
@@ -50,7 +52,7 @@ def quarter():
 
 
 def frequencies(mesh, degree):
-    """The lowest frequencies (COUNT,) [Hz] of all four symmetry classes with elements of a
+    """Return the lowest frequencies (COUNT,) [Hz] of all four symmetry classes, with elements of a
     degree."""
     mesh.Curve(degree + 1)
     space = ngsolve.VectorH1(mesh, order=degree)
@@ -66,7 +68,8 @@ def frequencies(mesh, degree):
 
 
 def of_class(mesh, degree, k, m, y, z):
-    """Four frequencies [Hz] of the class that is even (1) or odd (-1) under y -> -y and z -> -z."""
+    """Return four frequencies [Hz] of the class that is even (1) or odd (-1) under y -> -y and z ->
+    -z."""
     zero = {"x": ["y"] * (y < 0) + ["z"] * (z < 0), "y": ["y"] * (y > 0) + ["z"] * (z < 0)}
     zero["z"] = ["y"] * (y < 0) + ["z"] * (z > 0)
     held = {f"dirichlet{axis}": "|".join(["patch", *names]) for axis, names in zero.items()}
@@ -99,14 +102,14 @@ def of_class(mesh, degree, k, m, y, z):
 
 
 def limit(a, b, c):
-    """Aitken's limit of a sequence that converges geometrically, and its distance from the last,
-    both relative to c."""
+    """Return Aitken's limit of a geometrically convergent sequence and its relative distance from
+    the last term."""
     step = (c - b) ** 2 / ((c - b) - (b - a))
     return c - step, step / c
 
 
 def main():
-    """Compute, print and write."""
+    """Compute, print and write the frequencies."""
     mesh = quarter()
     found = []
     for degree in DEGREES:

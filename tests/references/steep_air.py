@@ -14,18 +14,22 @@ from scipy.special import gammaln, lpmv, spherical_jn, spherical_yn
 
 RADIUS, NUMBERS = 0.03755, (0.3, 0.7, 1.0, 1.2, 1.4, 1.7, 2.0, 2.5, 3.2, 4.0, 5.0)
 TOY, COIN, STONE = (0.0128 / 0.03755, 1.6 / 37.55), (0.1, 0.03), (0.8, 1.6 / 37.55)
-"""Height and fillet of disks: the toy, a thinner and a thicker one."""
+"""Height and fillet of three disks, over the radius: the toy, a thinner and a thicker one."""
 INCLINATIONS = {TOY: (0.1, 0.2, 0.35, 0.6), COIN: (0.2, 0.35, 0.6), STONE: (0.2, 0.35, 0.6)}
 CLEAR = {0.1: 0.001, 0.2: 0.003, 0.35: 0.003, 0.6: 0.003}
-"""Height of the lowest point over the table; a third of it changes 0.8 dB at 0.1 rad, half of it
-0.12 dB at 0.35."""
+"""Height of the lowest point over the table, by inclination [rad].
+
+A third of it changes the level by 0.8 dB at 0.1 rad, half of it by 0.12 dB at 0.35 rad.
+"""
 FAR, CELL, ORDER, DEGREES = 1.8, 0.55, 3, 9
 SHIFTS, LEVELS = (1.3, 3.3), 3
-"""Numbers at which it is factored, and powers of the inverse that span what is between."""
+"""Wavenumbers of the factorised systems, and powers of the inverse that span the solutions between
+them."""
 
 
 def disk(height, fillet, beta, clear):
-    """The disk, lowest at x < 0, its centre above the origin; the height of that."""
+    """Return the disk, with its lowest point at x < 0 and its centre above the origin, and the
+    height of the centre."""
     body = Cylinder(Pnt(0, 0, 0), Vec(0, 0, 1), 1.0, height)
     body = body.MakeFillet(body.edges, fillet).Rotate(
         Axis(Pnt(0, 0, 0), Vec(0, -1, 0)), np.degrees(beta)
@@ -36,7 +40,10 @@ def disk(height, fillet, beta, clear):
 
 
 def meshed(body, gaps=(), least=0.02):
-    """The air round a body; a cell below it is twice the gap, at places and gaps (x, y, gap)."""
+    """Return the mesh of the air round a body.
+
+    Cells below the body are twice as large as the gap, given by places and gaps (x, y, gap).
+    """
     body.faces.name = "body"
     ball = Sphere(Pnt(0, 0, 0), FAR)
     ball.faces.name = "far"
@@ -50,7 +57,7 @@ def meshed(body, gaps=(), least=0.02):
 
 
 def wedge(height, beta, centre):
-    """Places and gaps (x, y, gap) below the disk."""
+    """Return places and gaps (x, y, gap) below the disk."""
     s = np.sin(beta)
     c = np.cos(beta)
     places = [
@@ -60,7 +67,7 @@ def wedge(height, beta, centre):
 
 
 def size(degree, n):
-    """What gives a harmonic the mean square 1."""
+    """Return the factor that normalises a spherical harmonic to mean square 1."""
     return np.sqrt(
         (2 * degree + 1)
         * (2 - (n == 0))
@@ -72,7 +79,7 @@ WAVES = [(degree, n) for degree in range(DEGREES + 1) for n in range(degree % 2,
 
 
 def harmonic(degree, n):
-    """A harmonic on the hemisphere that is even in z and y, as a polynomial."""
+    """Return a harmonic on the hemisphere that is even in z and y, as a polynomial."""
     legendre = np.polynomial.legendre.leg2poly([0] * degree + [1])
     value = ng.CF(0)
     wave = (ng.CF(1), ng.CF(0))
@@ -84,12 +91,13 @@ def harmonic(degree, n):
 
 
 def hankel(degree, k, slope=False):
-    """The outgoing spherical wave with exp(i w t)."""
+    """Return the outgoing spherical Hankel function for the time factor exp(i w t)."""
     return spherical_jn(degree, k, slope) - 1j * spherical_yn(degree, k, slope)
 
 
 def multipoles(mesh, accelerations, numbers):
-    """Their amplitudes (k, waves, a) on the hemisphere, of accelerations of the body."""
+    """Return the multipole amplitudes (k, waves, a) on the hemisphere for accelerations of the
+    body."""
     space = ng.H1(mesh, order=ORDER)
     normal = ng.specialcf.normal(3)
     p, q = space.TnT()
@@ -140,7 +148,7 @@ def multipoles(mesh, accelerations, numbers):
 
 
 def heard(amplitudes, k, distance, elevation, azimuth):
-    """The pressures (azimuths, a) at a distance."""
+    """Return the pressures (azimuths, a) at a distance."""
     degree = np.array(WAVES)[:, 0]
     waves = [size(*w) * lpmv(w[1], w[0], np.sin(elevation)) * np.cos(w[1] * azimuth) for w in WAVES]
     return (
@@ -149,23 +157,22 @@ def heard(amplitudes, k, distance, elevation, azimuth):
 
 
 def sphere(k=1.7, radius=0.8):
-    """A half sphere on the table that moves along it, over its closed form at a distance of 5."""
+    """Return the ratio of the pressure at a distance of 5 to its closed form, for a half sphere
+    moving along the table."""
     mesh = meshed(Sphere(Pnt(0, 0, 0), radius))
     found = heard(multipoles(mesh, [(1, 0, 0)], [k])[0], k, 5.0, 0.0, np.array([0.0]))[0, 0]
     return found / (-hankel(1, 5 * k) / (k * hankel(1, k * radius, True)))
 
 
 def levels(height, fillet, beta):
-    """The mean square [dB] round the disk at 0.5 m and 45 degrees of the pressure of a force 1 over
-    the mass."""
+    """Return the mean square [dB] round the disk at 0.5 m and 45 degrees of the pressure per unit
+    acceleration force/mass."""
     body, centre = disk(height, fillet, beta, CLEAR[beta])
     s = np.sin(beta)
     c = np.cos(beta)
     u = x * c + (z - centre) * s
     w = -x * s + (z - centre) * c
-    arm = np.cos(beta) - height / 2 * np.sin(
-        beta
-    )  # of the force; about a diameter the mass times 1/4 + height^2/12
+    arm = np.cos(beta) - height / 2 * np.sin(beta)  # lever arm of the force
     tilt = -arm / (1 / 4 + height**2 / 12)
     moved = [(0, 0, 1), (-u * s - w * c, 0, u * c - w * s)]
     azimuth = np.pi * (np.arange(72) + 0.5) / 72

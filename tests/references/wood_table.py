@@ -13,9 +13,9 @@ from scipy.sparse.linalg import LinearOperator, eigsh
 
 YOUNG, POISSON, DENSITY = 11e9, 0.3, 700.0
 FOOT = (0.22, 0.26), (0.12, 0.16)
-"""Where the foot of the quarter x > 0, y > 0 stands [m]."""
+"""Extent of the foot of the quarter x > 0, y > 0 in x and y [m]."""
 TOWARDS = 0.15
-"""The share of a cell beside an edge that is cut off, level by level."""
+"""Fraction at which each level cuts a cell next to an edge."""
 SIDES = {
     (-1, 0, 0): [(0, 0, 0), (0, 0, 1), (0, 1, 1), (0, 1, 0)],
     (1, 0, 0): [(1, 0, 0), (1, 1, 0), (1, 1, 1), (1, 0, 1)],
@@ -29,7 +29,7 @@ NAMES = ("free", "feet", "x", "y")
 
 
 def lines(cells, edges, levels):
-    """The boundaries of cells, the ones beside an edge cut `levels` times."""
+    """Return the boundaries of cells; the cells next to an edge are cut `levels` times."""
     for _ in range(levels):
         more = []
         for a, b in pairwise(cells):
@@ -39,7 +39,7 @@ def lines(cells, edges, levels):
 
 
 def quarter(levels, split):
-    """The mesh of x > 0, y > 0; cells of 40 mm over `split`."""
+    """Return the mesh of x > 0, y > 0 with cells of 40 mm over `split`."""
     even = np.round(np.arange(0, 0.3001, 0.04 / split), 12)
     x = lines(sorted({0.0, *np.round(np.arange(0.02, 0.3001, 0.04 / split), 12)}), FOOT[0], levels)
     y = lines([v for v in even if v < 0.2001], FOOT[1], levels)
@@ -79,8 +79,8 @@ def quarter(levels, split):
 
 
 def frequencies(mesh, order, even, count):
-    """`count` frequencies [Hz] of the class that is even (True) or odd in x, in y, and the number
-    of unknowns."""
+    """Return `count` frequencies [Hz] of the class even (True) or odd in x and y, and the number of
+    unknowns."""
     held = {c: ["feet"] for c in "xyz"}
     for plane, same in zip("xy", even, strict=True):
         for c in "xyz":
@@ -126,7 +126,7 @@ def frequencies(mesh, order, even, count):
 
 
 def table(levels, split, order, count):
-    """Ascending frequencies [Hz] of all four classes below the least of their highest."""
+    """Return ascending frequencies [Hz] of all four classes, up to the lowest of their maxima."""
     mesh = quarter(levels, split)
     found = [frequencies(mesh, order, even, count)[0] for even in product((True, False), repeat=2)]
     every = np.sort(np.concatenate(found))
@@ -134,8 +134,11 @@ def table(levels, split, order, count):
 
 
 def limit(coarse, fine):
-    """What frequencies at one level less and at `fine` tend to, as edges of 270 degrees err, and
-    the relative rest."""
+    """Return the extrapolated frequencies and their relative uncertainty.
+
+    The error follows the singularity at edges of 270 degrees; `coarse` has one level less than
+    `fine`.
+    """
     share = TOWARDS ** (2 * 0.5445)
     rest = (coarse - fine) * share / (1 - share)
     return fine - rest, np.maximum(rest / fine, 2e-4)

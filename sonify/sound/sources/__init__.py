@@ -1,1 +1,1 @@
-"""Sources of sound: what turns the contact force into stems of pressure."""
+"""Sources of sound, which turn the contact force into stems of pressure."""

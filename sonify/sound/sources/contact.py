@@ -24,7 +24,7 @@ from sonify.sound.sources.contact_vibration import VibratingDisk
 from sonify.sound.sources.protocol import Source, delay_output
 
 MIN_PROFILE_RATE = 96e3  # 1/s
-"""Least rate at which the height profiles are read; the contact ellipse smooths what is faster."""
+"""Least sample rate of the height profiles; the contact ellipse smooths faster variations."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,11 +74,9 @@ class ContactFilter:
         )
 
     def blocks(self, fade=0.002) -> Iterator[np.ndarray]:
-        """Yield the force (k, 2) [N] along a_2 and the normal from sample `first` on; the blocks
-        are always the same.
+        """Yield the force (k, 2) [N] along a_2 and the normal from sample `first` on.
 
-        The force fades over the last `fade` [s], some periods of the contact resonance.
-        """
+        The force fades over the last `fade` [s], some periods of the contact resonance."""
         over = self.oversampling
         rate = over * self.sample_rate
         begin = self.start + self.first / self.sample_rate
@@ -98,8 +96,8 @@ class ContactFilter:
 
 
 def low_pass(factor: int) -> np.ndarray:
-    """Return a windowed sinc of 2 factor LOW_PASS_HALF_WIDTH + 1 taps, for decimation by an integer
-    factor."""
+    """Return a windowed sinc of 2 factor LOW_PASS_HALF_WIDTH + 1 taps, for decimation by
+    `factor`."""
     width = LOW_PASS_HALF_WIDTH
     distance = np.arange(-factor * width, factor * width + 1) / factor
     weight = np.sinc(distance) * np.cos(pi / 2 * distance / width) ** 2
@@ -107,8 +105,8 @@ def low_pass(factor: int) -> np.ndarray:
 
 
 def decimate(samples, weight, factor) -> np.ndarray:
-    """Filter samples (n, c) with the taps `weight`, keep every `factor`-th; windows that reach
-    outside are dropped."""
+    """Filter samples (n, c) with the taps `weight`, keep every `factor`-th; drop incomplete
+    windows."""
     skipped = (len(weight) - 1) // factor
     complete = (len(samples) - len(weight)) // factor + 1
     return upfirdn(weight, samples, 1, factor, axis=0)[skipped : skipped + complete]
@@ -118,8 +116,8 @@ class ContactVibration(Source):
     """Vibration along a rigid motion: a ContactFilter drives the rigid disk, its modes and an
     elastic table.
 
-    Its blocks are those of the filter, so its bits do not depend on how many samples are requested
-    at once."""
+    Its blocks are those of the filter, so the result is bit-identical for all sizes of requested
+    blocks."""
 
     names = ("contact",)
     channel_ends = np.zeros((0, 2))
@@ -216,8 +214,8 @@ def _smooth_force(t, channels):
 class SolvedContactVibration(Source):
     """The disk in a motion that already contains its vibration on the contact.
 
-    The part of each stem above `crossover` [Hz] becomes the stem of the contact. If `vibrating` is
-    another source than `rigid`, it radiates the rigid disk in that stem."""
+    The part of each stem above `crossover` [Hz] becomes the stem of the contact. If `vibrating`
+    differs from `rigid`, it radiates the rigid disk in that stem."""
 
     def __init__(
         self, rigid: Source, elastic: Source, vibrating: Source, crossover: float, sample_rate: int
@@ -271,10 +269,10 @@ class SolvedContactVibration(Source):
 
 
 def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Source]:
-    """Return the sources of a disk, including its vibration where the contact is elastic.
+    """Return the sources of a disk, including its vibration on an elastic contact.
 
-    The vibration is added to a rigid motion, or extracted from a motion that contains it. What the
-    contact adds to the force of a rigid motion also moves the tables `below`."""
+    The vibration is added to a rigid motion, or extracted from a motion that contains it. The force
+    added to a rigid motion also drives the tables `below`."""
     if scene.contact.law == "rigid":
         return [rigid, elastic]
     vibrating = VibratingDisk(scene, listener) if decide_film(scene).film else rigid

@@ -24,8 +24,7 @@ SINE_ORDERS = np.arange(1, RIM_ORDERS + 1)
 
 
 class VibratingDisk(Source):
-    """Radiates forces that vary faster than the disk turns, according to
-    `open_film.radiated_multipoles`.
+    """Radiates forces faster than the turning of the disk, by `film_radiation.radiated_multipoles`.
 
     Successive filters are cross-faded by Hann windows, which add up to 1: at constant gap the
     output is that of one filter."""

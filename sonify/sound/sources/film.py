@@ -49,29 +49,27 @@ RIM_FLOW_COMPRESSIBILITY = _RIM_FLOW[0].real
 """Compressibility numbers Lam at which the rim flow of the turning wedge is tabulated."""
 RIM_FLOW_SHARES = _RIM_FLOW[1:]
 """First and second harmonic g1, g2 of the rim flow over the dipole of the face, by
-`reynolds.compressible`.
+`reynolds.compressible_wedge`.
 
-Above the last Lam both fall as its square root.
-"""
+Above the last Lam both decrease as 1/sqrt(Lam)."""
 HEAVE_RELAXATION_TIMES = 10.0 ** np.arange(-4, 0.1, 0.5)
 """Relaxation times of the heave, over the time scale 12 mu R^2/(p g^2) of the film."""
 HEAVE_RELAXATION_WEIGHTS = np.array(
     [0.02328, 0.0028, 0.02786, 0.04064, 0.07065, 0.13892, 0.22665, 0.40624, 0.06297]
 )
-"""Weights of these times.
+"""Weights of the relaxation times.
 
-With sigma = 12 mu w R^2/(p g^2), g0 of the wedge is the sum of weight/(1 + i sigma time), within
-0.005. """
+With sigma = 12 mu w R^2/(p g^2), the sum of weight/(1 + i sigma time) equals g0 of the wedge within
+0.005."""
 LOG_GAP_STEP = 0.01
-"""Step of the logarithm of the gap in the table of relaxation; linear interpolation errs by
-LOG_GAP_STEP^2/2."""
+"""Step of the log gap in the relaxation table; linear interpolation errs by LOG_GAP_STEP^2/2."""
 
 
 def disk_sources(
     scene, motion, modes, chosen, listener: Listener, face: RigidFace
 ) -> tuple[RigidDisk, ElasticDisk]:
-    """Return the sources of the rigid disk and of its modes; both radiate through the film where it
-    acts."""
+    """Return the sources of the rigid disk and of its modes; both radiate through an active
+    film."""
     if decide_film(scene).film is None:
         rigid = RigidDisk(scene, face, listener.azimuth)
         return rigid, ElasticDisk(scene, motion, modes, chosen, listener, face.reach)
@@ -163,11 +161,11 @@ class RigidDiskOverFilm(RigidDisk):
         return np.column_stack(columns)
 
     def _second_harmonic(self, inclination, rate):
-        """Acceleration [m/s^2] of a piston that radiates as the second harmonic of the rim flow,
-        for a share of 1.
+        """Return the acceleration [m/s^2] of a piston that radiates as the second harmonic, for a
+        share of 1.
 
-        The flow turns at `rate` [rad/s] and radiates as a quadrupole, in the limit of long waves.
-        """
+        The rim flow turns at `rate` [rad/s] and radiates as a quadrupole, in the limit of long
+        waves."""
         radius = self._disk.radius
         distance = self._listener.distance
         x = rate * distance / self._air.sound_speed
@@ -229,8 +227,7 @@ class RigidDiskOverFilm(RigidDisk):
 
 
 class ElasticDiskOverFilm(ElasticDisk):
-    """The elastic modes; the film damps, detunes and muffles them according to its gap at each
-    instant."""
+    """The elastic modes; the film damps, detunes and muffles them according to its gap."""
 
     def __init__(
         self,
@@ -249,8 +246,7 @@ class ElasticDiskOverFilm(ElasticDisk):
 
     @cached_property
     def ringing(self) -> RingDown:
-        """Frequencies and decay rates of the modes after the motion, over the film at its final
-        mean gap."""
+        """Frequencies and decay rates of the modes after the motion, at the final mean gap."""
         gap = log_mean_gap(self._motion.state[-1:], self._scene.disk)[0]
         frequency, decay_rate = self._loaded_modes.nearest_tuning(gap)
         return RingDown(

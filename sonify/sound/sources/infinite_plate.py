@@ -14,8 +14,7 @@ from sonify.sound.sources.protocol import DRIVE_FADE, FADE_OUT, Source
 from sonify.sound.sources.tabletop import ARRIVAL_MARGIN, ElasticTable, contact_place
 
 LAGRANGE_NODES = np.arange(-2, 4)  # samples
-"""Samples around an arrival time over which an arrival is distributed, by Lagrange
-interpolation."""
+"""Samples around an arrival time that share the arrival, by Lagrange interpolation."""
 
 
 def bending_stiffness(surface) -> float:
@@ -53,8 +52,8 @@ class InfiniteTable(Source):
 
     Sound from a contact place nearer to the listener arrives earlier: a moving constant force
     radiates, one at rest does not. Above coincidence the bending waves of the plate arrive before
-    the direct sound; here they arrive equally long after it, with the same spectrum. The advance by
-    the contact place is limited to four radii of the disk."""
+    the direct sound; here they arrive after it by the same time, with the same spectrum. The
+    advance by the contact place is limited to four radii of the disk."""
 
     names = ("table",)
 
@@ -108,16 +107,14 @@ class InfiniteTable(Source):
         return advance
 
     def _poles(self):
-        """Return frequency and decay rate of the pole pair at coincidence; empty if above half the
-        sample rate."""
+        """Return frequency and decay rate of the pole pair; empty if above half the sample rate."""
         sampled = self._coincidence < self._rate / 2
         frequency = np.array([self._coincidence] if sampled else [])
         return frequency, np.pi * frequency * self._scene.surface.loss_factor
 
 
 def table_sources(scene, modes, listener: Listener) -> list[Source]:
-    """Return the sources of the table of a scene; `modes` are those of an elastic table, or
-    None."""
+    """Return the sources of the table; `modes` are those of an elastic table, or None."""
     if scene.surface.kind == "infinite":
         return [InfiniteTable(scene, listener)]
     return [ElasticTable(scene, modes, listener)] if modes is not None else []

@@ -15,8 +15,7 @@ from sonify.sound.radiators import ElasticFace, RigidFace
 from sonify.sound.response import Carried, Driven, Vibrating
 
 FADE_IN = 0.02  # s
-"""Raised cosine at the start of a sound: the support that holds the disk before the release is not
-modelled."""
+"""Raised cosine at the start of a sound, because the support before the release is not modelled."""
 FADE_OUT = 0.05  # s
 """Raised cosine at the end of a sound, and the fade of a rigid disk after a motion that breaks
 off."""
@@ -52,8 +51,7 @@ class Source(ABC):
 
     @abstractmethod
     def channels(self, force: np.ndarray, state: np.ndarray) -> np.ndarray:
-        """Return the input channels (k, c) for contact forces (k, 3) [N] and states (k, 11) of the
-        motion."""
+        """Return the input channels (k, c) for forces (k, 3) [N] and states (k, 11)."""
 
     @abstractmethod
     def start_rendering(self, first: np.ndarray, note) -> Advance:
@@ -105,8 +103,7 @@ class RigidDisk(Source):
         return rigid_sources(force, state, self._disk, *ears)
 
     def start_rendering(self, first, note):
-        """Return the function that radiates the blocks which follow accelerations `first` (2 or
-        3,)."""
+        """Return the function that radiates the blocks after accelerations `first` (2 or 3,)."""
         radiate = self._face.start_radiating(first)
 
         def advance(force):
@@ -168,13 +165,11 @@ class ElasticDisk(Source):
 
     @cached_property
     def tail_duration(self) -> float:
-        """Time [s] from the end of the motion until the modes are inaudible, plus the final
-        fade."""
+        """Time [s] from the end of the motion to inaudible modes, plus the final fade."""
         return ring_down(self._modes, self._scene, self.ringing.decay_rate) + FADE_OUT
 
     def channels(self, force, state):
-        """Return cosine and sine of the listener's azimuth, and the force on each mode: (k, 2 +
-        m)."""
+        """Return cosine and sine of the listener's azimuth, and modal forces: (k, 2 + m)."""
         turning_with_body = self._scene.support.kind == "free"
         azimuth = self._listener.azimuth + listener_azimuth(
             state, turning_with_body=turning_with_body
@@ -205,8 +200,8 @@ class ElasticDisk(Source):
 
 
 class SourcePair(Source):
-    """A source at one ear, and the same source at a second ear, whose stems are summed into one
-    more column."""
+    """A source at one ear and at a second ear; the stems of the second are summed into one more
+    column."""
 
     def __init__(self, source: Source, other: Source):
         self._pair = (source, other)

@@ -21,16 +21,15 @@ def contact_place(state, disk) -> np.ndarray:
     """Return the position (k, 2) [m] of the contact, relative to the disk's centre at the release;
     states (k, 11).
 
-    Along a_2, a quarter turn ahead of the precession, its distance from the centre is R cos beta -
-    H sin beta."""
+    The contact is along a_2, a quarter turn ahead of the precession, at a distance R cos beta - H
+    sin beta from the centre."""
     reach = disk.radius * np.cos(state[:, 1]) - disk.thickness / 2 * np.sin(state[:, 1])
     ahead = state[:, 0] + np.pi / 2
     return state[:, 3:5] + reach[:, None] * np.column_stack([np.cos(ahead), np.sin(ahead)])
 
 
 def shapes_under(modes: SurfaceModes, state, scene) -> np.ndarray:
-    """Return the shapes w (k, m) [kg^-1/2] of the modes of the table at the contact, for states (k,
-    11)."""
+    """Return the shapes w (k, m) [kg^-1/2] of the table at the contact, for states (k, 11)."""
     if scene.surface.kind == "modes":  # known only on the contact circle, which moves with the disk
         ahead = state[:, 0] + np.pi / 2
         return modes.at(scene.disk.radius * np.cos(ahead), scene.disk.radius * np.sin(ahead))
@@ -58,8 +57,7 @@ class ElasticTable(Source):
         self.tail_duration = FADE_OUT + max(FADE_OUT, audible)
 
     def channels(self, force, state):
-        """Return the modal forces (k, m) [N kg^-1/2]: shape at the contact times the normal force,
-        downwards."""
+        """Return the modal forces (k, m) [N kg^-1/2]: shape at the contact times normal force."""
         return -force[:, 2:] * shapes_under(self._modes, state, self._scene)
 
     def start_rendering(self, first, note):
@@ -87,7 +85,7 @@ class ElasticTable(Source):
 
 
 def table_latency(modes: SurfaceModes, listener: Listener, sample_rate: float) -> int:
-    """Return the samples by which the first sound of the table precedes that of the disk, plus
+    """Return the latency [samples]: the lead of the table's first sound over that of the disk, plus
     ARRIVAL_MARGIN."""
     path = np.linalg.norm(listener.position - _face_points(modes), axis=1)
     return (
@@ -125,8 +123,8 @@ def table_radiation(modes: SurfaceModes, listener: Listener, frequency) -> np.nd
     """Return Rayleigh's integral (f, m) [Pa] of the top face per unit modal acceleration, at
     frequencies (f,) [Hz].
 
-    Without the factor exp(-i k distance). Exact for a plane baffle, above and below coincidence.
-    """
+    The factor exp(-i k distance) is omitted. The result is exact for a plane baffle, above and
+    below coincidence."""
     path = np.linalg.norm(listener.position - _face_points(modes), axis=1)
     delay = (path - listener.distance) / listener.air.sound_speed
     share = listener.air.density / (2 * np.pi) * modes.weights / path
@@ -136,7 +134,7 @@ def table_radiation(modes: SurfaceModes, listener: Listener, frequency) -> np.nd
 def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
     """Return the pressure (k,) of accelerations (j - 1 + k, m), summed over modes; kernels (j, m).
 
-    The first j - 1 accelerations precede the first pressure. `block` samples at once fit into the
+    The first j - 1 accelerations precede the first pressure. Blocks of `block` samples fit into the
     processor cache."""
     count = len(kernels)
     reversed_kernels = np.ascontiguousarray(kernels[::-1].T)
@@ -151,8 +149,7 @@ def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
 
 
 def _face_points(modes):
-    """Return the points of the top face, (p, 3) [m], relative to the disk's centre at the
-    release."""
+    """Return the points (p, 3) [m] of the top face, relative to the disk's centre at release."""
     return np.column_stack([modes.points - modes.place, np.zeros(len(modes.points))])
 
 
