@@ -119,16 +119,20 @@ def radiation_kernels(
     return np.fft.irfft(spectrum * (taper * delay)[:, None], size, axis=0)[:count]
 
 
-def table_radiation(modes: SurfaceModes, listener: Listener, frequency) -> np.ndarray:
+def table_radiation(modes: SurfaceModes, listener: Listener, frequency, block=32) -> np.ndarray:
     """Return Rayleigh's integral (f, m) [Pa] of the top face per unit modal acceleration, at
     frequencies (f,) [Hz].
 
     The factor exp(-i k distance) is omitted. The result is exact for a plane baffle, above and
-    below coincidence."""
+    below coincidence. Matrix products of `block` frequencies at once read the shapes rarely."""
     path = np.linalg.norm(listener.position - _face_points(modes), axis=1)
     delay = (path - listener.distance) / listener.air.sound_speed
     share = listener.air.density / (2 * np.pi) * modes.weights / path
-    return np.array([(share * np.exp(-2j * np.pi * f * delay)) @ modes.face.T for f in frequency])
+    pressure = np.empty((len(frequency), len(modes)), complex)
+    for n in range(0, len(frequency), block):
+        waves = share * np.exp(-2j * np.pi * np.multiply.outer(frequency[n : n + block], delay))
+        pressure[n : n + block] = waves.real @ modes.face.T + 1j * (waves.imag @ modes.face.T)
+    return pressure
 
 
 def convolve_kernels(accelerations, kernels, block=4096) -> np.ndarray:
