@@ -19,6 +19,8 @@ class MotionScene:
 
     Attributes
     ----------
+    name : str
+        Name of the scene.
     disk : Disk
         Size and mass of the disk.
     material : object, optional
@@ -55,6 +57,7 @@ class MotionScene:
     'rigid'
     """
 
+    name: str = "scene"
     disk: Disk
     material: Any = None
     friction: Friction
@@ -91,13 +94,14 @@ class MotionScene:
 
 
 def motion_scene(scene: Any) -> MotionScene:
-    """Return a MotionScene unchanged, and any other object with such attributes as a
-    MotionScene."""
+    """Return a MotionScene unchanged, and any other object with such attributes as a MotionScene.
+
+    An attribute that is absent or None has its default."""
     if isinstance(scene, MotionScene):
         return scene
-    given = vars(scene)
-    names = [section.name for section in fields(MotionScene) if section.name in given]
-    return MotionScene(**{name: given[name] for name in names})
+    names = [section.name for section in fields(MotionScene)]
+    given = {name: value for name, value in vars(scene).items() if value is not None}
+    return MotionScene(**{name: given[name] for name in names if name in given})
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -71,7 +71,7 @@ class Scene(MotionScene):
 
     name: Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9._-]*$")] = "scene"
     """Name of the scene, and of the folder that it is written into."""
-    material: Material
+    material: Material = field()
     support: Support = field(default_factory=Support)
     surface: Annotated[AnySurface, Field(discriminator="kind")] = field(default_factory=Surface)
     air: Air = field(default_factory=Air)

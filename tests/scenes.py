@@ -1,12 +1,11 @@
 """Scenes for the tests of the motion: the published one, with the changes a test asks for; and how
 a motion ends."""
 
-from dataclasses import dataclass
 from math import degrees, inf, pi, sin, sqrt
 
 import pytest
 
-from dynamics import Outcome
+from dynamics import MotionScene, Outcome
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
@@ -17,19 +16,9 @@ from dynamics.steady_motion import steady_precession
 RADIUS = 0.03755
 
 
-@dataclass(frozen=True, kw_only=True)
-class Scene:
-    """The sections that `simulate` reads."""
-
-    disk: Disk
-    friction: Friction
-    release: Release
-    numerics: Numerics
-    dissipation: Dissipation | None = None
-    air: Air | None = None
-
-
-def scene(numerics=None, disk=None, release=None, dissipation=None, air=None, **friction) -> Scene:
+def scene(
+    numerics=None, disk=None, release=None, dissipation=None, air=None, **friction
+) -> MotionScene:
     """Return the published scene (7.1), (7.3), (7.4) with changes; `k1`, `k2`, `k3` are arms over
     the radius."""
     body = Disk(**{"radius": RADIUS, "thickness": 0.0128, "mass": 0.4387} | (disk or {}))
@@ -39,22 +28,22 @@ def scene(numerics=None, disk=None, release=None, dissipation=None, air=None, **
     start = {"inclination_deg": 32.70422048691768, "omega": (0.0, 0.0, -1 / body.time_unit)} | (
         release or {}
     )
-    return Scene(
+    return MotionScene(
         disk=body,
         friction=Friction(**law),
         release=Release(**start),
         numerics=Numerics(**(numerics or {})),
-        dissipation=Dissipation(**dissipation) if dissipation else None,
-        air=air,
+        dissipation=Dissipation(**(dissipation or {})),
+        air=air or Air(film="none"),
     )
 
 
-def conservative(**changes) -> Scene:
+def conservative(**changes) -> MotionScene:
     """Return a disk that rolls without any loss."""
     return scene(**{"mu_static": inf, "mu_dynamic": inf, "k1": 0.0, "k2": 0.0, "k3": 0.0} | changes)
 
 
-def whirling(inclination, disk=None, **changes) -> Scene:
+def whirling(inclination, disk=None, **changes) -> MotionScene:
     """Return a disk released in the steady motion with a fixed centre at `inclination` [rad],
     without moments."""
     body = conservative(disk=disk).disk

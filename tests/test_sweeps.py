@@ -275,7 +275,7 @@ def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
     monkeypatch.setattr(
         run_row, "eigenmodes", lambda scene, **asked: solved.append(1) or alone(scene, **asked)
     )
-    run_row.KNOWN.clear()
+    run_row._modes_of.cache_clear()
     whole = summary(solve(FALLING))
     for arm in (3e-3, 2.9e-3):
         scene = FALLING.replace(f"friction.arm_rolling={arm}")
