@@ -13,7 +13,7 @@ import numpy as np
 import soundfile
 from scipy.stats import beta
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests" / "helpers"))
 import settling_sounds
 
 from sonify.hearing.audio_source import source_of

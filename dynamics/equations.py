@@ -123,7 +123,7 @@ def balance(sin, cos):
         (c, s) is the slip direction (2.7), used when `sliding`; otherwise the contact rolls. s1..s3
         are the senses (+-1) of omega.a_i, replaced by an unknown multiplier where the surface
         omega.a_i = 0 is `stuck`. The result equals (4.7) and (5.3) with the errata corrected; see
-        tests/test_equations.py."""
+        tests/rigid/test_equations.py."""
         h = law.h
         K = law.K
         sin_a = cos(beta)

@@ -54,7 +54,7 @@ ACCURACY_LEVELS = {
     "standard": AccuracyLevel(1e-16, 1e-15, 10.0, 0.2, 60.0, 0.35, 0.55, 4e5),
     "reference": AccuracyLevel(1e-16, 1e-15, inf, 0.0, inf, 0.0, 0.0, 1.6e6),
 }
-"""Settings by accuracy. The error shares are measured (tests/test_plan.py); those of the reference
+"""Settings by accuracy. The error shares are measured (tests/plan/test_plan.py); those of the reference
 are unknown, as nothing more accurate exists."""
 
 

@@ -30,7 +30,7 @@ SENTENCES = {
     "less_than": "must be less than {lt:g}",
     "less_than_equal": "must be less than or equal to {le:g}",
 }
-"""Message for each type of pydantic error in a scene; tests/test_scene.py checks all types."""
+"""Message for each type of pydantic error in a scene; tests/plan/test_scene.py checks all types."""
 
 
 class InputError(ValueError):

@@ -6,9 +6,14 @@ import pytest
 from dynamics import simulate
 from sonify import load_scene
 
-COMPILING = ("test_properties", "test_table_acts_back", "test_edges", "test_film_motion")
+COMPILING = (
+    "test_motion_properties",
+    "test_two_way_coupling",
+    "test_limits_of_range",
+    "test_film_motion",
+)
 LONG = (
-    "test_output",
+    "test_run_outputs",
     "test_determinism",
     "test_charts_stability",
     "test_charts_modes",

@@ -4,7 +4,7 @@ series.
 The air is isothermal and compressible, slips at the walls, and follows the present turning and
 falling of the disk. The wedge h = s (R + x), s = sin(beta), turns at Omega and closes at omega_1.
 Kn is the mean free path over R s. Lam is 12 mu Omega/(p s^2), divided by the increase of the
-mobility by slip. Every fit is one to the solutions of reynolds.py; tests/test_film_solved.py
+mobility by slip. Every fit is one to the solutions of reynolds.py; tests/film/test_film_constants.py
 measures its error.
 """
 

@@ -4,7 +4,7 @@ Lengths are over the radius R, gaps over the mean gap g = R sin(beta): the wedge
 closes at the contact x = -1. The inversion z = 2/(X + i Y) - 1 maps the half plane X > 1 to the
 disk, its edge to the rim, infinity to the contact, and h is 2 X/(X^2 + Y^2). A mesh in a, b with X
 = exp(a), Y = sinh(b), even in b and sqrt(a), is graded to the contact, where the gap nearly closes,
-and to the rim, where a stiff film has its flow. tests/test_film_solved.py compares the solutions.
+and to the rim, where a stiff film has its flow. tests/film/test_film_constants.py compares the solutions.
 """
 
 from collections.abc import Callable, Sequence

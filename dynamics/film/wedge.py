@@ -3,7 +3,7 @@
 
 Reynolds' equation covers both changes of the gap: the wedge turns with the precession, or closes as
 the disk falls. reynolds.py solves it, forces.py has the result in closed form, and
-tests/test_film_solved.py compares both.
+tests/film/test_film_constants.py compares both.
 """
 
 from collections.abc import Iterable

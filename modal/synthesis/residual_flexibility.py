@@ -107,7 +107,7 @@ def regular_flexibility(disk: FreeDisk, size: float, missing_factor: float = 2):
     (3,) of its diagonal.
 
     F0 = 2 F(2 s) - F(s) with s = size [m]. The basis lacks at most `missing_factor` times what its
-    highest polynomials contribute; tests/test_modal_contact.py checks this.
+    highest polynomials contribute; tests/modal/test_spring_supported_modes.py checks this.
     """
     wide, wide_highest = strip_flexibility(disk, 2 * size)
     narrow, narrow_highest = strip_flexibility(disk, size)

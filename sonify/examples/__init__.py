@@ -1,2 +1,2 @@
 """Short scripts to begin with: `python -m sonify.examples.one_motion`, and so on;
-tests/test_examples.py runs each."""
+tests/cli/test_examples.py runs each."""

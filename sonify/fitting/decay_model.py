@@ -86,7 +86,7 @@ def has_film(scene: Scene) -> bool:
 
 
 class Decline:
-    """The steady decline of the disk of a scene. Shown by tests/test_fit.py."""
+    """The steady decline of the disk of a scene. Shown by tests/fitting/test_fit.py."""
 
     ahead = np.zeros((2, 1))
     """Times left (k,) [s], rising, and how many turns more than in steady motion were made up to

@@ -72,7 +72,7 @@ def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
 
     Every end, exponent and pitch is tried on points that are even in the logarithm of the time
     left; the best of every exponent are refined by a robust fit to the peaks.
-    tests/test_sound_listen.py gives its errors, in noise, in hum, in a room, and where the sound
+    tests/hearing/test_listen.py gives its errors, in noise, in hum, in a room, and where the sound
     passes from one line to another."""
     tone = clearest_tone(samples, rate)
     return tone if tone is not None and tone.stands_out() else None

@@ -20,7 +20,7 @@ MODES, OVER_FILM = 0.25, 0.05
 """Share of the modes in the sound of a rough contact, in amplitude, without and with an air film.
 
 The contact is solved along the rigid motion. The film makes the vibration of the disk louder, which
-reduces the share. tests/test_plan.py measures both values on the toy scene."""
+reduces the share. tests/plan/test_plan.py measures both values on the toy scene."""
 ERROR = "its level is within 10 % of the full model's where the disk rolls, up to 1.9 times too low where it slides"
 """Error of the filter against the full contact model."""
 

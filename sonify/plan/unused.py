@@ -83,7 +83,7 @@ RULES = (
         lambda scene: not may_be_two_way(scene) and not is_solved_in_full(scene),
     ),
 )
-"""Conditions under which no stage reads a key; tests/test_unused_keys.py checks them on the
+"""Conditions under which no stage reads a key; tests/plan/test_unused_keys.py checks them on the
 stages."""
 
 

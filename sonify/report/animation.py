@@ -98,7 +98,7 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
 
     The file is in the folder of the result. `watch(share)` is called with the completed share of
     the frames. Raises InputError without the encoder, and OSError if the disk is full. Tested by
-    tests/test_animation.py.
+    tests/report/test_animation.py.
     """
     require_encoder()
     clip = clip_of(result)

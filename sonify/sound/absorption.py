@@ -27,7 +27,7 @@ def absorbing(air, distance: float, sample_rate: float):
 
     The filter has linear phase. That is exact for absorption by viscosity. The dispersion by
     relaxation of oxygen and nitrogen is smaller than their absorption, with 1 rad counted as 8.7
-    dB. See tests/test_absorption.py."""
+    dB. See tests/sound/test_air_absorption.py."""
     if not absorption_latency(air, distance):
         return lambda stems: stems
     half = FILTER_HALF_LENGTH

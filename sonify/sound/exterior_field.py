@@ -5,7 +5,7 @@ Lengths are in units of the radius R, pressures in units of density times R time
 Waves are exp(i w t), of order n round the axis; k = w R/c. Finite elements in the half plane of r
 and z extend from the disk to a hemisphere, where the field is a sum of outgoing multipoles. Their
 amplitudes give the pressure at every listener beyond the hemisphere. See
-tests/test_sound_open_film.py."""
+tests/sound/test_open_film_sound.py."""
 
 import numpy as np
 from scipy.sparse import coo_matrix

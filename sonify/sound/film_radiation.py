@@ -6,7 +6,7 @@ air (Tijdeman 1975): div(m(h) grad p) + k^2 s(h) p = a, in the units of exterior
 of the film meets the exterior field at the rim. There the pressure varies as -2/pi ln of the
 distance from a line source in the corner, so the coupling is known for the local gap. Film and
 exterior field together have resonances, which move little with the gap. See
-tests/test_sound_open_film.py."""
+tests/sound/test_open_film_sound.py."""
 
 from dataclasses import dataclass
 from functools import lru_cache

@@ -144,7 +144,7 @@ def a_weighting(rate: float) -> np.ndarray:
     """Return a causal A-weighting filter at a sample rate [Hz], as second-order sections (3, 6).
 
     Poles and zeros of the standard are mapped by z = exp(s / rate). Two more zeros correct the gain
-    at a quarter of the sample rate. See tests/test_sound_audible.py."""
+    at a quarter of the sample rate. See tests/sound/test_audible_copy.py."""
     zeros = np.ones(4)
     poles = np.exp(-2 * np.pi * np.array(A_WEIGHTING_POLES) / rate)
     at = np.array([1.0, rate / 4])

@@ -253,7 +253,7 @@ class SeriesLawTable(LawTable):
     Creep force and contact loss are unchanged. Under another load all springs scale as the Hertz
     contact. The model neglects the coupling between the directions a_1, a_2, a_3: the error of the
     contact resonance is 0.3 to 0.9 % for the toy, and up to 6 % for an upright coin
-    (tests/test_contact_edge.py).
+    (tests/compliant/test_edge_flexibility.py).
     """
 
     def flexibility(self, inclination) -> np.ndarray:

@@ -1,0 +1,230 @@
+"""Claim: the packages keep their order of imports, the oracles are independent of the code that
+they test, and start-up loads nothing heavy.
+
+Source: the source tree: scene -> motion -> modes -> force -> sound -> findings. Oracle: the import
+statements of every file; the modules loaded by a fresh interpreter.
+"""
+
+import ast
+import inspect
+import pydoc
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import pytest
+from importlinter.cli import lint_imports
+from paths import ROOT
+
+import dynamics
+import modal
+import sonify
+from sonify import pipeline
+
+PACKAGES = ("dynamics", "modal", "sonify")
+"""The packages of the wheel."""
+FORBIDDEN_IMPORTS = {
+    "dynamics": {"modal", "sonify", "benchmarks"},
+    "modal": {"dynamics", "sonify", "benchmarks"},
+    "sonify": {"benchmarks"},
+    "benchmarks": set(),
+}
+FILES = sorted(f for package in (*PACKAGES, "benchmarks") for f in (ROOT / package).rglob("*.py"))
+
+
+def imported(file):
+    """Return the names of the modules that a file imports, with relative imports made absolute."""
+    package = file.relative_to(ROOT).parts[0]
+    names = set()
+    for node in ast.walk(ast.parse(file.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            base = f"{package}.{node.module or ''}".rstrip(".") if node.level else node.module
+            names |= {base} | {f"{base}.{alias.name}" for alias in node.names}
+    return names
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda f: str(f.relative_to(ROOT)))
+def test_who_imports_whom(file):
+    package = file.relative_to(ROOT).parts[0]
+    tops = {name.split(".")[0] for name in imported(file)}
+    others = {
+        "dynamics": {"modal", "sonify"},
+        "modal": {"dynamics", "sonify"},
+        "sonify": {"benchmarks"},
+        "benchmarks": set(),
+    }[package]
+    assert not tops & others
+    if file.stem == "theory" or file.parent.name == "theory":
+        own = {name for name in imported(file) if name.split(".")[0] == package}
+        assert not own, "an oracle must not use what it judges"
+    else:
+        assert not any("theory" in name.split(".") for name in imported(file)), (
+            "an oracle only judges"
+        )
+    if "matplotlib" in tops:
+        assert file.relative_to(ROOT).parts[:2] in {("sonify", "report"), ("benchmarks", "charts")}
+
+
+def test_no_code_asks_what_kind_of_thing_it_has():
+    """A default for a missing attribute hides misspelt names; scenes and motions have them all."""
+    questions = re.compile(r"hasattr\(|getattr\((scene|motion)\b|SimpleNamespace|__dict__ \|=")
+    found = [
+        f"{file.relative_to(ROOT)}:{number}"
+        for package in ("dynamics", "modal", "sonify", "benchmarks")
+        for file in sorted((ROOT / package).rglob("*.py"))
+        for number, line in enumerate(file.read_text("utf-8").splitlines(), 1)
+        if questions.search(line)
+    ]
+    assert found == []
+
+
+def test_every_import_keeps_the_contracts():
+    """The contracts in pyproject.toml fix the order of packages and stages, and forbid cycles."""
+    assert lint_imports(str(ROOT / "pyproject.toml"), no_cache=True) == 0
+
+
+def test_modal_is_ours():
+    assert Path(modal.__file__).parent == ROOT / "modal"
+
+
+@pytest.mark.parametrize("command", [["--help"], ["run", "--help"]])
+def test_help_loads_nothing_heavy(command):
+    code = (
+        f"import sys; sys.argv = ['sonify', *{command!r}]\n"
+        "import runpy\n"
+        "try: runpy.run_module('sonify', run_name='__main__')\n"
+        "except SystemExit: pass\n"
+        "heavy = {'numpy', 'scipy', 'matplotlib', 'numba', 'heyoka', 'skfem', 'pydantic', "
+        "'soundfile', 'meshio'}\n"
+        "print(sorted(heavy & set(sys.modules)), file=sys.stderr)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True
+    )
+    assert done.stderr.strip().splitlines()[-1] == "[]"
+    assert done.stdout
+
+
+def test_flows_are_compiled_before_anything_heavy_is_loaded():
+    """The compiler releases Python's global lock, so that it runs in parallel with the imports."""
+    code = (
+        "import sys; from sonify.entry_points import begun; begun('published', None)\n"
+        "print(sorted({'scipy', 'matplotlib', 'numba', 'skfem', 'soundfile', 'meshio'} & "
+        "set(sys.modules)))\n"
+        "import os; sys.stdout.flush(); os._exit(0)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True
+    )
+    assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("package", [dynamics, modal, sonify], ids=lambda package: package.__name__)
+def test_what_a_package_offers_is_listed_typed_and_explained(package):
+    """Completion, `help` and type checkers see the names that are imported on first use."""
+    stub = ast.parse((ROOT / package.__name__ / "__init__.pyi").read_text("utf-8"))
+    listed = {
+        alias.asname
+        for node in stub.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    assert listed == set(dir(package)) == set(package.__all__)
+    assert all(getattr(package, name).__doc__ for name in listed)
+    assert (ROOT / package.__name__ / "py.typed").exists()
+    told = pydoc.plain(pydoc.render_doc(package))
+    assert all(name in told for name in listed)
+
+
+@pytest.mark.parametrize("package", [dynamics, modal, sonify], ids=lambda package: package.__name__)
+def test_everything_that_a_package_offers_says_what_it_takes_and_gives(package):
+    offered = {name: getattr(package, name) for name in package.__all__}
+    for name, thing in list(offered.items()):
+        offered |= {
+            f"{name}.{own}": plain(value) for own, value in vars(thing).items() if own[0] != "_"
+        }
+    assert bare(offered) == []
+
+
+def test_every_stage_of_a_run_says_what_it_takes_and_gives():
+    functions = {name: thing for name, thing in vars(pipeline).items() if inspect.isfunction(thing)}
+    stages = {
+        name: thing
+        for name, thing in functions.items()
+        if thing.__module__.partition(".")[0] in PACKAGES
+    }
+    assert {"solve_motion", "planned", "sound_of", "hear", "write_sound"} <= set(stages)
+    assert bare(stages) == []
+
+
+def bare(things):
+    """Return the names of the functions without a complete annotation of parameters and result."""
+    signatures = {
+        name: inspect.signature(thing)
+        for name, thing in things.items()
+        if inspect.isfunction(thing)
+    }
+    kinds = {
+        name: [
+            told.return_annotation,
+            *(p.annotation for p in told.parameters.values() if p.name != "self"),
+        ]
+        for name, told in signatures.items()
+    }
+    return [name for name, found in kinds.items() if inspect.Parameter.empty in found]
+
+
+def plain(attribute):
+    """Return the function behind a property or cached property."""
+    return getattr(attribute, "fget", None) or getattr(attribute, "func", attribute)
+
+
+def test_an_unknown_name_is_an_attribute_error():
+    with pytest.raises(AttributeError, match="nonsense"):
+        _ = dynamics.nonsense
+
+
+@pytest.mark.slow
+def test_a_wheel_holds_every_file_of_the_packages_and_runs(tmp_path):
+    call = [
+        sys.executable,
+        "-m",
+        "pip",
+        "wheel",
+        "--quiet",
+        "--no-deps",
+        "-w",
+        str(tmp_path),
+        str(ROOT),
+    ]
+    subprocess.run(call, check=True)
+    with zipfile.ZipFile(next(tmp_path.glob("*.whl"))) as wheel:
+        wheel.extractall(tmp_path / "unpacked")
+    tracked = subprocess.run(
+        ["git", "ls-files", *PACKAGES], cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.split()
+    assert [name for name in tracked if not (tmp_path / "unpacked" / name).is_file()] == []
+    assert not (tmp_path / "unpacked" / "benchmarks").exists()
+    chart = subprocess.run(
+        [sys.executable, "-m", "sonify", "chart", "sound"],
+        cwd=tmp_path / "unpacked",
+        capture_output=True,
+        text=True,
+    )
+    assert chart.returncode == 2
+    assert chart.stdout == ""
+    assert chart.stderr.count("\n") == 1
+    assert "benchmarks/ of the source repository" in chart.stderr
+    code = "import sonify, dynamics, modal; print(sonify.__file__); sonify.load_scene(); dynamics.Disk; modal.Modes"
+    ran = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=tmp_path / "unpacked",
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert ran.stdout.startswith(str(tmp_path))

@@ -1,0 +1,117 @@
+"""Claim: the README and the documentation are short where they should be, and name only things that
+exist.
+
+Source: README.md and docs/. Oracle: the files of the checkout; the commands and extras that the
+package declares; the names that it exports; the output of the code on the pages.
+"""
+
+import re
+import tomllib
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+import soundfile
+from paths import ROOT
+
+from sonify.__main__ import main
+from sonify.sweeps.sweep import load_sweep
+
+README = ROOT / "README.md"
+PAGES = [
+    README,
+    ROOT / "CONTRIBUTING.md",
+    ROOT / "CHANGELOG.md",
+    *sorted((ROOT / "docs").glob("*.md")),
+]
+TEXTS = {page: page.read_text("utf-8") for page in PAGES}
+
+
+def blocks(page: Path, language: str) -> list[str]:
+    """Return the code blocks of a page in one language."""
+    return re.findall(rf"```{language}\n(.*?)```", TEXTS[page], re.DOTALL)
+
+
+def test_the_readme_is_short():
+    lines = TEXTS[README].splitlines()
+    assert len(lines) <= 110
+    assert len(TEXTS[README].split()) <= 700
+    assert max(len(line) for line in lines if not line.startswith("|")) <= 120
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_relative_link_leads_to_a_file(page):
+    targets = re.findall(r"\]\(([^)#\s]+)[^)]*\)", TEXTS[page])
+    local = [target for target in targets if "://" not in target]
+    missing = [target for target in local if not (page.parent / target).exists()]
+    assert missing == []
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.name)
+def test_every_command_scene_and_extra_exists(page):
+    text = TEXTS[page]
+    commands = set(re.findall(r"python -m sonify ([a-z]+)", text))
+    assert commands <= set(main.commands)
+    scenes = set(re.findall(r"python -m sonify run ([a-z-]+)", text))
+    assert {name for name in scenes if not name.startswith("-")} <= {
+        file.stem for file in (ROOT / "sonify" / "scenes").glob("*.toml")
+    }
+    for module in re.findall(r"python -m (sonify\.[a-z_.]*[a-z_])", text):
+        assert import_module(module).main
+    extras = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"][
+        "optional-dependencies"
+    ]
+    named = {
+        extra for group in re.findall(r'"?\.\[([a-z,]+)\]', text) for extra in group.split(",")
+    }
+    assert named <= set(extras)
+
+
+def test_the_api_page_lists_every_public_name():
+    text = (ROOT / "docs" / "api.rst").read_text("utf-8")
+    for name in ("sonify", "dynamics", "modal"):
+        section = text.partition(f".. currentmodule:: {name}\n")[2].partition(".. currentmodule::")[
+            0
+        ]
+        listed = re.findall(r"^   (\w+)$", section, re.MULTILINE)
+        assert listed == sorted(import_module(name).__all__)
+
+
+def test_the_lines_of_python_in_the_readme_run(tmp_path, monkeypatch, capsys):
+    (code,) = blocks(README, "python")
+    monkeypatch.chdir(tmp_path)
+    names: dict = {}
+    exec(code, names)
+    end, *_ = capsys.readouterr().out.splitlines()
+    result = names["result"]
+    assert float(end) == pytest.approx(result.motion.t_end)
+    assert result.scene.release.inclination_deg == 25
+    assert (tmp_path / "outputs" / "mine" / "report.html").is_file()
+
+
+def test_the_sweep_of_the_how_to_is_a_sweep():
+    (document,) = blocks(ROOT / "docs" / "how_to.md", "toml")
+    asked = load_sweep(tomllib.loads(document))
+    assert asked.points.count == 24 * 2
+
+
+def test_the_sounds_of_the_pages_are_short_and_small():
+    shown = sorted((ROOT / "outputs" / "shown").glob("*/last_seconds.flac"))
+    linked = {path.resolve() for page in PAGES for path in map(page.parent.joinpath, flacs(page))}
+    assert linked == set(shown)
+    for path in shown:
+        about = soundfile.info(path)
+        assert about.duration == pytest.approx(6.0, abs=0.01)
+        assert path.stat().st_size < 300_000
+
+
+def flacs(page: Path) -> list[str]:
+    """Return the link targets of a page that are sound files."""
+    return re.findall(r"\]\(([^)]+\.flac)\)", TEXTS[page])
+
+
+def test_each_release_has_at_most_twenty_lines_of_changes():
+    releases = re.split(r"^## ", TEXTS[ROOT / "CHANGELOG.md"], flags=re.MULTILINE)[1:]
+    assert [release.splitlines()[0].split()[0] for release in releases][-1] == "0.1.0"
+    for release in releases:
+        assert len(release.splitlines()[1:]) <= 20

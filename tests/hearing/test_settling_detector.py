@@ -1,0 +1,242 @@
+"""Claim: the detector finds disks and coins that come to rest, with end, exponent and rate, and
+rejects sounds that only resemble them.
+
+Source: the rate of a settling disk, f ~ (t_end - t)^-n, with n = 1/2 for impacts of unevenness and
+1 for rolling friction. Oracle: synthetic takes of known law; imitations of known law (clicks that
+speed up otherwise, bouncing balls, sweeps); real recordings with turns counted by hand and ends
+read from the waveform; 60 clips without a disk.
+"""
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pytest
+import settling_sounds
+import soundfile
+from paths import ROOT
+
+from sonify.hearing.settling.detector import SettlingRun, settling_runs
+from sonify.hearing.settling.ends import power_drop
+from sonify.hearing.settling.rate_laws import Shape, covering_shapes, families
+from sonify.hearing.settling.settings import SettlingSettings
+from sonify.hearing.settling.warped_periodogram import strongest_laws
+from sonify.report.settling import run_numbers, run_sentences
+from sonify.scene_errors import InputError
+
+RECORDINGS = Path(os.environ.get("SONIFY_RECORDINGS", ROOT.parent / "shared" / "recordings"))
+needs_recordings = pytest.mark.skipif(
+    not RECORDINGS.is_dir(),
+    reason="the real recordings are not here; set SONIFY_RECORDINGS to their folder",
+)
+
+
+@dataclass(frozen=True)
+class Samples:
+    """An audio source of samples (n, channels) in memory."""
+
+    channels: np.ndarray
+    sample_rate: int = settling_sounds.RATE
+
+    @property
+    def frames(self):
+        return len(self.channels)
+
+    def blocks(self, start=0):
+        for first in range(start, self.frames, 65536):
+            yield self.channels[first : first + 65536]
+
+
+def heard(samples, rate=settling_sounds.RATE) -> list[SettlingRun]:
+    """Return the settling runs found in samples (n,)."""
+    return settling_runs(Samples(np.asarray(samples, dtype=np.float32)[:, None], rate))
+
+
+def recording(name, start=0.0, stop=None):
+    """Return samples (n,) and rate [Hz] of a part of a real recording."""
+    samples, rate = soundfile.read(RECORDINGS / name, dtype="float32")
+    return samples[int(start * rate) : None if stop is None else int(stop * rate)], rate
+
+
+@pytest.mark.parametrize("family", sorted(families(SettlingSettings())))
+def test_the_time_of_a_phase_is_the_inverse_of_the_phase_of_a_time(family):
+    phases = np.linspace(0, 1, 41)
+    for shape in families(SettlingSettings())[family].shapes[::5]:
+        assert shape.phase(shape.time(phases)) == pytest.approx(phases, abs=1e-9)
+        last_rate = (1 - shape.phase(1 - 1e-7)) / 1e-7
+        ratio = 1 / shape.ratio if shape.family.startswith("slowing") else shape.ratio
+        assert last_rate / shape.first_rate == pytest.approx(ratio, rel=1e-3)
+
+
+def test_every_law_of_the_family_is_near_a_shape_of_the_cover():
+    x = np.linspace(0, 1, 500)
+    cover = np.array([shape.phase(x) for shape in families(SettlingSettings())["disk"].shapes])
+    rng = np.random.default_rng(1)
+    for _ in range(50):
+        law = Shape(
+            "disk", np.exp(rng.uniform(np.log(1.8), np.log(40))), rng.uniform(0.15, 1)
+        ).phase(x)
+        distance = np.sqrt(np.mean(np.square(cover - law), axis=1)).min()
+        assert distance < 1.3 * SettlingSettings().shape_distance
+    assert len(covering_shapes("disk", [2.0, 2.0001], [0.5], 0.006)) == 1
+
+
+@pytest.mark.parametrize(("exponent", "turns"), [(0.5, 33.3), (1.0, 20.1), (0.2, 60.7)])
+def test_the_periodogram_counts_the_turns_of_pulses(exponent, turns):
+    """The input is pulses of 1 ms at whole turns of a known law in a window of 1.6 s.
+
+    The best law has the same number of turns.
+    """
+    settings = SettlingSettings()
+    shapes = families(settings)["disk"]
+    shape = min(
+        shapes.shapes,
+        key=lambda shape: abs(shape.exponent - exponent) + abs(np.log(shape.ratio / 6)),
+    )
+    values = np.zeros(1600)
+    places = 1600 * shape.time(np.arange(1, int(turns)) / turns)
+    values[places.astype(int)] = 1
+    pulses = np.convolve(values, np.ones(3), "same").astype(np.float32)
+    best = strongest_laws(pulses, 3.0, shapes, settings)[0]
+    assert best.turns == pytest.approx(turns, abs=0.26)
+    assert best.likelihood > 50
+
+
+@pytest.mark.parametrize("fall_db", [0.0, 10.0, 30.0])
+def test_a_step_of_the_power_is_its_drop(fall_db):
+    power = np.where(np.arange(1000) < 600, 1.0, 10 ** (-fall_db / 10))
+    drop = power_drop(power, 1e-14)
+    assert drop.max() == pytest.approx(fall_db, abs=1e-9)
+    if fall_db:
+        assert 570 <= np.argmax(drop) <= 600
+
+
+@pytest.mark.parametrize("seed", [1, 4, 6, 7])
+def test_a_simulated_take_is_heard_with_its_law(seed):
+    take = settling_sounds.simulated_take(seed)
+    (run,) = heard(take.samples)
+    assert run.certain
+    assert run.kind == ("tone" if take.kind == "tonal" else "repetition")
+    assert run.exponent.value == pytest.approx(take.exponent, abs=0.06)
+    assert run.t_end.value == pytest.approx(take.t_end, abs=0.05)
+    left = min(1.0, take.t_end - run.start)
+    assert run.rate_at_1s.value == pytest.approx(take.rate_at_1s * left**-take.exponent, rel=0.05)
+    truths = (take.exponent, take.t_end, take.rate_at_1s * left**-take.exponent)
+    for estimate, truth in zip((run.exponent, run.t_end, run.rate_at_1s), truths, strict=True):
+        assert estimate.low < truth < estimate.high
+
+
+@pytest.mark.parametrize("name", sorted(settling_sounds.IMITATIONS))
+def test_an_imitation_is_not_heard(name):
+    assert [heard(settling_sounds.IMITATIONS[name](seed)) for seed in (1, 2)] == [[], []]
+
+
+@pytest.mark.slow
+def test_runs_in_one_long_file_keep_the_times_they_have_alone():
+    """The detector reads the file in two pieces; one of its three runs crosses their border."""
+    first = settling_sounds.settling_take(4)
+    sound = np.random.default_rng(0).normal(size=80 * settling_sounds.RATE) * 1e-4
+    starts = (20.0, 58.7, 70.0)
+    for start in starts:
+        begin = int(start * settling_sounds.RATE)
+        sound[begin : begin + len(first.samples)] += first.samples
+    runs = heard(sound)
+    assert [
+        run.t_end.value - start for run, start in zip(runs, starts, strict=True)
+    ] == pytest.approx([first.t_end] * 3, abs=0.02)
+    alone = heard(first.samples)[0]
+    assert [run.exponent.value for run in runs] == pytest.approx(
+        [alone.exponent.value] * 3, abs=0.03
+    )
+    decay = SettlingSettings().false_alarm_decay
+    per_second = [run.false_alarm * np.exp(run.score / decay) for run in (runs[0], alone)]
+    assert per_second[0] / len(sound) == pytest.approx(per_second[1] / len(first.samples))
+
+
+def test_the_loudest_channel_is_heard():
+    take = settling_sounds.settling_take(4)
+    both = np.stack(
+        [1e-3 * np.random.default_rng(0).normal(size=len(take.samples)), take.samples], axis=1
+    )
+    assert len(settling_runs(Samples(both.astype(np.float32)))) == 1
+
+
+@pytest.mark.parametrize("length", [0, 100, 30000, 96000])
+def test_silence_and_a_single_click_are_no_run(length):
+    sound = np.zeros(length)
+    assert heard(sound) == []
+    sound[length // 2 : length // 2 + 1] = 1.0
+    assert heard(sound) == []
+
+
+def test_a_sample_that_is_not_finite_is_one_line():
+    sound = np.zeros(96000)
+    sound[70000] = np.nan
+    with pytest.raises(InputError, match="samples that are not finite"):
+        heard(sound)
+
+
+def test_a_run_is_told_in_two_lines_and_in_plain_numbers():
+    (run,) = heard(settling_sounds.settling_take(4).samples)
+    numbers = run_numbers(run)
+    assert set(numbers) >= {
+        "kind", "start", "t_end", "exponent", "rate_at_1s", "events_per_turn", "false_alarm", "bands",
+    }  # fmt: skip
+    assert set(numbers["t_end"]) == {"value", "low", "high"}
+    first, second = run_sentences(run)
+    assert f"{run.t_end.value:.3f} s" in first
+    assert f"n {run.exponent.value:.2f}" in second
+
+
+def rate_of(run, time):
+    """Return the rate [Hz] of the law of a run at a time [s]."""
+    first = min(1.0, run.t_end.value - run.start)
+    return run.rate_at_1s.value * (first / (run.t_end.value - time)) ** run.exponent.value
+
+
+@needs_recordings
+def test_a_coin_on_its_table_is_heard_to_its_end():
+    """The recording has 25 bursts from 0.81 to 1.51 s; its level falls for good at 1.64 s."""
+    (run,) = heard(*recording("coins/coin-clink.flac"))
+    assert run.score > 30
+    assert run.kind == "repetition"
+    assert 0.43 <= run.exponent.value <= 0.60
+    assert run.exponent.high - run.exponent.low < 0.3
+    assert 1.60 <= run.t_end.value <= 1.66
+    rates = [rate_of(run, time) for time in (0.85, 1.17, 1.47)]
+    assert rates == pytest.approx([25.5, 33.4, 56.0], rel=0.05)
+
+
+@needs_recordings
+def test_both_spins_of_one_recording_are_heard_and_nothing_else():
+    """Counted rates: 14.1 Hz at 8.0 s, 29 Hz at 8.9 s.
+
+    The levels fall for good at 9.17 and 20.04 s.
+    """
+    first, second = heard(*recording("coins/coinspin.flac"))
+    assert first.score > 28
+    assert 0.43 <= first.exponent.value <= 0.53
+    assert 9.12 <= first.t_end.value <= 9.18
+    assert rate_of(first, 8.0) == pytest.approx(14.1, rel=0.03)
+    assert rate_of(first, 8.9) == pytest.approx(29.0, rel=0.03)
+    assert second.score > 17
+    assert second.exponent.value is None
+    assert second.exponent.low < 0.5 < second.exponent.high
+    assert 19.96 <= second.t_end.value <= 20.06
+    assert first.events_per_turn == second.events_per_turn == 1
+
+
+@needs_recordings
+@pytest.mark.parametrize("name", ["flip-1", "flip-2", "flip-3"])
+def test_a_coin_that_rings_in_flight_does_not_roll(name):
+    assert heard(*recording(f"coins/{name}.flac")) == []
+
+
+@needs_recordings
+@pytest.mark.slow
+def test_at_most_one_of_60_clips_without_a_disk_is_heard():
+    clips = sorted((RECORDINGS / "negatives").glob("*.flac"))
+    assert len(clips) == 60
+    found = [clip.name for clip in clips if heard(*soundfile.read(clip, dtype="float32"))]
+    assert len(found) <= 1, found

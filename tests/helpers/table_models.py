@@ -1,0 +1,60 @@
+"""Disks on table modes: models, steady motions and their time stepping."""
+
+from types import SimpleNamespace
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from dynamics.compliant.law.tabulated import (
+    LOSS_COEFFICIENT,
+    RELAXATION_LENGTH_1,
+    RELAXATION_LENGTH_2,
+    LawTable,
+)
+from dynamics.compliant.model_inputs import contact_law
+from dynamics.compliant.state_conversion import energy
+from dynamics.compliant.stepping.model import CompliantModel
+from dynamics.disk import Friction
+from dynamics.steady_motion import steady_precession
+from dynamics.surface import ModesSurface, SurfaceMode
+from modal import surface_modes
+
+GRIPS = Friction(mu_static=10.0, mu_dynamic=10.0)
+
+
+def standing(scene, rate, friction, *modes, damps=True):
+    """Return the model of a disk without creep on table modes (order, frequency, damping ratio,
+    modal mass)."""
+    names = "order", "frequency", "damping_ratio", "modal_mass"
+    surface = ModesSurface(
+        modes=tuple(SurfaceMode(**dict(zip(names, mode, strict=True))) for mode in modes)
+    )
+    table = LawTable(law=contact_law(scene))
+    scale = np.ones(7)
+    scale[[RELAXATION_LENGTH_1, RELAXATION_LENGTH_2]] = 1e9
+    scale[LOSS_COEFFICIENT] = float(damps)
+    table.__dict__["spline"] = CubicSpline(table.grid, table.spline(table.grid) * scale)
+    known = surface_modes(
+        SimpleNamespace(disk=scene.disk, surface=surface, numerics=scene.numerics)
+    )
+    return CompliantModel(table=table, friction=friction, rate=rate, modes=known)
+
+
+def steady(disk, beta):
+    """Return the columns of the steady motion, centre fixed, and its precession rate [rad/s]."""
+    rate = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit
+    w3 = rate * np.sin(beta)
+    return np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0]), rate
+
+
+def run(model, y, every, stop):
+    """Return the initial energy, times, states, losses of contact and the reason of the stop."""
+    waves = model.waves(y)
+    first = energy(model, y[None])[0]
+    pieces = list(model.run(y, every, stop, waves=waves))
+    t, state = (np.concatenate([getattr(p, name) for p in pieces]) for name in ("t", "state"))
+    return first, t, state, [loss for p in pieces for loss in p.losses], pieces[-1].why
+
+
+MODE = "{order=2, frequency=600.0, damping_ratio=0.02, modal_mass=1.0}"
+TABLE = f"surface={{kind='modes', action='motion', modes=[{MODE}]}}"

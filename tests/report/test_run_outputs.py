@@ -1,0 +1,580 @@
+"""Claim: a run of the published scene writes every file of the contract, verifies itself and judges
+the paper's claims.
+
+Source: the README's table of outputs; the claims of Kessler & O'Reilly (2002), sections 1, 7 and 8.
+Oracle: the files, read back with independent readers; the known verdicts of the corrected model.
+"""
+
+import json
+import re
+import signal
+import sys
+from base64 import b64decode
+from dataclasses import replace
+from html import unescape
+from io import BytesIO
+from types import SimpleNamespace
+
+import meshio
+import numpy as np
+import pytest
+import soundfile
+from paths import ROOT
+
+from dynamics import simulate
+from dynamics.observables import slips
+from sonify import load_scene, run, solve, summary, write
+from sonify.claims.air import motion_findings as air_claims
+from sonify.claims.checks import Check, no_sample_clipped
+from sonify.claims.details import in_words
+from sonify.claims.finding import JUDGES, Finding, Measured
+from sonify.claims.finding import finding as claim
+from sonify.claims.literature import motion_findings as literature_claims
+from sonify.claims.paper_figures import of_the_paper, paper_rows
+from sonify.claims.provenance import depends_on
+from sonify.claims.rigid_motion import contact_kept
+from sonify.claims.sound import modes_take_little
+from sonify.claims.surface_summary import in_short
+from sonify.hearing import loudness as hearing
+from sonify.plan.predictions import audible_error
+from sonify.plan.preflight import planned
+from sonify.report import page as report
+from sonify.report import page_data
+from sonify.sound.render import Renderer
+
+FILES = {
+    "sound.wav",
+    "audible.wav",
+    "pressure.wav",
+    "stems",
+    "spectrogram.png",
+    "stems.png",
+    "motion.png",
+    "modes.png",
+}
+FILES |= {"motion.npz", "modes.json", "modes.vtu", "run.json", "report.html"}
+STANDS = {
+    "The disk goes from rolling to sliding again and again": True,
+    "The normal force is never zero": True,
+    "The frequency of the normal force rises as the disk declines": True,
+    "The frequency of the normal force reaches f = 2.5 (36 Hz for the paper's disk)": True,
+    "The energy falls monotonically": True,
+    "Sliding dissipates more than rolling": True,
+    "The motion of the centre diminishes until it is almost negligible": True,
+    "There is no finite-time singularity: the precession rate stays finite": False,
+    "At least four modes of vibration are in the audible range": True,
+    "The pitch rises sharply towards the end": True,
+    "In the last second the rising tone is the precession of the contact": True,
+    "Until four seconds before the end the tone is the nutation, the frequency of the normal force": True,
+    "The rising tone can be heard": True,
+    "What is heard of the disk in the last second is the vibration of its modes": False,
+    "The tone heard runs to the end of the motion": True,
+    "The strongest steady tone keeps its pitch: no mode rises": True,
+    "The strongest steady tone is a mode of the disk": True,
+    "The modes take too little energy to act back on the motion": False,
+    "The film of air under the disk may be neglected": False,
+    "What ends the motion is friction of rolling and pivoting": True,
+    "In its air, which is left out, the disk would become airborne": True,
+    "The friction of the scene lets the precession rate grow as measured": False,
+    "Slip is the main loss": False,
+    "The disk that deforms transversely makes the rising tone by itself": False,
+}
+"""Verdicts of the corrected model on the paper's claims and on the sound."""
+SHARES = [(0.9, 0.1, "undecided"), (0.8, 0.1, "yes"), (1.1, 0.1, "undecided"), (1.3, 0.1, "no")]
+SHARES += [(0.9, 0.0, "yes"), (1.1, 0.0, "no")]
+"""Ratio of modal to disk energy, relative error of the sound, and expected answer."""
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory):
+    return run(load_scene("published"), out=tmp_path_factory.mktemp("run") / "published")
+
+
+def test_a_scene_has_one_motion_through_run_and_through_simulate(result, motion):
+    one, other = (found.path for found in (result.motion, motion))
+    assert (one.x.tobytes(), one.c.tobytes()) == (other.x.tobytes(), other.c.tobytes())
+
+
+@pytest.fixture(scope="module")
+def record(result):
+    def refuse(value):
+        raise AssertionError(f"{value} is not JSON")
+
+    return json.loads((result.out / "run.json").read_text(), parse_constant=refuse)
+
+
+def test_every_file_is_there_and_no_other(result):
+    assert {p.name for p in result.out.iterdir()} == FILES
+    stems = sorted(p.name for p in (result.out / "stems").iterdir())
+    assert stems == ["heave.wav", "ringing_jumps.wav", "ringing_smooth.wav", "tilt.wav"]
+
+
+def test_every_self_check_passes(result):
+    assert len(result.checks) == 8
+    assert [check.name for check in result.checks if not check.passed] == []
+
+
+def test_what_stands(result):
+    assert {finding.claim: finding.holds for finding in result.findings} == STANDS
+
+
+def test_the_normal_force_reaches_36_hz_when_the_paper_says(result):
+    """Figure 4 (b): f = 2.5 at tau = 214.6, computed in quadruple precision."""
+    chi = result.scene.disk.time_unit
+    reached = next(
+        finding for finding in result.findings if finding.key == "load_frequency_reached"
+    )
+    assert reached.value == pytest.approx(214.6, abs=0.5)
+    assert np.searchsorted(slips(result.motion) / chi, [50, 100, 150]).tolist() == [3, 6, 11]
+
+
+def test_what_is_solved_needs_no_folder(result, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = solve(
+        load_scene("published").replace("numerics.time_limit=0.6", "name=cut"), accuracy="draft"
+    )
+    assert found.out is None
+    assert list(tmp_path.iterdir()) == []
+    written = write(found, tmp_path / "first")
+    again = write(found, tmp_path / "again")
+    for name in ("sound.wav", "pressure.wav", "audible.wav", "stems/tilt.wav"):
+        assert (written.out / name).read_bytes() == (again.out / name).read_bytes()
+    pressure, _ = soundfile.read(again.out / "pressure.wav", dtype="float32")
+    assert np.array_equal(pressure, found.sound.pressure.read())
+
+
+def test_a_summary_is_a_row_of_plain_values_under_stable_keys(result, record):
+    row = summary(result)
+    assert all(isinstance(value, (str, float, bool)) for value in row.values())
+    assert (row["outcome"], row["t_end"]) == ("SETTLED", result.motion.t[-1])
+    for kind, answer in (("findings", "holds"), ("checks", "passed")):
+        keys = [one["key"] for one in record[kind]]
+        assert len(set(keys)) == len(keys)
+        assert all(re.fullmatch("[a-z][a-z_]*", key) for key in keys)
+        assert [one["value"] for one in record[kind]] == [row[key] for key in keys]
+        assert [one[answer] for one in record[kind]] == [row[f"{key}_{answer}"] for key in keys]
+    assert {"contact_kept", "energy_balance", "seconds_motion"} <= row.keys()
+
+
+def test_a_result_shows_itself_in_a_few_lines(result):
+    assert len(repr(result).splitlines()) <= 6
+    parts = (
+        result,
+        result.plan,
+        result.motion,
+        result.modes,
+        result.sound,
+        *result.findings,
+        *result.checks,
+    )
+    assert max(len(line) for part in parts for line in repr(part).splitlines()) <= 160
+    page = result._repr_html_()
+    assert page.count("<audio") == 1
+    assert all(finding.claim[:20] in page for finding in result.findings)
+    assert np.ptp(np.asarray(result.plot("motion"))) > 0
+    with pytest.raises(
+        ValueError, match="'song': it is one of spectrogram, stems, motion, energy, modes"
+    ):
+        result.plot("song")
+
+
+@pytest.mark.parametrize("t", [[[0.0, 1.0]], [-1.0], [float("nan")], [1e9]])
+def test_a_motion_is_not_asked_for_what_is_no_time_of_it(result, t):
+    with pytest.raises(ValueError, match="t must"):
+        result.motion.at(t)
+
+
+def test_run_json_says_what_was_done(result, record):
+    assert record["scene"]["disk"]["mass"] == 0.4387
+    assert record["outcome"]["name"] == "SETTLED"
+    assert len(record["findings"]) == len(STANDS)
+    assert all(check["passed"] for check in record["checks"])
+    assert {"motion", "modes", "sound"} <= record["seconds"].keys()
+    assert record["versions"]["numpy"] == np.__version__
+    assert record["plan"]["modelled"]
+    assert record["plan"]["left_out"]
+    copy, rate = soundfile.read(result.out / "sound.wav")
+    pressure, _ = soundfile.read(result.out / "pressure.wav")
+    assert rate == record["sound"]["sample_rate"]
+    assert np.abs(copy).max() == pytest.approx(
+        np.abs(pressure).max() / record["sound"]["full_scale_pascal"], rel=1e-6
+    )
+    assert 20 * np.log10(copy.std() / pressure.std()) == pytest.approx(
+        record["sound"]["gain_db"], abs=1e-3
+    )
+
+
+def test_the_files_are_read_by_others(result):
+    motion = np.load(result.out / "motion.npz", allow_pickle=False)
+    assert np.array_equal(motion["t"], result.motion.t)
+    assert motion["state"].shape == (len(motion["t"]), len(motion["columns"]))
+    assert len(motion["regime"]) == len(motion["t"])
+    assert len(motion["transition_time"]) == len(result.motion.transitions)
+    mesh = meshio.read(result.out / "modes.vtu")
+    assert len(mesh.point_data) == len(result.modes.frequency)
+    modes = json.loads((result.out / "modes.json").read_text())
+    assert [mode["frequency"] for mode in modes["modes"]] == pytest.approx(
+        result.modes.frequency.tolist()
+    )
+
+
+def test_the_page_needs_no_other_file(result):
+    page = (result.out / "report.html").read_text()
+    written = page.partition("<script>")[0]  # the script draws from these fields
+    assert re.findall(r'src="(?!data:)', written) == []
+    assert all(
+        (result.out / name).is_file() for name in re.findall(r'href="(?!data:)([^"]*)"', written)
+    )
+    assert written.count("data:image/png") == 4
+    assert written.count("data:audio/flac") == 2 * len(result.sound.stems)
+    assert len(page) < 12e6
+    assert all(f"{finding.claim[:30]}" in page.replace("&#39;", "'") for finding in result.findings)
+
+
+def test_every_verdict_says_its_number_its_error_and_what_it_depends_on(result):
+    page = unescape((result.out / "report.html").read_text())
+    answered = re.findall(
+        r"<dt>(.*?)\?</dt><dd>(.*?)\.</dd>", page.partition("<main>")[0]
+    )  # the warning precedes all other text
+    assert {q.lower(): a.lower() for q, a in answered} == {
+        q: a.lower() for q, a in in_short(result.findings).items()
+    }
+    verdicts = re.findall(r"<li class=.*?</li>", page.partition('class="verdicts"')[2], re.DOTALL)
+    assert len(verdicts) == len(result.findings)
+    for finding, told in zip(result.findings, verdicts, strict=True):
+        parts = (finding.answer, finding.claim, finding.measured, finding.unit, in_words(finding))
+        assert all(part in told for part in parts)
+        assert f"Depends on {depends_on(finding.key)}" in told
+        assert depends_on(finding.key).startswith("the ")
+    assert (
+        depends_on("tone_is_precession")
+        == "the rising tone, tracked in the sound alone, the motion, the sound"
+    )
+
+
+@pytest.mark.parametrize(
+    ("value", "margin", "told"),
+    [
+        (0.99953, 0.0088, "1.000 ± 0.009"),
+        (879.6, 96.3, "880 ± 100"),
+        (128.0, 1.0, "128 ± 1"),
+        (0.25512, 0.0, "0.2551"),
+    ],
+)
+def test_a_number_is_no_finer_than_its_margin(value, margin, told):
+    assert (
+        Finding(key="k", claim="c", value=value, margin=margin, unit="", source="").measured == told
+    )
+
+
+def test_the_paper_s_figures_stand_beside_ours_where_the_scene_is_the_paper_s(result):
+    """The page compares the paper's printed values with those of the run for the paper's scene
+    only.
+
+    Section 7 prints chi, h (upside down), the density and 36 Hz; its figures begin at alpha = 1 and
+    end with the flat disk.
+    """
+    rows = paper_rows(result.motion, result.findings)
+    assert len(rows) == 15
+    assert [row.key for row in rows if not row.holds] == []
+    page = unescape((result.out / "report.html").read_text())
+    assert all(row.claim in page.partition('id="paper"')[2] for row in rows)
+    assert of_the_paper(result.scene.replace("audio.distance=1.0", "numerics.accuracy=draft"))
+    assert not of_the_paper(result.scene.replace("friction.mu_static=0.4"))
+
+
+def test_pictures_say_what_is_seen(result):
+    """The alternative text of each picture states numbers of the result itself."""
+    seen = re.findall(
+        r'<img src="data:image/png[^"]*" alt="([^"]*)"', (result.out / "report.html").read_text()
+    )
+    spectrogram, stems, motion, modes = map(unescape, seen)
+    assert f"the motion ends at {result.sound.source_end:.2f} s" in spectrogram
+    assert all(name.replace("_", " ") in stems for name in result.sound.stems)
+    assert "the inclination goes from 32.7 to " in motion
+    assert f"the weight is {result.motion.disk.weight:.3g} N" in motion
+    assert f"{result.modes.frequency[0]:.0f} Hz" in modes
+    page = (result.out / "report.html").read_text()
+    assert all(f" {100 * share:.3g} %" in page for share in result.sound.low_share), (
+        "100 % is not 1e+02 %"
+    )
+
+
+def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatch):
+    monkeypatch.setattr(page_data, "MOST_SOUND", 1000)
+    report.write(result, tmp_path / "report.html")
+    page = (tmp_path / "report.html").read_text()
+    assert page.count("data:audio") == 0
+    assert page.count('src="audible.wav"') == 1
+    assert "<script>" not in page
+
+
+def test_the_page_plays_the_stems(result):
+    """The decoded stems at the true scale add up to sound.wav within rounding: 16 bits for each
+    stem, 24 bits for the sum."""
+    data = page_data.page_data(result)["sounds"]["true"]
+    tracks = [
+        soundfile.read(BytesIO(b64decode(url.partition(",")[2])))[0]
+        for url in data["tracks"].values()
+    ]
+    whole = soundfile.read(result.out / "sound.wav")[0]
+    assert np.abs(sum(tracks) - whole).max() < (len(tracks) / 2 + 1) * 2.0**-15
+    assert data["full_scale"] == result.sound.full_scale
+
+
+def test_the_page_shows_the_motion(result):
+    """The animation covers the whole motion.
+
+    While the disk is audible, the contact turns by less than a fifth of a revolution between two
+    instants.
+    """
+    data = page_data.page_data(result)["motion"]
+    t, precession = (np.frombuffer(b64decode(data[name]["base64"])) for name in ("t", "precession"))
+    assert t[[0, -1]].tolist() == result.motion.t[[0, -1]].tolist()
+    assert len(t) <= page_data.MOST_INSTANTS + 2
+    heard = t[:-1] < result.motion.t[-1] - 0.01
+    assert np.abs(np.diff(precession))[heard].max() < 2 * np.pi / 5
+
+
+@pytest.mark.parametrize(
+    ("value", "passed"),
+    [(1.0, True), (1.1, True), (1.11, False), (float("nan"), False), (float("inf"), False)],
+)
+def test_a_check_can_fail(value, passed):
+    assert (
+        Check(
+            key="x", name="x", value=value, expected=1.0, tolerance=0.1 + 1e-12, source="-"
+        ).passed
+        == passed
+    )
+
+
+@pytest.mark.parametrize(
+    ("value", "passed"), [(-9.0, True), (1.0, True), (1.01, False), (float("nan"), False)]
+)
+def test_a_check_may_have_one_side(value, passed):
+    check = Check(
+        key="x", name="x", value=value, expected=1.0, tolerance=0.0, source="-", one_sided=True
+    )
+    assert check.passed == passed
+    assert check.expectation == "at most 1"
+
+
+@pytest.mark.parametrize(
+    ("peak", "finite", "passed"),
+    [(0.0, True, True), (1.0, True, True), (1.001, True, False), (0.5, False, False)],
+)
+def test_a_clipped_or_endless_sample_is_found(peak, finite, passed):
+    assert (
+        no_sample_clipped(SimpleNamespace(peak=peak, full_scale=1.0, finite=finite)).passed
+        == passed
+    )
+
+
+@pytest.mark.parametrize(
+    ("value", "margin", "answer"),
+    [
+        (2.1, 0.0, "yes"),
+        (2.1, 0.4, "undecided"),
+        (1.7, 0.2, "undecided"),
+        (1.0, 0.2, "no"),
+        (3.3, 0.2, "undecided"),
+        (3.7, 0.2, "no"),
+        (float("inf"), 0.2, "no"),
+    ],
+)
+def test_a_finding_is_undecided_where_its_margin_reaches_across_the_threshold(
+    value, margin, answer
+):
+    """The range is 1.8 to 3.2; an undecided claim neither holds nor fails and may give a reason."""
+    about = {"key": "x", "claim": "x", "unit": "1", "source": "-"}
+    found = Finding(value=value, margin=margin, at_least=2.0, at_most=3.0, tolerance=0.2, **about)
+    assert (found.verdict, found.answer) == (answer, answer)
+    assert found.holds is {"yes": True, "no": False, "undecided": None}[answer]
+    chaotic = replace(found, undecided_because="chaotic")
+    assert (chaotic.verdict, chaotic.holds, chaotic.answer) == (
+        "undecided",
+        None,
+        "undecided: chaotic",
+    )
+
+
+@pytest.mark.parametrize("wrong", [{"value": float("nan")}, {"value": 1.0, "margin": float("nan")}])
+def test_a_finding_without_a_number_is_refused(wrong):
+    with pytest.raises(ValueError, match=r"x = .*nan.*: a finding needs a number"):
+        Finding(key="x", claim="x", unit="1", source="-", **wrong)
+
+
+@pytest.mark.parametrize(
+    ("value", "margin", "measured"),
+    [
+        (2036.0, 7000.0, "2e+03 ± 7000"),
+        (0.0, 0.2, "0 ± 0.2"),
+        (1.25, 0.034, "1.25 ± 0.03"),
+        (22.71, 0.2, "22.7 ± 0.2"),
+    ],
+)
+def test_a_value_is_shown_even_where_its_margin_is_larger(value, margin, measured):
+    about = {"key": "x", "claim": "x", "unit": "1", "source": "-"}
+    assert Finding(value=value, margin=margin, **about).measured == measured
+
+
+def test_terminal_page_and_record_give_one_verdict(result, record):
+    """Terminal, page and record agree on every finding of the scene `published`; yes and no both
+    occur."""
+    told = {
+        finding["key"]: (finding["verdict"], finding["holds"]) for finding in record["findings"]
+    }
+    assert told == {finding.key: (finding.verdict, finding.holds) for finding in result.findings}
+    page = (result.out / "report.html").read_text(encoding="utf-8")
+    shown = re.findall(r'<li class="(\w+)"><p class="claim"><strong>([^<]*)</strong>', page)
+    assert shown == [(finding.verdict, finding.answer) for finding in result.findings]
+    assert report.counted(result.findings) in page
+    assert report.counted(result.findings) in repr(result)
+
+
+def test_a_contact_that_is_lost_is_not_found_kept():
+    """The last instant, at which the normal force is zero, belongs to the motion."""
+    lost = simulate(load_scene("published").replace("disk.thickness=0.2"))
+    assert lost.outcome.name == "LIFTED_OFF"
+    assert not contact_kept(lost).holds
+    assert "what_ends" not in {finding.key for finding in air_claims(load_scene("published"), lost)}
+
+
+def test_of_a_motion_in_which_nothing_happens_nothing_is_claimed():
+    """A motion of 0.01 s has no force peaks; a motion without resistance loses no energy."""
+    short = load_scene("published").replace("numerics.time_limit=0.01")
+    assert "rates_are_alike" not in {row.key for row in paper_rows(simulate(short), [])}
+    free = "friction={mu_static=inf,mu_dynamic=inf}"
+    assert literature_claims(simulate(short.replace(free))) == []
+
+
+@pytest.mark.parametrize(("share", "error", "answer"), SHARES)
+def test_modes_that_own_nearly_as_much_as_the_disk_decide_nothing(share, error, answer):
+    """The modes hold `share` of the disk's energy over the last second, known within a factor of (1
+    + error)^2."""
+    t = np.linspace(0, 10, 1001)
+    motion = SimpleNamespace(t=np.array([0.0, 10.0]), energy=lambda t: 1 + 0 * t)
+    sound = SimpleNamespace(energy_time=t, energy=np.where(t > 9, share, 0.0))
+    finding = modes_take_little(motion, sound, error)
+    assert finding.answer == answer
+    assert finding.value == pytest.approx(0.99 if share > 1 else 0.0)
+
+
+@pytest.mark.slow
+def test_modes_out_of_tune_that_change_a_verdict_leave_it_undecided():
+    """The modes of a coin on a patch, with the friction of the paper, hold 1.5 times the energy of
+    the disk, but only a third of it if their frequencies are 0.3 % higher."""
+    arms = "friction.arm_nutation=1e-6", "friction.arm_rolling=1.5e-5", "friction.arm_pivoting=6e-5"
+    others = (
+        "dissipation.contour_moment=0.0",
+        "air.film=none",
+        "contact.law=rigid",
+        "support.kind=patch",
+    )
+    body = "disk.radius=0.011625", "disk.thickness=0.00233", "disk.mass=0.0075"
+    scene = load_scene("coin").replace(*body, *arms, *others)
+    motion = simulate(scene)
+    (plan, modes) = planned(scene)
+    sharp = replace(modes, frequency=1.003 * modes.frequency)
+    sounds = [
+        Renderer(scene, motion, some, plan.sounding, plan.calm).sound() for some in (modes, sharp)
+    ]
+    error = audible_error(*(sound.pressure for sound in reversed(sounds)))
+    answers = [modes_take_little(motion, sound, error).answer for sound in sounds]
+    assert answers == ["undecided", "undecided"]
+    assert modes_take_little(motion, sounds[0]).answer == "no"
+
+
+@pytest.mark.parametrize(("value", "holds"), [(1.9, False), (2, True), (3, True), (3.1, False)])
+def test_a_finding_can_be_no(value, holds):
+    finding = Finding(
+        key="x", claim="x", value=value, unit="1", at_least=2.0, at_most=3.0, source="-"
+    )
+    assert finding.holds == holds
+    assert finding.expectation == "at least 2 and at most 3"
+    assert replace(finding, at_least=-np.inf, tolerance=0.5).expectation == "at most 3 ± 0.5"
+    assert replace(finding, tolerance=1e-6).expectation == finding.expectation
+
+
+@pytest.fixture(scope="module")
+def cut(tmp_path_factory):
+    """A run that is cut off by its time limit, without the extra `roughness` installed."""
+    scene = load_scene("published").replace("numerics.time_limit=0.6", "name=cut")
+    with pytest.MonkeyPatch.context() as here:
+        here.setitem(sys.modules, "mosqito", None)
+        here.setitem(sys.modules, "mosqito.sq_metrics", None)
+        here.setattr(hearing, "find_spec", lambda name: None)
+        return run(scene, out=tmp_path_factory.mktemp("cut"))
+
+
+def test_without_the_extra_the_run_says_that_roughness_is_left_out(cut):
+    assert hearing.ROUGHNESS_MISSING in cut.plan.left_out
+    assert (
+        json.loads((cut.out / "run.json").read_text())["sound"]["roughness"]
+        == hearing.ROUGHNESS_MISSING
+    )
+
+
+def test_the_record_has_the_roughness_of_the_end(result, record):
+    pytest.importorskip("mosqito", reason="the extra `roughness` is not installed")
+    rough = record["sound"]["roughness"]
+    end = result.sound.source_end
+    assert end - 2.0 < rough["time"][0] < rough["time"][-1] < end
+    assert len(rough["asper"]) == 10
+    assert all(0 <= asper < 1 for asper in rough["asper"])
+
+
+def test_a_motion_that_is_cut_off_says_so(cut):
+    assert cut.passed
+    assert cut.motion.outcome.name == "TIME_LIMIT"
+    assert any("time limit" in line for line in cut.plan.left_out)
+    assert cut.sound.source_end == pytest.approx(0.6, abs=0.01)
+    assert cut.sound.duration > 1.0  # the modes ring out
+
+
+def test_a_full_disk_leaves_no_half_wav(tmp_path):
+    """A limit on the file size simulates the full disk: the write fails in the same way."""
+    resource = pytest.importorskip("resource", reason="this system cannot limit the size of files")
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    before = resource.getrlimit(resource.RLIMIT_FSIZE)
+    scene = load_scene("published").replace("numerics.time_limit=2.0", "name=full")
+    resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, before[1]))
+    try:
+        with pytest.raises(OSError, match="could not be written in full"):
+            run(scene, tmp_path, "draft")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+    assert [p.name for p in tmp_path.rglob("*") if p.is_file()] == []
+
+
+def test_the_results_page_has_the_numbers_of_the_published_run(result):
+    """The page states the run's level of the ringing in the last second and the run's time at which
+    one-way coupling ends."""
+    told = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
+    found = {f.claim: f.value for f in result.findings}
+    low, high = map(int, re.search(r"ringing is (\d+) to (\d+) dB\(A\) below", told).groups())
+    assert (
+        low
+        < -found["What is heard of the disk in the last second is the vibration of its modes"]
+        < high
+    )
+    milliseconds = int(re.search(r"some (\d+) ms before the\s+end the modes hold", told).group(1))
+    assert (
+        round(1e3 * found["The modes take too little energy to act back on the motion"])
+        == milliseconds
+    )
+
+
+@pytest.mark.parametrize(
+    ("found", "margin"), [(2, 0.0), (Measured(np.int64(2), np.float64(0.5)), 0.5)]
+)
+def test_a_function_below_its_claim_returns_a_finding_of_plain_numbers(found, margin):
+    @claim("c", "1", "s", needs=("motion",), at_least=2.0)
+    def grows(motion):
+        return found
+
+    about = {"key": "grows", "claim": "c", "unit": "1", "needs": ("motion",), "source": "s"}
+    assert grows(None) == Finding(value=2.0, margin=margin, at_least=2.0, **about)
+    assert [type(number) for number in (grows(None).value, grows(None).margin)] == [float, float]
+    assert JUDGES.pop("grows").needs == ("motion",)
