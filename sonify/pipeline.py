@@ -30,7 +30,7 @@ from sonify.plan.unused import unused_keys
 from sonify.report.pictures import Pictures
 from sonify.report.render_worker import painter
 from sonify.report.replaced import replaced_results
-from sonify.report.write import run_record, told_by_the_page, write_record
+from sonify.report.write import page_content, run_record, write_record
 from sonify.result import Result, SolvedMotion
 from sonify.runtime.files import claimed
 from sonify.runtime.progress import Stages, beside
@@ -188,10 +188,10 @@ def write(
         result = replace(result, out=folder, seconds=stages.seconds)
         pictures = pictures or Pictures()
         pictures.begin(result)
-        told = beside(run_record, result), beside(told_by_the_page, result, pictures)
+        futures = beside(run_record, result), beside(page_content, result, pictures)
         with stages.stage("sound files") as watch:
             write_sound(result.sound, folder, watch)
-        write_record(result, stages, pictures, *told)
+        write_record(result, stages, pictures, *futures)
     return result
 
 

@@ -86,11 +86,11 @@ class Result:
         return picture(self, name)
 
     def __repr__(self):
-        from sonify.report.page import in_words
+        from sonify.report.page import summary_text
 
-        return in_words(self)
+        return summary_text(self)
 
     def _repr_html_(self):
-        from sonify.report.page import in_a_notebook
+        from sonify.report.page import notebook_html
 
-        return in_a_notebook(self)
+        return notebook_html(self)

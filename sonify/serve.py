@@ -16,7 +16,7 @@ from starlette.responses import FileResponse, HTMLResponse, RedirectResponse, Re
 from starlette.routing import Route
 
 from sonify.claims.checks import Check
-from sonify.report.page import bundle, templates
+from sonify.report.page import page_assets, templates
 from sonify.scene_errors import InputError
 
 LOOPBACK = ("127.0.0.1", "localhost", "::1")
@@ -85,7 +85,7 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
     root = Path(folder).resolve()
 
     def index(request: Request) -> Response:
-        return _page("index.html", runs=found(root), root=root.name, style=bundle()["style"])
+        return _page("index.html", runs=found(root), root=root.name, style=page_assets()["style"])
 
     def file(request: Request) -> Response:
         path = inside(root, request.path_params["path"])
@@ -101,7 +101,7 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
         names = [request.query_params.get(which, "") for which in "ab"]
         pages = [inside(root, name) / "report.html" for name in names]
         data = [numbers(page) for page in pages]
-        return _page("compare.html", names=names, data=data, **bundle())
+        return _page("compare.html", names=names, data=data, **page_assets())
 
     names = [*LOOPBACK, "[::1]"] if host in LOOPBACK else ["*"]
     return Starlette(

@@ -15,33 +15,41 @@ from PIL import Image, ImageDraw, ImageFont
 
 from dynamics.observables import precession_rate
 from sonify.hearing.spectrogram import spectrogram
-from sonify.report.perspective import TABLE, Camera, contact, exposed, rims, table, traced
-from sonify.report.sound import RANGE_DB, level_image, log_frequency, loudest_db
+from sonify.report.perspective import (
+    TABLE_COLOUR,
+    Camera,
+    contact_points,
+    draw_blurred_disk,
+    draw_table,
+    draw_trace,
+    rim_points,
+)
+from sonify.report.sound import COLOUR_RANGE_DB, level_image, log_frequency, loudest_db
 from sonify.runtime.files import whole
 from sonify.scene_errors import InputError
 
 if TYPE_CHECKING:
     from sonify.result import Result
 
-FPS, EXPOSURES = 25, 12
-"""Frames per second, and number of exposures averaged into each frame."""
-LENGTH, AFTER = 8.0, 1.0
-"""Length of the film [s], and its part after the end of the motion [s]."""
-STEEPEST = np.radians(15.0)
+FRAME_RATE = 25  # frames per second
+EXPOSURES_PER_FRAME = 12
+FILM_DURATION = 8.0  # s
+TAIL_DURATION = 1.0
+"""Part of the film after the end of the motion [s]."""
+MIN_DRAWN_INCLINATION = np.radians(15.0)
 """Smallest drawn value of the greatest inclination [rad]."""
-TRACE, TURNS = 0.3, 4
-"""Longest time [s] and largest number of turns for which the contact point is traced."""
-SIZE, STAGE = (1280, 720), (800, 432)
-"""Size of the film, and of the view of the disk at its upper left [px]."""
-RATES, WINDOW = (20.0, 10e3), 0.05
-"""Frequency band [Hz] and window length [s] of the spectrogram."""
+MAX_TRACE_TURNS = 4
+"""Largest number of turns for which the contact point is traced."""
+FILM_SIZE = (1280, 720)  # px
+DISK_VIEW_SIZE = (800, 432)
+"""Size of the view of the disk at the upper left of the film [px]."""
 
-CAPTION = (
+EXPLANATION = (
     "real time",
-    f"inclination drawn larger, at least {np.degrees(STEEPEST):g}° at",
+    f"inclination drawn larger, at least {np.degrees(MIN_DRAWN_INCLINATION):g}° at",
     "first, then falling as its square root",
     "blue: path of the contact,",
-    f"its last {TURNS} turns at most",
+    f"its last {MAX_TRACE_TURNS} turns at most",
 )
 """Explanation of the film for its viewers."""
 
@@ -62,7 +70,7 @@ class Clip:
     @property
     def span(self) -> tuple[float, float]:
         """Start and end of the clip [s]."""
-        return self.start, self.start + self.frames / FPS
+        return self.start, self.start + self.frames / FRAME_RATE
 
     def states(self, t) -> np.ndarray:
         """Return the states (k, 11) of the disk audible at listener's times t (k,) [s].
@@ -78,7 +86,7 @@ class Clip:
 
         They are proportional to the square root of the true ones, which falls steadily to the end.
         """
-        return max(self.steepest, STEEPEST) * np.sqrt(state[:, 1] / self.steepest)
+        return max(self.steepest, MIN_DRAWN_INCLINATION) * np.sqrt(state[:, 1] / self.steepest)
 
 
 def require_encoder():
@@ -104,23 +112,26 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
     clip = clip_of(result)
     path = result.out / "animation.mp4"
     with whole(path) as film, TemporaryDirectory() as folder:
-        sound = cut_sound(clip, Path(folder) / "sound.wav")
-        encode(film, sound, clip.frames, pictures(clip), watch)
+        sound = write_clip_sound(clip, Path(folder) / "sound.wav")
+        encode_film(film, sound, clip.frames, film_frames(clip), watch)
     return path
 
 
 def clip_of(result: "Result") -> Clip:
-    """Return the last LENGTH seconds of a result, up to AFTER seconds beyond the motion."""
+    """Return the last FILM_DURATION seconds of a result, up to TAIL_DURATION seconds beyond the motion."""
     sound = result.sound
-    end = min(sound.source_end + AFTER, sound.duration)
-    start = max(end - LENGTH, 0.0)
+    end = min(sound.source_end + TAIL_DURATION, sound.duration)
+    start = max(end - FILM_DURATION, 0.0)
     seen = Clip(
-        result=result, start=start, frames=max(int((end - start) * FPS), 1), steepest=STEEPEST
+        result=result,
+        start=start,
+        frames=max(int((end - start) * FRAME_RATE), 1),
+        steepest=MIN_DRAWN_INCLINATION,
     )
     return replace(seen, steepest=float(seen.states(np.linspace(*seen.span, 2000))[:, 1].max()))
 
 
-def cut_sound(clip, path: Path) -> Path:
+def write_clip_sound(clip, path: Path) -> Path:
     """Write the sound of the clip with the full scale of sound.wav; return the path."""
     sound = clip.result.sound
     first, last = (int(t * sound.sample_rate) for t in clip.span)
@@ -130,7 +141,7 @@ def cut_sound(clip, path: Path) -> Path:
     return path
 
 
-def encode(path, sound, frames: int, images, watch):
+def encode_film(path, sound, frames: int, images, watch):
     """Write images (h, w, 3) and a sound as a film.
 
     Raises OSError if the film does not contain all frames.
@@ -139,8 +150,8 @@ def encode(path, sound, frames: int, images, watch):
 
     writer = write_frames(
         path,
-        SIZE,
-        fps=FPS,
+        FILM_SIZE,
+        fps=FRAME_RATE,
         codec="libx264",
         quality=7,
         ffmpeg_log_level="fatal",
@@ -160,20 +171,24 @@ def encode(path, sound, frames: int, images, watch):
         raise OSError(errno.ENOSPC, f"holds {written} of {frames} frames", str(path))
 
 
-def pictures(clip):
+def film_frames(clip):
     """Yield the frames (h, w, 3) of a clip."""
-    base, across = backdrop(clip)
+    base, across = spectrogram_background(clip)
     camera = camera_of(clip)
-    empty = table(camera, clip.result.scene.disk.radius)
+    empty = draw_table(camera, clip.result.scene.disk.radius)
     font = ImageFont.truetype(font_manager.findfont("DejaVu Sans"), 22)
     for n in range(clip.frames):
-        t = clip.start + n / FPS
+        t = clip.start + n / FRAME_RATE
         frame = base.copy()
         frame.paste(disk_image(clip, camera, empty, t), (0, 0))
         pen = ImageDraw.Draw(frame)
-        pen.text((STAGE[0] + 10, 60), reading(clip, t), (30, 30, 30), font, spacing=12)
+        pen.text(
+            (DISK_VIEW_SIZE[0] + 10, 60), frame_caption(clip, t), (30, 30, 30), font, spacing=12
+        )
         for width, color in ((3, "white"), (1, "black")):
-            pen.line([across(t), STAGE[1] + 14, across(t), SIZE[1] - 60], color, width)
+            pen.line(
+                [across(t), DISK_VIEW_SIZE[1] + 14, across(t), FILM_SIZE[1] - 60], color, width
+            )
         yield np.asarray(frame)
 
 
@@ -187,8 +202,8 @@ def camera_of(clip) -> Camera:
         target=np.append(middle, 0.3 * reach),
         distance=7 * reach,
         elevation=np.radians(25),
-        focal=7 * 0.55 * STAGE[1],
-        size=STAGE,
+        focal=7 * 0.55 * DISK_VIEW_SIZE[1],
+        size=DISK_VIEW_SIZE,
     )
 
 
@@ -198,18 +213,25 @@ def disk_image(clip, camera, empty, t: float) -> Image.Image:
     The shutter is open for the whole duration of the frame.
     """
     disk = clip.result.scene.disk
-    last = min(t + 1 / FPS, clip.result.sound.source_end)
-    state = clip.states(t + (np.arange(EXPOSURES) + 0.5) / EXPOSURES / FPS)
-    image = exposed(
-        camera, empty, rims(state, clip.inclination(state), disk), disk.inner_radius / disk.radius
+    last = min(t + 1 / FRAME_RATE, clip.result.sound.source_end)
+    state = clip.states(
+        t + (np.arange(EXPOSURES_PER_FRAME) + 0.5) / EXPOSURES_PER_FRAME / FRAME_RATE
+    )
+    image = draw_blurred_disk(
+        camera,
+        empty,
+        rim_points(state, clip.inclination(state), disk),
+        disk.inner_radius / disk.radius,
     )
     turn = 2 * np.pi / abs(precession_rate(clip.states(np.array([last])))[0])
-    touching = clip.states(np.linspace(last - min(TRACE, TURNS * turn), last, 100 * TURNS))
-    path = contact(touching, clip.inclination(touching), disk)
-    return traced(camera, image, path if t < last else path[:0])
+    touching = clip.states(
+        np.linspace(last - min(0.3, MAX_TRACE_TURNS * turn), last, 100 * MAX_TRACE_TURNS)
+    )
+    path = contact_points(touching, clip.inclination(touching), disk)
+    return draw_trace(camera, image, path if t < last else path[:0])
 
 
-def reading(clip, t: float) -> str:
+def frame_caption(clip, t: float) -> str:
     """Return the caption at t [s]: time, inclination [degrees] and precession [Hz]."""
     state = clip.states(np.array([t]))
     settled = clip.result.motion.outcome.name == "SETTLED"
@@ -220,25 +242,26 @@ def reading(clip, t: float) -> str:
             f"inclination {np.degrees(state[0, 1]):.3g}°",
             f"the contact turns at {turns:.3g} Hz",
         ]
-    return "\n".join([f"{t:.2f} s", *lines, "", *CAPTION])
+    return "\n".join([f"{t:.2f} s", *lines, "", *EXPLANATION])
 
 
-def backdrop(clip):
+def spectrogram_background(clip):
     """Return the static background of the frames and the map from time [s] to its column [px].
 
     The background contains the spectrogram.
     """
-    figure = Figure(figsize=(SIZE[0] / 100, SIZE[1] / 100), dpi=100, facecolor="w")
-    below = (SIZE[1] - STAGE[1] - 74) / SIZE[1]
-    axes = figure.add_axes((0.066, 60 / SIZE[1], 0.84, below), facecolor="k")
-    seen = spectrogram(clip.result.sound.pressure, WINDOW, span=clip.span).band(*RATES)
-    log_frequency(axes, RATES)
+    figure = Figure(figsize=(FILM_SIZE[0] / 100, FILM_SIZE[1] / 100), dpi=100, facecolor="w")
+    below = (FILM_SIZE[1] - DISK_VIEW_SIZE[1] - 74) / FILM_SIZE[1]
+    axes = figure.add_axes((0.066, 60 / FILM_SIZE[1], 0.84, below), facecolor="k")
+    band = (20.0, 10e3)  # Hz
+    seen = spectrogram(clip.result.sound.pressure, 0.05, span=clip.span).band(*band)
+    log_frequency(axes, band)
     axes.set(xlim=clip.span, ylabel="frequency [Hz]", xlabel="time at the listener [s]")
-    image = level_image(axes, seen, 1.0, loudest_db(seen) - RANGE_DB)
-    bar = figure.add_axes((0.92, 60 / SIZE[1], 0.015, below))
+    image = level_image(axes, seen, 1.0, loudest_db(seen) - COLOUR_RANGE_DB)
+    bar = figure.add_axes((0.92, 60 / FILM_SIZE[1], 0.015, below))
     figure.colorbar(image, cax=bar, label="level [dB re 20 µPa]")
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     picture = Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3])
-    picture.paste(TABLE, (0, 0, SIZE[0], STAGE[1]))
+    picture.paste(TABLE_COLOUR, (0, 0, FILM_SIZE[0], DISK_VIEW_SIZE[1]))
     return picture, lambda t: axes.transData.transform((t, 100.0))[0]

@@ -16,7 +16,7 @@ from sonify.hearing.loudness import level_db
 if TYPE_CHECKING:
     from sonify.result import Result
 
-BEFORE_THE_END = {
+OMITTED_EFFECTS = {
     "modes_take_little": "The modes of the disk act back on its motion",
     "table_takes_a_hundredth": "The table acts back on the motion",
 }
@@ -42,8 +42,11 @@ def spectrogram(result: "Result") -> str:
 def stems(result: "Result") -> str:
     """Return a description of the picture of the causes of sound."""
     peaks = sorted(result.sound.stem_peak.items(), key=lambda item: -item[1])
-    told = [f"{name.replace('_', ' ')} {level_db(peak**2):.0f} dB" for name, peak in peaks]
-    return f"Level of each cause over time, and how far it is above the threshold of hearing. Peaks: {', '.join(told)}."
+    items = [f"{name.replace('_', ' ')} {level_db(peak**2):.0f} dB" for name, peak in peaks]
+    return (
+        "Level of each cause over time, and how far it is above the threshold of hearing. "
+        f"Peaks: {', '.join(items)}."
+    )
 
 
 def motion(result: "Result") -> str:
@@ -76,38 +79,38 @@ def energy(result: "Result") -> str:
     begin = two_way(result.motion)[1]
     end = result.motion.t[-1]
     lost = energy_budget(result.motion, np.array([begin, end])).lost
-    told = [
+    items = [
         f"{name} {energy[-1]:.2g} J"
         for name, energy in sorted(lost.items(), key=lambda item: -item[1][-1])
     ]
-    return f"Energies of disk and table over the last {end - begin:.2g} s, and what was lost to {', '.join(told)}."
+    return f"Energies of disk and table over the last {end - begin:.2g} s, and what was lost to {', '.join(items)}."
 
 
 def modes(result: "Result") -> str:
     """Return a description of the picture of the modes."""
     found = result.modes
-    told = [
+    items = [
         f"{f:.0f} Hz {kind} of order {n}"
         for f, kind, n in zip(found.frequency, found.family, found.order, strict=True)
     ]
     table = f", and of the table from {result.table.frequency[0]:.0f} Hz on" if result.table else ""
-    return f"Shapes of {len(told)} modes of the disk: {', '.join(told[:12])}{', ...' if told[12:] else ''}{table}."
+    return f"Shapes of {len(items)} modes of the disk: {', '.join(items[:12])}{', ...' if items[12:] else ''}{table}."
 
 
-def not_from(result: "Result") -> list[str]:
+def omitted_effects(result: "Result") -> list[str]:
     """Return one sentence for each omitted effect, with the time from which it is significant."""
     end = result.motion.t[-1]
     found = {finding.key: finding for finding in result.findings}
-    told = [
+    items = [
         f"{what} from t = {end - found[key].value:.3f} s on, {found[key].measured} "
         f"{unit_and_details(found[key])}."
-        for key, what in BEFORE_THE_END.items()
+        for key, what in OMITTED_EFFECTS.items()
         if key in found and found[key].value > 0
     ]
     air = found.get("air_negligible")
     if air and air.value < 1 and not decide_film(result.scene).film:
-        told.append(f"The film of air takes 1 % of the power from t = {air.value * end:.3g} s on.")
-    return told or ["Nothing that is left out reaches its bar in this run."]
+        items.append(f"The film of air takes 1 % of the power from t = {air.value * end:.3g} s on.")
+    return items or ["Nothing that is left out reaches its bar in this run."]
 
 
 PICTURES = {

@@ -9,12 +9,7 @@ from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator, ScalarFormat
 from PIL import Image
 from scipy.ndimage import maximum_filter1d, minimum_filter1d, uniform_filter1d
 
-DPI, MOST_TICKS = 110, 6
-SHORT = -2, 5
-"""Range of powers of ten for plain tick labels.
-
-Longer numbers would overlap the axis label.
-"""
+DPI = 110  # dots per inch
 
 
 @contextmanager
@@ -34,22 +29,23 @@ def figure_at(path, rows, columns, size, **options):
     figure.subplots_adjust(**inches, wspace=0.25, hspace=0.27)
     yield figure, axes
     for panel in np.ravel(axes):
-        _fix(panel)
+        _fix_layout(panel)
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     Image.fromarray(np.asarray(canvas.buffer_rgba())[..., :3]).save(path, "PNG", compress_level=3)
 
 
-def _fix(panel):
+def _fix_layout(panel):
     """Limit the number of ticks, and fix the positions of title and axis labels.
 
     Many ticks are slow to draw, and matplotlib would measure every tick to place the labels.
     """
+    plain_powers_of_ten = (-2, 5)  # longer numbers would overlap the axis label
     for axis in (panel.xaxis, panel.yaxis):
         if axis.get_scale() == "linear":
-            axis.set_major_locator(MaxNLocator(MOST_TICKS, steps=(1, 2, 5, 10)))
+            axis.set_major_locator(MaxNLocator(6, steps=(1, 2, 5, 10)))
             if isinstance(axis.get_major_formatter(), ScalarFormatter):
-                axis.get_major_formatter().set_powerlimits(SHORT)
+                axis.get_major_formatter().set_powerlimits(plain_powers_of_ten)
     width, height = panel.get_window_extent().size / DPI
     for side in ("left", "center"):
         panel.set_title(panel.get_title(side), loc=side, y=1.0)
@@ -70,7 +66,9 @@ def legend_above(panel, columns: int = 3, **options):
     panel.legend(**place, ncols=columns, fontsize=8, handlelength=2.5, columnspacing=1.2, **options)
 
 
-def envelope(y, share: float, columns: int = 1000) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def running_range(
+    y, share: float, columns: int = 1000
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return the running mean, minimum and maximum (c,) of evenly spaced samples y (k,).
 
     The window is a `share` of the k samples, and c is about `columns`. Minimum and maximum are

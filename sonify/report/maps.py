@@ -18,8 +18,6 @@ from sonify.report.figure import figure_at
 MARKS = "osD^vP*Xhp<>d8H"
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#000000", "#cc79a7", "#56b4e9", "#e69f00")
 """Colours distinguishable for the colour-blind; in grey print, the marks differ."""
-DECADE = 12.0
-LEVELS, WIDE, WORDS = 12, 300.0, 16
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -67,34 +65,34 @@ def draw_map(what: Map, path):
     shared = max(map(len, points.values()))
     with figure_at(path, 1, 1, (8, 5.5)) as (figure, panel):
         figure.subplots_adjust(left=0.13)
-        where = {name: _scaled(panel, k, name, what) for k, name in enumerate(what.over)}
+        where = {name: _label_axis(panel, k, name, what) for k, name in enumerate(what.over)}
         places = np.array(
             [[where[name][v] for name, v in zip(what.over, place, strict=True)] for place in points]
         )
         known = np.array([bool(found) for found in points.values()])
         if all(isinstance(value, float) for value in values):
-            _numbers(
+            _draw_numbers(
                 figure,
                 panel,
                 places[known],
                 [np.median(found) for found in points.values() if found],
                 what,
             )
-            told = f"{what.of}, median of up to {shared} runs" if shared > 1 else what.of
+            title = f"{what.of}, median of up to {shared} runs" if shared > 1 else what.of
         else:
             most = [
-                Counter(map(_word, found)).most_common(1)[0][0]
+                Counter(map(_category_name, found)).most_common(1)[0][0]
                 for found in points.values()
                 if found
             ]
             figure.subplots_adjust(right=0.77)
-            _categories(panel, places[known], most)
-            told = f"{what.of}, most frequent of up to {shared} runs" if shared > 1 else what.of
-        _failed(panel, places[~known])
-        panel.set_title(told, loc="left")
+            _draw_categories(panel, places[known], most)
+            title = f"{what.of}, most frequent of up to {shared} runs" if shared > 1 else what.of
+        _draw_failed_runs(panel, places[~known])
+        panel.set_title(title, loc="left")
 
 
-def _scaled(panel, k, name, what):
+def _label_axis(panel, k, name, what):
     """Scale and label an axis of the panel; return the coordinate of every value on it."""
     values = list(dict.fromkeys(what.columns[name]))
     axis = (panel.xaxis, panel.yaxis)[k]
@@ -105,16 +103,16 @@ def _scaled(panel, k, name, what):
             short = min(values) >= 1e-3 and max(values) < 1e6
             axis.set_major_formatter("{x:g}" if short else LogFormatterMathtext())
             axis.set_minor_locator(LogLocator(subs=(2, 3, 5)))
-            axis.set_minor_formatter(
-                NullFormatter() if max(values) > DECADE * min(values) else "{x:g}"
-            )
+            axis.set_minor_formatter(NullFormatter() if max(values) > 12 * min(values) else "{x:g}")
         return {value: value for value in values}
     words = sorted(values, key=str)
-    axis.set_major_formatter(lambda at, _: _word(words[int(at)]) if at in range(len(words)) else "")
+    axis.set_major_formatter(
+        lambda at, _: _category_name(words[int(at)]) if at in range(len(words)) else ""
+    )
     return {value: words.index(value) for value in values}
 
 
-def _numbers(figure, panel, places, values, what):
+def _draw_numbers(figure, panel, places, values, what):
     if places.shape[1] == 1:
         order = places[:, 0].argsort()
         panel.plot(places[order, 0], np.array(values)[order], "k.-", lw=0.8)
@@ -131,7 +129,7 @@ def _numbers(figure, panel, places, values, what):
     else:
         around = Triangulation(*within.T)
         mesh = Triangulation(*places.T, around.triangles)
-        levels, scale = _levels(values)
+        levels, scale = _contour_levels(values)
         drawn = panel.tricontourf(mesh, values, levels, cmap="viridis", norm=scale)
         panel.tricontour(mesh, values, levels, colors="k", linewidths=0.4)
         panel.plot(*places.T, "k.", ms=1.5)
@@ -140,31 +138,37 @@ def _numbers(figure, panel, places, values, what):
         bar.set_ticks(drawn.levels, labels=[f"{level:.2g}" for level in drawn.levels], minor=False)
 
 
-def _levels(values):
-    """Return contour levels and norm: logarithmic for positive values that span more than WIDE."""
+def _contour_levels(values):
+    """Return contour levels and norm: logarithmic for positive values with a range above 300."""
+    count = 12
     low = min(values)
     high = max(values)
-    if not 0 < WIDE * low < high:
-        return LEVELS, None
-    return np.geomspace(low, high * (1 + 1e-9), LEVELS), LogNorm(low, high)
+    if not 0 < 300 * low < high:
+        return count, None
+    return np.geomspace(low, high * (1 + 1e-9), count), LogNorm(low, high)
 
 
-def _categories(panel, places, words):
+def _draw_categories(panel, places, words):
     names = sorted(set(words))
     for name, mark, colour in zip(names, cycle(MARKS), cycle(COLOURS), strict=False):
         here = places[np.array(words) == name]
-        label = fill(name.replace("_", " "), WORDS)
+        label = fill(name.replace("_", " "), width=16)
         panel.plot(
-            here[:, 0], _heights(here, names.index(name)), mark, color=colour, ls="", label=label
+            here[:, 0],
+            _vertical_positions(here, names.index(name)),
+            mark,
+            color=colour,
+            ls="",
+            label=label,
         )
     _legend(panel)
 
 
-def _failed(panel, places):
+def _draw_failed_runs(panel, places):
     if len(places):
         panel.plot(
             places[:, 0],
-            _heights(places, panel.get_ylim()[0]),
+            _vertical_positions(places, panel.get_ylim()[0]),
             "rx",
             ms=7,
             label="no value",
@@ -173,7 +177,7 @@ def _failed(panel, places):
         _legend(panel)
 
 
-def _heights(places, at):
+def _vertical_positions(places, at):
     """Return the y coordinates (n,) of places; in a map over one axis, all are `at`."""
     return places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
 
@@ -188,7 +192,7 @@ def _legend(panel):
     panel.legend(**beside, frameon=False)
 
 
-def _word(value):
+def _category_name(value):
     return (
         {True: "yes", False: "no"}.get(value, str(value)) if isinstance(value, bool) else str(value)
     )

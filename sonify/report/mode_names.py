@@ -9,19 +9,19 @@ from modal.modes import Modes
 if TYPE_CHECKING:
     from modal.tabletop.record import SurfaceModes  # slow import
 
-SWING = 0.97
+MIN_RIGID_SHARE = 0.97
 """Share of rigid motion above which a mode of a held disk is called a swing."""
 
 
-def caption(modes: Modes, i, held=False):
+def mode_caption(modes: Modes, i, held=False):
     """Return number, frequency [Hz], T60 [s] and shape of mode i."""
     time = f", T60 {modes.decay_time[i]:.2g} s" if modes.decay_rate[i] > 0 else ""
-    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{shape_in_words(modes, i, held)}"
+    return f"{i + 1}: {modes.frequency[i]:.0f} Hz{time}\n{shape_name(modes, i, held)}"
 
 
-def shape_in_words(modes: Modes, i, held=False):
+def shape_name(modes: Modes, i, held=False):
     """Return family and order of mode i; a swing of a disk about its patch has no order."""
-    if held and stiff_share(modes, i) > SWING:
+    if held and rigid_motion_share(modes, i) > MIN_RIGID_SHARE:
         return f"swing, {'in' if modes.family[i] == 'extensional' else 'out of'} plane"
     return f"{modes.family[i]}, {f'{modes.parity[i]}, ' if modes.partner[i] >= 0 else ''}order {modes.order[i]}"
 
@@ -36,7 +36,7 @@ def table_caption(table: "SurfaceModes", i) -> str:
     )
 
 
-def stiff_share(modes: Modes, i) -> float:
+def rigid_motion_share(modes: Modes, i) -> float:
     """Return the share of six rigid-body motions in the mean square rim motion of mode i."""
     c = np.cos(modes.rim_angle)
     s = np.sin(modes.rim_angle)

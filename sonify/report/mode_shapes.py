@@ -9,18 +9,16 @@ from matplotlib.patches import Arc, Circle
 from matplotlib.tri import Triangulation
 
 from modal.modes import Modes, Support
-from sonify.report.lit_polygons import skin, view
-from sonify.report.mode_names import caption, stiff_share  # noqa: F401, found here, too
+from sonify.report.lit_polygons import projected_polygons, surface_polygons
+from sonify.report.mode_names import mode_caption, rigid_motion_share  # noqa: F401, found here, too
 
-COLUMNS = 5
-ACROSS, SLANTED, ABOVE, HEAD = 2.6, 1.9, 2.5, 0.6
-"""Width of a mode, and heights of its two views and its caption [disk radii]."""
-SCALE = 0.95
-"""Height of the colour scales [disk radii]."""
-INCH = 0.95
-"""Length of a disk radius in the figure [in]."""
-STRETCH = 0.16
-"""Largest drawn displacement [disk radii]."""
+MODES_PER_ROW = 5
+MODE_WIDTH = 2.6  # this and the following lengths in disk radii
+OBLIQUE_VIEW_HEIGHT = 1.9
+TOP_VIEW_HEIGHT = 2.5
+CAPTION_HEIGHT = 0.6
+COLOUR_BAR_HEIGHT = 0.95
+MAX_DRAWN_DISPLACEMENT = 0.16
 
 
 def draw_modes(
@@ -54,48 +52,65 @@ def draw_modes(
         Modes of the table, drawn below: points (p, 2), upward motion (n, p) of its top face,
         n captions, and the total number of modes.
     """
-    tall = SLANTED if slanted else 0.0
-    rows = max(1, -(-(len(modes) + bool(moving)) // COLUMNS))
-    high = HEAD + tall + ABOVE
-    below = (HEAD + -(-len(table[2]) // COLUMNS) * (HEAD + ABOVE)) if table else 0.0
+    tall = OBLIQUE_VIEW_HEIGHT if slanted else 0.0
+    rows = max(1, -(-(len(modes) + bool(moving)) // MODES_PER_ROW))
+    high = CAPTION_HEIGHT + tall + TOP_VIEW_HEIGHT
+    below = (
+        (CAPTION_HEIGHT + -(-len(table[2]) // MODES_PER_ROW) * (CAPTION_HEIGHT + TOP_VIEW_HEIGHT))
+        if table
+        else 0.0
+    )
+    inches_per_radius = 0.95
     figure = Figure(
-        figsize=(INCH * ACROSS * COLUMNS, INCH * (high * rows + below + HEAD + SCALE)), dpi=100
+        figsize=(
+            inches_per_radius * MODE_WIDTH * MODES_PER_ROW,
+            inches_per_radius * (high * rows + below + CAPTION_HEIGHT + COLOUR_BAR_HEIGHT),
+        ),
+        dpi=100,
     )
     FigureCanvasAgg(figure)
     axis = figure.add_axes(
         (0, 0, 1, 1)
     )  # a single one, because each takes as long to draw as a mode
-    limits = {"xlim": (0, ACROSS * COLUMNS), "ylim": (-high * rows - below - SCALE, HEAD)}
+    limits = {
+        "xlim": (0, MODE_WIDTH * MODES_PER_ROW),
+        "ylim": (-high * rows - below - COLOUR_BAR_HEIGHT, CAPTION_HEIGHT),
+    }
     axis.set(**limits)
     axis.set_axis_off()
-    polygons = skin(modes.body) if slanted and len(modes) else None
+    polygons = surface_polygons(modes.body) if slanted and len(modes) else None
     for i in range(len(modes)):
-        row, column = divmod(i, COLUMNS)
-        x = ACROSS * (column + 0.5)
+        row, column = divmod(i, MODES_PER_ROW)
+        x = MODE_WIDTH * (column + 0.5)
         y = -high * row
-        told = caption(modes, i, bool(support) and support.kind != "free")
-        axis.text(x, y - 0.05, told, fontsize=10, ha="center", va="top")
+        text = mode_caption(modes, i, bool(support) and support.kind != "free")
+        axis.text(x, y - 0.05, text, fontsize=10, ha="center", va="top")
         if slanted:
-            draw_solid(axis, modes, polygons, i, (x, y - HEAD - tall / 2))
-        draw_above(axis, modes, i, (x, y - HEAD - tall - ABOVE / 2), support)
+            draw_oblique_view(axis, modes, polygons, i, (x, y - CAPTION_HEIGHT - tall / 2))
+        draw_top_view(axis, modes, i, (x, y - CAPTION_HEIGHT - tall - TOP_VIEW_HEIGHT / 2), support)
     if moving:
-        row, column = divmod(len(modes), COLUMNS)
+        row, column = divmod(len(modes), MODES_PER_ROW)
         axis.text(
-            ACROSS * (column + 0.5), -high * row - 0.05, moving, fontsize=10, ha="center", va="top"
+            MODE_WIDTH * (column + 0.5),
+            -high * row - 0.05,
+            moving,
+            fontsize=10,
+            ha="center",
+            va="top",
         )
     if not len(modes):
         axis.text(
-            ACROSS * COLUMNS / 2,
+            MODE_WIDTH * MODES_PER_ROW / 2,
             -high / 2,
             "no mode below the highest frequency asked for",
             ha="center",
         )
     if table:
-        draw_table(axis, *table, -high * rows)
+        draw_table_modes(axis, *table, -high * rows)
     axis.text(
-        ACROSS * COLUMNS / 2,
-        HEAD / 2,
-        legend(slanted, support),
+        MODE_WIDTH * MODES_PER_ROW / 2,
+        CAPTION_HEIGHT / 2,
+        explanation(slanted, support),
         fontsize=11,
         ha="center",
         va="center",
@@ -106,13 +121,13 @@ def draw_modes(
     if table or len(modes):
         scales["from above: axial displacement / the greatest"] = (-1, "RdBu_r")
     for column, (label, (least, name)) in enumerate(scales.items()):
-        left = ACROSS * (COLUMNS / 2 - 1.2 + 2.4 * (column - (len(scales) - 1) / 2))
-        draw_scale(axis, (left, -high * rows - below - SCALE), label, least, name)
+        left = MODE_WIDTH * (MODES_PER_ROW / 2 - 1.2 + 2.4 * (column - (len(scales) - 1) / 2))
+        draw_colour_bar(axis, (left, -high * rows - below - COLOUR_BAR_HEIGHT), label, least, name)
     axis.set(**limits, aspect="auto")
     figure.savefig(path)
 
 
-def legend(slanted: bool, support: Support | None) -> str:
+def explanation(slanted: bool, support: Support | None) -> str:
     """Return the explanation of the picture, in two lines."""
     at_a_slant = "At a slant: the body exaggerated, bright where it moves most. " if slanted else ""
     held = (
@@ -128,7 +143,7 @@ def _on_patch(support: Support | None) -> bool:
     return support is not None and support.kind == "patch"
 
 
-def draw_scale(axis, at, label: str, least: float, colours: str):
+def draw_colour_bar(axis, at, label: str, least: float, colours: str):
     """Draw a colour bar from `least` to 1 with numbers and `label`.
 
     `at` (x, y) is the lower left corner of its box.
@@ -137,7 +152,7 @@ def draw_scale(axis, at, label: str, least: float, colours: str):
     long = 2.0
     tall = 0.16
     steps = np.linspace(0, 1, 256)[None]
-    x += (2.4 * ACROSS - long) / 2
+    x += (2.4 * MODE_WIDTH - long) / 2
     middle = y + 0.62
     axis.imshow(
         steps, cmap=colours, extent=(x, x + long, middle, middle + tall), aspect="auto", zorder=2
@@ -148,11 +163,11 @@ def draw_scale(axis, at, label: str, least: float, colours: str):
     axis.text(x + long / 2, middle - 0.3, label, fontsize=10, ha="center", va="top")
 
 
-def draw_solid(axis, modes: Modes, polygons, i, at):
+def draw_oblique_view(axis, modes: Modes, polygons, i, at):
     """Draw the oblique view of mode i with its centre `at` (x, y) [disk radii]."""
-    radius, _ = edges(modes)
-    stretch = STRETCH * radius / np.abs(modes.body.displacement[i]).max()
-    places, far, light = view(modes.body, polygons, i, stretch)
+    radius, _ = face_radii(modes)
+    stretch = MAX_DRAWN_DISPLACEMENT * radius / np.abs(modes.body.displacement[i]).max()
+    places, far, light = projected_polygons(modes.body, polygons, i, stretch)
     colour = colormaps["viridis"](far)
     colour[:, :3] *= light[:, None]
     axis.add_collection(
@@ -161,30 +176,39 @@ def draw_solid(axis, modes: Modes, polygons, i, at):
     )
 
 
-def draw_table(axis, points, face, captions, count, top):
+def draw_table_modes(axis, points, face, captions, count, top):
     """Draw the modes of a table from above, below the height `top`.
 
     Colour shows upward motion; black lines are nodal lines.
     """
     few = "" if len(face) == count else f", the lowest {len(face)} of {count}"
-    told = f"Modes of the table{few}: upward motion of its top face (colour), nodal lines (black)"
-    axis.text(ACROSS * COLUMNS / 2, top - HEAD / 2, told, fontsize=11, ha="center", va="center")
+    text = f"Modes of the table{few}: upward motion of its top face (colour), nodal lines (black)"
+    axis.text(
+        MODE_WIDTH * MODES_PER_ROW / 2,
+        top - CAPTION_HEIGHT / 2,
+        text,
+        fontsize=11,
+        ha="center",
+        va="center",
+    )
     middle = (points.max(axis=0) + points.min(axis=0)) / 2
     x, y = ((points - middle) / np.abs(points - middle).max()).T
     mesh = Triangulation(x, y)
-    for i, (shape, told) in enumerate(zip(face, captions, strict=True)):
-        row, column = divmod(i, COLUMNS)
-        at = ACROSS * (column + 0.5)
-        head = top - HEAD - (HEAD + ABOVE) * row
-        here = Triangulation(x + at, y + head - HEAD - ABOVE / 2, mesh.triangles)
-        axis.text(at, head - 0.05, told, fontsize=10, ha="center", va="top")
+    for i, (shape, text) in enumerate(zip(face, captions, strict=True)):
+        row, column = divmod(i, MODES_PER_ROW)
+        at = MODE_WIDTH * (column + 0.5)
+        head = top - CAPTION_HEIGHT - (CAPTION_HEIGHT + TOP_VIEW_HEIGHT) * row
+        here = Triangulation(
+            x + at, y + head - CAPTION_HEIGHT - TOP_VIEW_HEIGHT / 2, mesh.triangles
+        )
+        axis.text(at, head - 0.05, text, fontsize=10, ha="center", va="top")
         axis.tricontourf(
             here, shape / np.abs(shape).max(), levels=np.linspace(-1, 1, 22), cmap="RdBu_r"
         )
         axis.tricontour(here, shape, levels=[0.0], colors="black", linewidths=1.3)
 
 
-def edges(modes: Modes):
+def face_radii(modes: Modes):
     """Return the outer radius and the hole radius [m] of the faces; the latter is 0 without a hole.
 
     The face weights sum to (R^2 - r^2)/2.
@@ -194,12 +218,12 @@ def edges(modes: Modes):
     return radius, np.sqrt(hole) if hole > 1e-3 * radius**2 else 0.0
 
 
-def draw_above(axis, modes: Modes, i, at, support: Support | None):
+def draw_top_view(axis, modes: Modes, i, at, support: Support | None):
     """Draw mode i from above with its centre `at` (x, y) [disk radii].
 
     The picture contains colours, nodal lines, the rim at rest and displaced, and the patch.
     """
-    radius, hole = edges(modes)
+    radius, hole = face_radii(modes)
     x, y, w = top_face(modes, i, radius, hole)
     x = x / radius + at[0]
     y = y / radius + at[1]
@@ -210,7 +234,7 @@ def draw_above(axis, modes: Modes, i, at, support: Support | None):
         axis.contour(x, y, w / scale, levels=[0.0], colors="black", linewidths=1.3)
     for r in (1.0, hole / radius):
         axis.add_patch(Circle(at, r, fill=False, color="0.3", lw=1))
-    moved = moved_rim(modes, i, 1.0, STRETCH / scale)
+    moved = displaced_rim(modes, i, 1.0, MAX_DRAWN_DISPLACEMENT / scale)
     axis.plot(moved[0] + at[0], moved[1] + at[1], color="0.1", lw=1, ls=(0, (4, 2)))
     if _on_patch(support):
         reach = support.half_angle_deg
@@ -237,7 +261,7 @@ def top_face(modes: Modes, i, radius, hole):
     return np.outer(r, np.cos(angle)), np.outer(r, np.sin(angle)), w
 
 
-def moved_rim(modes: Modes, i, radius, factor):
+def displaced_rim(modes: Modes, i, radius, factor):
     """Return x, y (k + 1,) of the bottom edge displaced in its plane, as a closed curve."""
     radial = factor * modes.rim_shape[i, :, 0]
     tangential = factor * modes.rim_shape[i, :, 1]

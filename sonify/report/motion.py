@@ -5,9 +5,9 @@ The energies are those of a motion with two-way coupling to the table.
 
 import numpy as np
 
-from sonify.report.figure import envelope, figure_at, legend_above, plain_decades
+from sonify.report.figure import figure_at, legend_above, plain_decades, running_range
 
-PAPER = (
+PAPER_PANELS = (
     ("angle to the upright α [rad]", "Figure 3 (a) of the paper"),
     ("energy Ê", "Figure 3 (b)"),
     ("normal force Φ", "Figure 4 (a)"),
@@ -16,7 +16,7 @@ PAPER = (
     ("precession rate dθ/dτ", "Figure 6"),
 )
 """Axis label and panel title of each of the paper's figures."""
-AVERAGED = 0.015
+AVERAGING_SHARE = 0.015
 """Window of the range and the mean, as a share of the duration."""
 ENERGY_UNITS = {1.0: "J", 1e-3: "mJ", 1e-6: "µJ", 1e-9: "nJ"}
 """Size of a unit of energy [J] -> its name."""
@@ -44,11 +44,15 @@ def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, b
     (tilt, held, load) = axes[:, 0]
     (hertz, end, path) = axes[[1, 2, 0], 1]
     for panel, curve in ((tilt, inclination), (load, force)):
-        mean, least, greatest = envelope(curve, AVERAGED)
+        mean, least, greatest = running_range(curve, AVERAGING_SHARE)
         at = np.linspace(time[0], time[-1], len(mean))
         panel.fill_between(at, least, greatest, fc="#9bd1f0", ec="#0072b2", lw=0.8, label="range")
         panel.plot(
-            at, mean, color="#0072b2", lw=1.0, label=f"mean over {AVERAGED * np.ptp(time):.2g} s"
+            at,
+            mean,
+            color="#0072b2",
+            lw=1.0,
+            label=f"mean over {AVERAGING_SHARE * np.ptp(time):.2g} s",
         )
     load.axhline(weight, color="k", lw=1.0, ls="--", label="weight")
     size = next((size for size in ENERGY_UNITS if energy.max() >= size), 1e-9)
@@ -64,7 +68,7 @@ def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, b
     tilt.set(ylabel="inclination [degrees]", ylim=(0, None))
     held.set(ylabel=f"energy [{ENERGY_UNITS[size]}]", ylim=(0, None))
     load.set(ylabel="normal force [N]")
-    hertz.set(ylim=_range(rates))
+    hertz.set(ylim=_frequency_limits(rates))
     end.set(xscale="log", xlabel="time before the end [s]")
     end.invert_xaxis()
     path.set(xlabel="x [mm]", ylabel="y [mm]", aspect="equal", adjustable="datalim")
@@ -77,7 +81,7 @@ def _draw_si(axes, *, time, inclination, energy, force, weight, centre, rates, b
         legend_above(panel, frameon=False)
 
 
-def _range(rates):
+def _frequency_limits(rates):
     """Return the limits of the frequency axis [Hz] for the rates (3, q).
 
     They ignore the last thousandth of the time.
@@ -95,7 +99,7 @@ def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
     According to the paper, the motion reaches the `frequency` [1/chi] at the time `reached` [chi].
     """
     orange = "#d55e00"
-    for panel, (x, y), (label, title) in zip(axes.flat, curves, PAPER, strict=True):
+    for panel, (x, y), (label, title) in zip(axes.flat, curves, PAPER_PANELS, strict=True):
         panel.plot(x, y, color="k", lw=0.6)
         panel.set(xlabel=f"time τ = t/χ, χ = {chi:.4g} s", ylabel=label)
         panel.set_title(title, loc="left")
@@ -116,8 +120,8 @@ def _draw_paper(axes, *, curves, weight, chi, frequency, reached):
     precession.set(ylim=(1.1 * min(lowest, -1.0), 1.1 * max(highest, 0.0)))
 
 
-STYLES = "-", "--", ":", "-.", (0, (5, 1)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)), (0, (3, 1))
-LEAST = 1e-6
+LINE_STYLES = "-", "--", ":", "-.", (0, (5, 1)), (0, (1, 3)), (0, (7, 2, 1, 2, 1, 2)), (0, (3, 1))
+MIN_ENERGY_SHARE = 1e-6
 """Smallest drawn energy, as a share of the greatest."""
 CAUSE_NAMES = {
     "contact": "compression of the contact",
@@ -142,11 +146,18 @@ def draw_energy(path, left, held: dict, lost: dict):
             axes, (held, lost), ("What holds energy", "What took energy"), strict=True
         ):
             most = max(curve.max() for curve in curves.values())
-            shown = {name: curve for name, curve in curves.items() if curve.max() > LEAST * most}
-            for (name, curve), style in zip(shown.items(), STYLES, strict=False):
+            shown = {
+                name: curve
+                for name, curve in curves.items()
+                if curve.max() > MIN_ENERGY_SHARE * most
+            }
+            for (name, curve), style in zip(shown.items(), LINE_STYLES, strict=False):
                 panel.plot(left, curve, ls=style, lw=1.2, label=CAUSE_NAMES.get(name, name))
             panel.set(
-                xscale="log", yscale="log", xlim=(left[0], left[-1]), ylim=(LEAST * most, 2 * most)
+                xscale="log",
+                yscale="log",
+                xlim=(left[0], left[-1]),
+                ylim=(MIN_ENERGY_SHARE * most, 2 * most),
             )
             panel.set(xlabel="time left until the disk lies flat [s]", ylabel="energy [J]")
             panel.grid(alpha=0.3)

@@ -21,8 +21,8 @@ from sonify.claims.paper_figures import of_the_paper, paper_rows
 from sonify.claims.provenance import depends_on
 from sonify.claims.surface_summary import in_short
 from sonify.report import captions as words
-from sonify.report.mode_names import shape_in_words
-from sonify.report.page_data import compressed, page_data
+from sonify.report.mode_names import shape_name
+from sonify.report.page_data import flac_data_url, page_data
 from sonify.runtime.files import whole
 
 if TYPE_CHECKING:
@@ -35,12 +35,12 @@ MOST_EMBEDDED = 100_000_000
 def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
     """Write the page of a result, with everything that it shows and plays embedded.
 
-    Sounds that are too long for a page are omitted. `numbers` is the return value of `told`, if
+    Sounds that are too long for a page are omitted. `numbers` is the return value of `template_data`, if
     already known.
     """
     modes = result.modes
     held = result.scene.support.kind == "patch"
-    shapes = [shape_in_words(modes, i, held) for i in range(len(modes))]
+    shapes = [shape_name(modes, i, held) for i in range(len(modes))]
     text = (
         templates()
         .get_template("report.html")
@@ -50,31 +50,31 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
             depends_on=depends_on,
             unit_and_details=unit_and_details,
             answers=in_short(result.findings),
-            claims=counted(result.findings),
+            claims=verdict_counts(result.findings),
             paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
-            not_from=words.not_from(result),
+            not_from=words.omitted_effects(result),
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
             pictures=[
-                (embedded(result.out / name, "image/png"), caption, shown(result))
+                (data_url(result.out / name, "image/png"), caption, shown(result))
                 for name, (shown, caption) in words.PICTURES.items()
                 if (result.out / name).exists()
             ],
-            **(numbers or told(result)),
-            **bundle(),
+            **(numbers or template_data(result)),
+            **page_assets(),
         )
     )
     with whole(path) as temporary:
         temporary.write_bytes(text.encode("utf-8"))
 
 
-def told(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
+def template_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
     """Return the `page_data` of a result as JSON, and a flag: True if the page plays sounds."""
     data = page_data(result, parts)
     return {"data": htmlsafe_json_dumps(data), "plays": bool(data["sounds"])}
 
 
-def bundle() -> dict[str, str]:
+def page_assets() -> dict[str, str]:
     """Return script, style and licences of the page, built from `web/`, ready for its HTML."""
     files = {"script": "page.js", "style": "page.css", "licences": "page.licenses.txt"}
     held = {
@@ -90,38 +90,36 @@ def templates() -> Environment:
     return Environment(loader=PackageLoader("sonify.report"), autoescape=True)
 
 
-def in_words(result: "Result") -> str:
+def summary_text(result: "Result") -> str:
     """Return a summary of a result in a few lines of text."""
     passed = sum(check.passed for check in result.checks)
     head = f"{result.scene.name}: {result.motion.outcome.sentence}"
-    count = (
-        f"{passed} of {len(result.checks)} self-checks passed; claims: {counted(result.findings)}"
-    )
+    count = f"{passed} of {len(result.checks)} self-checks passed; claims: {verdict_counts(result.findings)}"
     return "\n".join(
         [head, *map(repr, (result.plan, result.modes, result.motion, result.sound)), count]
     )
 
 
-def counted(findings: list[Finding]) -> str:
+def verdict_counts(findings: list[Finding]) -> str:
     """Return the number of claims per verdict, as in "5 yes, 2 no, 1 undecided"."""
     verdicts = Counter(finding.verdict for finding in findings)
     return ", ".join(f"{verdicts[verdict]} {verdict}" for verdict in get_args(Verdict))
 
 
-def in_a_notebook(result: "Result") -> str:
+def notebook_html(result: "Result") -> str:
     """Return a result as an HTML fragment: a sound player and the verdict on each claim."""
     template = templates().get_template("notebook.html")
     sound = result.sound.audible
-    audible = compressed(sound) if 3 * sound.frames <= MOST_EMBEDDED else ""
+    audible = flac_data_url(sound) if 3 * sound.frames <= MOST_EMBEDDED else ""
     return template.render(
         result=result,
         depends_on=depends_on,
         unit_and_details=unit_and_details,
         audible=audible,
-        words=in_words(result),
+        words=summary_text(result),
     )
 
 
-def embedded(path: Path, kind: str) -> str:
+def data_url(path: Path, kind: str) -> str:
     """Return a file as a data URL."""
     return f"data:{kind};base64,{b64encode(path.read_bytes()).decode()}"

@@ -9,20 +9,18 @@ from PIL import Image, ImageDraw
 from dynamics import Disk
 from sonify.sound.modal_forcing import in_patch_frame
 
-SEGMENTS = 96
+RIM_SIDES = 96
 """Number of sides of the polygon that represents the rim."""
-FINER = 2
+SUPERSAMPLING = 2
 """Supersampling factor in each direction of the image."""
-MARKED = slice(0, 5)
+MARKED_SIDES = slice(0, 5)
 """Sides of the rim that carry the mark."""
-LIGHT = np.array([0.35, -0.45, 0.82])
-TABLE, LINES, SHADOW, MARK, TRACE = (
-    (238, 236, 230),
-    (205, 202, 195),
-    (190, 187, 180),
-    (160, 20, 40),
-    (0, 60, 140),
-)
+LIGHT_DIRECTION = np.array([0.35, -0.45, 0.82])
+TABLE_COLOUR = (238, 236, 230)
+GRID_COLOUR = (205, 202, 195)
+SHADOW_COLOUR = (190, 187, 180)
+MARK_COLOUR = (160, 20, 40)
+TRACE_COLOUR = (0, 60, 140)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,17 +70,17 @@ def patch_frame(state, inclination) -> np.ndarray:
     return np.stack([in_patch_frame(np.stack(axis, axis=1), inclination) for axis in table], axis=2)
 
 
-def contact(state, inclination, disk: Disk) -> np.ndarray:
+def contact_points(state, inclination, disk: Disk) -> np.ndarray:
     """Return the contact points (k, 3) [m] on the table."""
     x, _, z = patch_frame(state, inclination).swapaxes(0, 1)
     point = disk.radius * x - disk.thickness / 2 * z
     return np.column_stack([state[:, 3:5] + point[:, :2], 0 * point[:, 2]])
 
 
-def rims(state, inclination, disk: Disk) -> np.ndarray:
+def rim_points(state, inclination, disk: Disk) -> np.ndarray:
     """Return the points (k, 2, SEGMENTS, 3) [m] of lower and upper rim, fixed in the body."""
     x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
-    angle = state[:, 2, None] + np.arange(SEGMENTS) * 2 * np.pi / SEGMENTS
+    angle = state[:, 2, None] + np.arange(RIM_SIDES) * 2 * np.pi / RIM_SIDES
     round_ = np.einsum("kn,ki->kni", np.cos(angle), x) + np.einsum("kn,ki->kni", np.sin(angle), y)
     height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(inclination)
     centre = np.column_stack([state[:, 3:5], height])
@@ -90,21 +88,23 @@ def rims(state, inclination, disk: Disk) -> np.ndarray:
     return (centre[:, None] + disk.radius * round_)[:, None] + faces
 
 
-def table(camera, radius: float) -> Image.Image:
+def draw_table(camera, radius: float) -> Image.Image:
     """Return the image of the empty table.
 
     Circles of one, two and three times `radius` [m] are centred below the target of the camera.
     """
-    image = Image.new("RGB", tuple(FINER * n for n in camera.size), TABLE)
+    image = Image.new("RGB", tuple(SUPERSAMPLING * n for n in camera.size), TABLE_COLOUR)
     angle = np.linspace(0, 2 * np.pi, 361)
     circle = np.column_stack([np.cos(angle), np.sin(angle), 0 * angle]) * radius
     for size in (1, 2, 3):
         middle = np.append(camera.target[:2], 0.0)
-        ImageDraw.Draw(image).line(_flat(camera, middle + size * circle), LINES, FINER)
+        ImageDraw.Draw(image).line(
+            _flat(camera, middle + size * circle), GRID_COLOUR, SUPERSAMPLING
+        )
     return image
 
 
-def exposed(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
+def draw_blurred_disk(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
     """Return the mean image (h, w, 3) of the disk on the `empty` table.
 
     `bodies` (s, 2, n, 3) [m] are the two rims at s instants. `hole` is the radius of the hole of a
@@ -114,20 +114,22 @@ def exposed(camera, empty, bodies, hole: float = 0.0) -> np.ndarray:
     for body in bodies:
         image = empty.copy()
         _draw_body(ImageDraw.Draw(image), camera, body, hole)
-        total += np.asarray(image.reduce(FINER))
+        total += np.asarray(image.reduce(SUPERSAMPLING))
     return (total // len(bodies)).astype(np.uint8)
 
 
-def traced(camera, image, path) -> Image.Image:
+def draw_trace(camera, image, path) -> Image.Image:
     """Return an image (h, w, 3) with a path (p, 3) [m] drawn over it.
 
     Objects in front of the path do not hide it.
     """
-    line = Image.new("L", tuple(FINER * n for n in camera.size))
+    line = Image.new("L", tuple(SUPERSAMPLING * n for n in camera.size))
     if len(path) > 1:
-        ImageDraw.Draw(line).line(_flat(camera, path), 255, 2 * FINER)
+        ImageDraw.Draw(line).line(_flat(camera, path), 255, 2 * SUPERSAMPLING)
     return Image.composite(
-        Image.new("RGB", camera.size, TRACE), Image.fromarray(image), line.reduce(FINER)
+        Image.new("RGB", camera.size, TRACE_COLOUR),
+        Image.fromarray(image),
+        line.reduce(SUPERSAMPLING),
     )
 
 
@@ -137,7 +139,7 @@ def _draw_body(pen, camera, body, hole):
     The body is convex, so these do not overlap.
     """
     for rim in body:
-        pen.polygon(_flat(camera, rim * [1.0, 1.0, 0.0]), SHADOW)
+        pen.polygon(_flat(camera, rim * [1.0, 1.0, 0.0]), SHADOW_COLOUR)
     lower, upper = body
     middle = body.mean(axis=1)
     axis = middle[1] - middle[0]
@@ -145,31 +147,36 @@ def _draw_body(pen, camera, body, hole):
     facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
     shade = _shade(outward)
     marked = np.zeros(len(lower), bool)
-    marked[MARKED] = True
+    marked[MARKED_SIDES] = True
     corners = camera.project(body)
     for i in np.flatnonzero(facing):
         j = (i + 1) % len(lower)
-        side = np.concatenate([corners[0, [i, j]], corners[1, [j, i]]]) * FINER
-        pen.polygon(side.ravel().tolist(), MARK if marked[i] else shade[i])
+        side = np.concatenate([corners[0, [i, j]], corners[1, [j, i]]]) * SUPERSAMPLING
+        pen.polygon(side.ravel().tolist(), MARK_COLOUR if marked[i] else shade[i])
     top = np.dot(axis, camera.position - middle[1]) > 0
     if not top and np.dot(axis, camera.position - middle[0]) > 0:
         return
     face, centre, normal = (upper, middle[1], axis) if top else (lower, middle[0], -axis)
     pen.polygon(_flat(camera, face), _shade(normal[None])[0])
     if hole:
-        pen.polygon(_flat(camera, centre + hole * (face - centre)), SHADOW)
-    wedge = face[MARKED.start : MARKED.stop + 1]
+        pen.polygon(_flat(camera, centre + hole * (face - centre)), SHADOW_COLOUR)
+    wedge = face[MARKED_SIDES.start : MARKED_SIDES.stop + 1]
     pen.polygon(
         _flat(camera, np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]])),
-        MARK,
+        MARK_COLOUR,
     )
 
 
 def _shade(normals):
     """Return the grey levels, as colours, of faces with normals (n, 3)."""
-    lit = normals @ LIGHT / np.linalg.norm(normals, axis=1) / np.linalg.norm(LIGHT)
+    lit = (
+        normals
+        @ LIGHT_DIRECTION
+        / np.linalg.norm(normals, axis=1)
+        / np.linalg.norm(LIGHT_DIRECTION)
+    )
     return [(g, g, g) for g in (90 + 110 * np.maximum(lit, 0)).astype(int).tolist()]
 
 
 def _flat(camera, points):
-    return (camera.project(points) * FINER).ravel().tolist()
+    return (camera.project(points) * SUPERSAMPLING).ravel().tolist()

@@ -37,12 +37,12 @@ if TYPE_CHECKING:
     from sonify.result import Result, SolvedMotion
 
 
-NEAREST = 1e-4
+LAST_SHARE = 1e-4
 """End of the energy curves.
 
 It is a time before the end of the motion, as a share of the two-way coupled part.
 """
-MOST_TABLE = 10
+MAX_TABLE_MODES = 10
 """Largest number of table modes drawn; the lowest modes are kept."""
 
 
@@ -60,8 +60,8 @@ class Pictures:
         """Start the pictures and the parts of the page for which the data are known."""
         known = ("motion",) if found.sound is None else ("motion", "sound")
         for name, (needs, *_) in PICTURES.items():
-            if needs in known and name not in self._futures and not _left_out(name, found):
-                self._futures[name] = _begun(name, found)
+            if needs in known and name not in self._futures and not _is_omitted(name, found):
+                self._futures[name] = _picture_future(name, found)
         if "motion" not in self._parts:
             self._parts["motion"] = beside(_instants, found.motion)
         if found.sound is not None and "sound" not in self._parts:
@@ -79,24 +79,24 @@ class Pictures:
         self.begin(result)
         for name in PICTURES:
             path = result.out / f"{name}.png"
-            if _left_out(name, result):
+            if _is_omitted(name, result):
                 path.unlink(missing_ok=True)  # left by an earlier run
                 continue
             with whole(path) as temporary:
                 temporary.write_bytes(self._futures[name].result())
 
 
-def _begun(name, found):
+def _picture_future(name, found):
     """Return the Future of a picture; a thread of the painter collects its data."""
     _, module, function, shown = PICTURES[name]
     # modes of a disk on its contact change over the run, so that no cache helps
     if name == "modes" and found.scene.support.kind != "contact":
-        return _of_the_modes(pickle.dumps(shown(found)))
+        return _mode_picture_future(pickle.dumps(shown(found)))
     return painter().draw(module, function, partial(shown, found))
 
 
 @lru_cache(2)
-def _of_the_modes(content):
+def _mode_picture_future(content):
     """Return the Future of a picture of modes.
 
     The cache reuses a picture if only the motion and the sound of the disk differ.
@@ -106,24 +106,24 @@ def _of_the_modes(content):
 
 if sys.platform != "win32":
     os.register_at_fork(
-        after_in_child=_of_the_modes.cache_clear
+        after_in_child=_mode_picture_future.cache_clear
     )  # futures of the parent do not complete in a child
 
 
 def _instants(motion):
-    from sonify.report.page_data import instants  # slow import
+    from sonify.report.page_data import encoded_motion  # slow import
 
-    return instants(motion)
+    return encoded_motion(motion)
 
 
 def _sounds(sound):
-    from sonify.report.page_data import sounds  # slow import
+    from sonify.report.page_data import encoded_sounds  # slow import
 
     _ = sound.loudness  # computed early; run.json contains it
-    return sounds(sound)
+    return encoded_sounds(sound)
 
 
-def _left_out(name, found):
+def _is_omitted(name, found):
     if name == "energy":
         return not two_way(found.motion)
     return name == "stems" and found.plan.accuracy == "draft"
@@ -169,11 +169,11 @@ def _motion(found):
 
     For the paper's scene, the curves of the paper's figures are added.
     """
-    paper = _figures_of_the_paper(found.motion) if of_the_paper(found.scene) else None
-    return {"motion": _course(found.motion), "paper": paper}
+    paper = _paper_figures(found.motion) if of_the_paper(found.scene) else None
+    return {"motion": _time_histories(found.motion), "paper": paper}
 
 
-def _course(motion):
+def _time_histories(motion):
     """Return the time histories of a motion in SI units, with inclination in degrees."""
     t = np.linspace(0, motion.t[-1], 24_000)
     state, force = motion.at_and_force(t)
@@ -190,7 +190,7 @@ def _course(motion):
     }
 
 
-def _figures_of_the_paper(motion):
+def _paper_figures(motion):
     """Return the curves of the paper's figures and the weight in units of their normal force."""
     disk = motion.disk
     chi = disk.time_unit
@@ -221,7 +221,7 @@ def _energy(found):
     """Return the energies of a two-way coupled motion, at times denser towards its end."""
     end = found.motion.t[-1]
     begin = two_way(found.motion)[1]
-    t = nearing(begin, end)
+    t = times_towards_end(begin, end)
     budget = energy_budget(found.motion, t, radiated_power(found.sound, listener_of(found.scene)))
     held = {
         "disk": budget.disk,
@@ -235,10 +235,10 @@ def _energy(found):
     }
 
 
-def nearing(begin: float, end: float) -> np.ndarray:
+def times_towards_end(begin: float, end: float) -> np.ndarray:
     """Return times [s] from `begin`, denser towards `end`."""
     return np.maximum(
-        end - np.geomspace(end - begin, NEAREST * (end - begin), 2000), begin
+        end - np.geomspace(end - begin, LAST_SHARE * (end - begin), 2000), begin
     )  # round-off must not give earlier times
 
 
@@ -251,17 +251,17 @@ def _modes(found):
         "modes": found.modes,
         "slanted": slanted,
         "support": found.scene.support,
-        "moving": moving(steps),
+        "moving": mode_changes_text(steps),
     }
     if not table:
         return shown
-    few = range(min(len(table), MOST_TABLE))
+    few = range(min(len(table), MAX_TABLE_MODES))
     return shown | {
         "table": (table.points, table.face[few], [table_caption(table, i) for i in few], len(table))
     }
 
 
-def moving(steps) -> str:
+def mode_changes_text(steps) -> str:
     """Return one line per mode of a disk on its contact.
 
     It lists the frequency [Hz] of the mode at each inclination [degrees] as the disk falls.

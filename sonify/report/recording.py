@@ -41,12 +41,12 @@ def tell(
     high = spectrogram(recording, WINDOW_MODES)
     with whole(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, heard.duration, heard.tone)
-    told = (
+    content = (
         {"recording": _name(recording)}
         | numbers(heard, known)
         | {"runs": [run_numbers(run) for run in runs]}
     )
-    write_json(finite(told), folder / "heard.json")
+    write_json(finite(content), folder / "heard.json")
     settled = [line for run in runs for line in run_sentences(run)]
     return [
         *sentences(heard, known),
@@ -69,9 +69,13 @@ def _recording_in(folder):
 
     Return None if there is no such file, and "" if another program wrote it.
     """
-    told = folder / "heard.json"
+    content = folder / "heard.json"
     try:
-        return json.loads(told.read_text(encoding="utf-8"))["recording"] if told.exists() else None
+        return (
+            json.loads(content.read_text(encoding="utf-8"))["recording"]
+            if content.exists()
+            else None
+        )
     except (OSError, ValueError, LookupError, TypeError, RecursionError):
         return ""
 

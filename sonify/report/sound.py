@@ -12,7 +12,7 @@ from matplotlib.patheffects import withStroke
 from sonify.hearing.spectrogram import RATES, REFERENCE_PRESSURE, Spectrogram
 from sonify.report.figure import figure_at, legend_above, plain_decades
 
-RANGE_DB = 65.0
+COLOUR_RANGE_DB = 65.0
 """Range of the colour scale [dB].
 
 The brightest colour is the loudest level of each band, because the modes may be much quieter
@@ -28,15 +28,15 @@ STEM_STYLES = (
     ("#e69f00", (0, (3, 2))),
 )
 """Colours distinguishable for the colour-blind; the dashes differ in grey print."""
-LOWEST_MODE = 250.0
+MIN_MODE_FREQUENCY = 250.0
 """Lower limit of the band of the modes [Hz]."""
-ROWS = 400
+IMAGE_ROWS = 400
 """Number of rows of an image, close to the height of a panel in pixels."""
-EDGES = 0.04
+TABLE_LINE_LENGTH = 0.04
 """Length of the lines of the table modes, as a share of the width of a panel."""
-LINE = 14
+TEXT_LINE_HEIGHT = 14
 """Height of a line of small text [px]."""
-EDGE = [withStroke(linewidth=2.5, foreground="k")]
+DARK_OUTLINE = [withStroke(linewidth=2.5, foreground="k")]
 """Dark outline that keeps a white line visible on a white background."""
 
 
@@ -72,7 +72,9 @@ def draw_spectrogram(
     carrier : tuple of two ndarrays or None
         Times [s] and frequencies [Hz] of the resonance of an elastic contact.
     """
-    floors = [loudest_db(part) - RANGE_DB for part in (low, high.band(LOWEST_MODE, np.inf))]
+    floors = [
+        loudest_db(part) - COLOUR_RANGE_DB for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
+    ]
     with figure_at(path, 2, 2, (15, 9), width_ratios=[2.2, 1]) as (figure, axes):
         for (top, bottom), span in zip(axes.T, spans, strict=True):
             top.set(xlim=span)
@@ -80,7 +82,7 @@ def draw_spectrogram(
             turning = level_image(top, low.during(*span), 1.0, floors[0])
             _rate_lines(top, time, rates, 1.0)
             bottom.set(xlim=span)
-            log_frequency(bottom, (LOWEST_MODE / 1e3, high.frequency[-1] / 1e3))
+            log_frequency(bottom, (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3))
             ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
             modes = np.unique(np.round(frequencies)) / 1e3
             bottom.hlines(
@@ -97,7 +99,12 @@ def draw_spectrogram(
             if carrier is not None:
                 label = "resonance of the contact, solved"
                 bottom.plot(
-                    carrier[0], carrier[1] / 1e3, color="w", lw=0.7, label=label, path_effects=EDGE
+                    carrier[0],
+                    carrier[1] / 1e3,
+                    color="w",
+                    lw=0.7,
+                    label=label,
+                    path_effects=DARK_OUTLINE,
                 )
         _rate_lines(axes[1, 1], time, rates, 1e3)
         for panel in axes[:, 0]:
@@ -120,10 +127,13 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, t
 
     The fitted rising `tone` is drawn over it, if there is one.
     """
-    floors = [loudest_db(part, 1.0) - RANGE_DB for part in (low, high.band(LOWEST_MODE, np.inf))]
+    floors = [
+        loudest_db(part, 1.0) - COLOUR_RANGE_DB
+        for part in (low, high.band(MIN_MODE_FREQUENCY, np.inf))
+    ]
     with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
         log_frequency(axes[0], RATES)
-        log_frequency(axes[1], (LOWEST_MODE / 1e3, high.frequency[-1] / 1e3))
+        log_frequency(axes[1], (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3))
         axes[0].set(ylabel="frequency [Hz]", xlabel="time [s]")
         axes[0].set_title("Contact rates", loc="left")
         for panel, seen, unit, floor in zip(axes, (low, high), (1.0, 1e3), floors, strict=True):
@@ -136,7 +146,7 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, t
                     "lw": 1.0,
                     "ls": "--",
                     "label": "rising tone, fitted",
-                    "path_effects": EDGE,
+                    "path_effects": DARK_OUTLINE,
                 }
                 panel.plot(tone.end - left, tone.at(tone.end - left) / unit, **options)
                 _legend(panel)
@@ -170,7 +180,7 @@ def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
     """
     axes.set_facecolor(colormaps["magma"](0))
     level = seen.level_db(reference)
-    options = {"cmap": "magma", "vmin": floor, "vmax": floor + RANGE_DB}
+    options = {"cmap": "magma", "vmin": floor, "vmax": floor + COLOUR_RANGE_DB}
     time = seen.time
     frequency = seen.frequency / unit
     half = np.diff(time[:2], append=time[0] + 1)[0] / 2
@@ -191,7 +201,7 @@ def _rows(level, frequency, axes):
     A row that holds several frequencies shows the loudest.
     """
     heights = axes.yaxis.get_transform().transform(axes.get_ylim())
-    edges = np.linspace(*heights, ROWS + 1)
+    edges = np.linspace(*heights, IMAGE_ROWS + 1)
     edges = axes.yaxis.get_transform().inverted().transform(edges)
     between = np.searchsorted((frequency[1:] + frequency[:-1]) / 2, edges)
     return np.stack([level[a : max(a, b) + 1].max(axis=0) for a, b in pairwise(between)])
@@ -213,7 +223,7 @@ def _rate_lines(axes, time, rates, unit):
             lw=1.2,
             ls=style,
             label=f"{name}, solved",
-            path_effects=EDGE,
+            path_effects=DARK_OUTLINE,
         )
 
 
@@ -226,7 +236,7 @@ def _table_lines(panels, table, span):
 
     A table has many modes; longer lines would hide their sound.
     """
-    begin = span[1] - EDGES * (span[1] - span[0])
+    begin = span[1] - TABLE_LINE_LENGTH * (span[1] - span[0])
     for axes, unit in zip(panels, (1.0, 1e3), strict=True):
         axes.hlines(
             np.round(table) / unit,
@@ -247,7 +257,7 @@ def _labels(axes, frequencies, unit):
     (low, high) = axes.get_ylim()
     heights = np.unique(np.round(frequencies)) / unit  # a degenerate pair is one line
     shares = (scaled(heights) - scaled(low)) / (scaled(high) - scaled(low))
-    apart = LINE / axes.get_window_extent().height
+    apart = TEXT_LINE_HEIGHT / axes.get_window_extent().height
     last = -1.0
     leader = {
         "arrowstyle": "-",

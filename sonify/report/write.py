@@ -35,37 +35,41 @@ NAME = "eulers-disk-sonify"
 LIBRARIES = ("numpy", "scipy", "numba", "heyoka", "scikit-fem", "soundfile", "matplotlib")
 
 
-def told_by_the_page(result: "Result", pictures: Pictures) -> dict[str, Any]:
+def page_content(result: "Result", pictures: Pictures) -> dict[str, Any]:
     """Return the data of the page of a result, in the form that the page embeds."""
     from sonify.report import page  # slow import
 
-    return page.told(result, pictures.parts())
+    return page.template_data(result, pictures.parts())
 
 
 def write_record(
-    result: "Result", stages: Stages, pictures: Pictures, record: Future, told: Future
+    result: "Result", stages: Stages, pictures: Pictures, record: Future, content: Future
 ) -> None:
     """Write all files except the sound into the folder of a result, and time the stages.
 
-    `record` and `told` are Futures of the contents of run.json and of the data of the page.
+    `record` and `content` are Futures of the contents of run.json and of the data of the page.
     """
     from sonify.report import page  # slow import
 
     with stages.stage("motion.npz, modes"):
         write_motion(result.motion, result.out / "motion.npz")
         rings = {"ring_down": finite(ring_down_record(result.sound.ringing))}
-        write_json(as_json(result.modes) | moved(result) | rings, result.out / "modes.json")
+        write_json(
+            as_json(result.modes) | mode_changes_record(result) | rings, result.out / "modes.json"
+        )
         with whole(result.out / "modes.vtu") as temporary:
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
         pictures.write(result)
     if result.scene.surface.kind == "mesh":
-        keep_mesh(Path(result.scene.surface.file), result.out)
-    write_json(record.result() | {"seconds": rounded(result.seconds)}, result.out / "run.json")
-    page.write(result, result.out / "report.html", told.result())
+        copy_table_mesh(Path(result.scene.surface.file), result.out)
+    write_json(
+        record.result() | {"seconds": rounded_seconds(result.seconds)}, result.out / "run.json"
+    )
+    page.write(result, result.out / "report.html", content.result())
 
 
-def moved(result: "Result") -> dict:
+def mode_changes_record(result: "Result") -> dict:
     """Return the entry of modes.json for a disk on its contact.
 
     It holds the modes at several inclinations [rad] of the run.
@@ -109,7 +113,7 @@ def write_motion(motion: Motion, path: Path):
         )
 
 
-def keep_mesh(file: Path, out: Path):
+def copy_table_mesh(file: Path, out: Path):
     """Copy the mesh of a table into the folder `out` of run.json.
 
     The record names the mesh without its folder, so it is a valid scene on any machine.
@@ -145,7 +149,7 @@ def run_record(result: "Result") -> dict:
             "loudness_lufs": finite(sound.loudness[0]),
             "roughness": "not in a draft"
             if result.plan.accuracy == "draft"
-            else roughness_before(sound),
+            else roughness_record(sound),
             "stem_peak_pascal": sound.stem_peak,
             "energy_below_100_hz_300_hz": sound.low_share,
             "ring_down": finite(ring_down_record(sound.ringing)),
@@ -156,7 +160,7 @@ def run_record(result: "Result") -> dict:
         "findings": [
             finite(asdict(f)) | {"verdict": f.verdict, "holds": f.holds} for f in result.findings
         ],
-        "seconds": rounded(result.seconds),
+        "seconds": rounded_seconds(result.seconds),
         "versions": versions(),
     }
 
@@ -175,7 +179,7 @@ def ring_down_record(ringing: RingDown) -> dict:
     return {name: column.tolist() for name, column in columns.items()} | {"mean_gap": ringing.gap}
 
 
-def rounded(seconds: dict[str, float]) -> dict[str, float]:
+def rounded_seconds(seconds: dict[str, float]) -> dict[str, float]:
     """Return the durations of the stages [s], rounded to milliseconds."""
     return {name: round(spent, 3) for name, spent in dict(seconds).items()}
 
@@ -196,10 +200,10 @@ def summary(result: "Result") -> dict[str, Any]:
     row |= dict(
         zip(("energy_below_100_hz", "energy_below_300_hz"), result.sound.low_share, strict=True)
     )
-    return row | judged(result.findings, result.checks) | timed(result.seconds)
+    return row | verdict_columns(result.findings, result.checks) | duration_columns(result.seconds)
 
 
-def judged(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
+def verdict_columns(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
     """Return the value and the verdict of each finding and check, by key."""
     row: dict[str, Any] = {}
     for finding in findings:
@@ -209,12 +213,12 @@ def judged(findings: list[Finding], checks: list[Check]) -> dict[str, Any]:
     return row
 
 
-def timed(seconds: dict[str, float]) -> dict[str, float]:
+def duration_columns(seconds: dict[str, float]) -> dict[str, float]:
     """Return the duration of each stage [s] as scalars of a row."""
     return {f"seconds_{name.replace(' ', '_')}": spent for name, spent in seconds.items()}
 
 
-def roughness_before(sound: Sound) -> dict | str:
+def roughness_record(sound: Sound) -> dict | str:
     """Return the roughness [asper] in the last seconds of the motion.
 
     If it cannot be computed, return the reason.
@@ -246,7 +250,7 @@ def versions() -> dict[str, str]:
 
     The entry `commit` identifies the checkout, if there is one.
     """
-    found = {"python": python_version(), "platform": platform(), "commit": commit()}
+    found = {"python": python_version(), "platform": platform(), "commit": git_output()}
     return found | {name: version_of(name) for name in (NAME, *LIBRARIES)}
 
 
@@ -259,7 +263,7 @@ def version_of(package: str) -> str:
         return "not installed"
 
 
-def commit(*asked: str) -> str:
+def git_output(*asked: str) -> str:
     """Return the output of a git command in the checkout of this file.
 
     The default is the hash of its commit. The result is "unknown" without output.

@@ -14,7 +14,7 @@ from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import planned, solvable, solve_motion
 from sonify.plan.table import with_table
-from sonify.report.write import judged, summary, timed, write_json, write_motion
+from sonify.report.write import duration_columns, summary, verdict_columns, write_json, write_motion
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene, from_document
 from sonify.sound.wav import write_sound
@@ -48,7 +48,7 @@ def row_of(
         raise  # a full disk is not an error of the run
     except Exception as error:  # the sweep continues after any failure of a run
         row = {"error": f"{type(error).__name__}: {' '.join(str(error).split())}"}
-    return row | timed(watch.seconds)
+    return row | duration_columns(watch.seconds)
 
 
 def _row(scene, stages, keep, folder, watch):
@@ -74,14 +74,16 @@ def _motion(scene, folder):
     row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])} | air_scalars(
         scene, motion
     )
-    return row | judged(found_by("motion_findings", scene, motion), motion_checks(scene, motion))
+    return row | verdict_columns(
+        found_by("motion_findings", scene, motion), motion_checks(scene, motion)
+    )
 
 
 def _modes(scene, folder):
     _, modes = planned(scene, remembered)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
-    return judged(found_by("mode_findings", scene, modes), mode_checks(scene, modes))
+    return verdict_columns(found_by("mode_findings", scene, modes), mode_checks(scene, modes))
 
 
 def _arrays(result, folder, _):

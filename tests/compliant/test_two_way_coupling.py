@@ -500,7 +500,7 @@ def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
         assert image.size == pytest.approx(
             (1210, 616), abs=1
         )  # matplotlib rounds or cuts the last pixel
-    assert pictures._left_out("energy", SimpleNamespace(motion=motion.first))
+    assert pictures._is_omitted("energy", SimpleNamespace(motion=motion.first))
     told = captions.energy(SimpleNamespace(motion=motion))
     assert all(cause in told for cause in budget.lost)
 
@@ -546,7 +546,8 @@ def test_no_instant_of_the_picture_of_energies_lies_before_the_table_acts_back()
     """By round-off one instant preceded the switch, and the page of such a run was not written."""
     ends = np.linspace(1.0, 1.01, 1000)
     assert all(
-        pictures.nearing(0.1, end).min() >= 0.1 and pictures.nearing(0.1, end).max() < end
+        pictures.times_towards_end(0.1, end).min() >= 0.1
+        and pictures.times_towards_end(0.1, end).max() < end
         for end in ends
     )
     assert any(end - (end - 0.1) < 0.1 for end in ends)  # the round-off in question

@@ -37,8 +37,8 @@ from modal.synthesis.free_disk import Richness
 from modal.synthesis.residual_flexibility import regular_flexibility, strip_flexibility
 from sonify import load_scene
 from sonify.plan.supports import compared, over_the_run
-from sonify.report.pictures import moving
-from sonify.report.write import moved
+from sonify.report.pictures import mode_changes_text
+from sonify.report.write import mode_changes_record
 from sonify.sound.modal_forcing import forcing_per_newton
 
 LAW = granite()
@@ -322,8 +322,8 @@ def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs()
     with pytest.raises(UnsolvableError, match="so stiff a contact"):
         eigenmodes(scene, 20e3, replace(scene.support, inclination_deg=np.degrees(5e-7)))
     assert [step.modes is None for step in steps] == [False, False, True]
-    assert moving(steps).splitlines()[-1].endswith("→ none")
-    told = moved(
+    assert mode_changes_text(steps).splitlines()[-1].endswith("→ none")
+    told = mode_changes_record(
         SimpleNamespace(scene=scene, motion=motion, plan=SimpleNamespace(highest_mode=20e3))
     )["over_the_run"]
     assert [type(step["frequency"]) for step in told] == [list, list, type(None)]

@@ -20,7 +20,7 @@ from sonify import load_scene
 from sonify.examples import own_mesh, table_mesh
 from sonify.plan.preflight import solve_motion
 from sonify.plan.table import bending, check_table, off_since, with_table
-from sonify.report.write import keep_mesh, scene_record, write_json
+from sonify.report.write import copy_table_mesh, scene_record, write_json
 from sonify.scene_errors import SceneError
 from sonify.sound.sources.tabletop import contact_place
 
@@ -197,14 +197,14 @@ def test_the_record_of_a_run_on_a_mesh_is_a_scene_wherever_it_is(tmp_path):
     scene = load_scene("wood-table")
     there = tmp_path / "there"
     (tmp_path / "here").mkdir()
-    keep_mesh(Path(scene.surface.file), tmp_path / "here")
+    copy_table_mesh(Path(scene.surface.file), tmp_path / "here")
     write_json({"scene": scene_record(scene)}, tmp_path / "here" / "run.json")
     (tmp_path / "here").rename(there)
     assert str(Path(scene.surface.file).parent) not in (there / "run.json").read_text("utf-8")
     again = load_scene(there / "run.json")
     assert again.replace(f"surface.file={scene.surface.file}") == scene
     assert Path(again.surface.file).read_bytes() == Path(scene.surface.file).read_bytes()
-    keep_mesh(Path(again.surface.file), there)  # copies the mesh onto itself
+    copy_table_mesh(Path(again.surface.file), there)  # copies the mesh onto itself
 
 
 def test_a_mesh_without_a_top_face_is_refused(tmp_path):

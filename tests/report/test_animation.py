@@ -23,8 +23,24 @@ from dynamics import simulate
 from modal import eigenmodes
 from sonify.__main__ import main
 from sonify.report import animation
-from sonify.report.animation import AFTER, FPS, SIZE, STAGE, STEEPEST, animate, camera_of, clip_of
-from sonify.report.perspective import TABLE, Camera, contact, exposed, rims, table
+from sonify.report.animation import (
+    DISK_VIEW_SIZE,
+    FILM_SIZE,
+    FRAME_RATE,
+    MIN_DRAWN_INCLINATION,
+    TAIL_DURATION,
+    animate,
+    camera_of,
+    clip_of,
+)
+from sonify.report.perspective import (
+    TABLE_COLOUR,
+    Camera,
+    contact_points,
+    draw_blurred_disk,
+    draw_table,
+    rim_points,
+)
 from sonify.sound.render import Renderer
 from sonify.sound.wav import write_sound
 
@@ -42,8 +58,8 @@ def result(scene, tmp_path_factory):
 
 def test_the_disk_stands_on_the_table_where_the_contact_is(scene, motion):
     state = motion.at(np.linspace(0, 15, 50))
-    body = rims(state, state[:, 1], scene.disk)
-    touching = contact(state, state[:, 1], scene.disk)
+    body = rim_points(state, state[:, 1], scene.disk)
+    touching = contact_points(state, state[:, 1], scene.disk)
     lowest = body[:, 0, :, 2].min(axis=1)
     corner = (
         scene.disk.radius * np.sin(state[:, 1]) * (1 - np.cos(np.pi / body.shape[2]))
@@ -62,7 +78,9 @@ def test_the_point_of_the_rim_in_contact_is_at_rest_while_the_disk_rolls(scene, 
     t = np.array([1.0, 3.0, 6.0])
     h = 1e-6
     assert all(name.startswith("roll") for name in motion.regime(t))
-    bodies = [rims(motion.at(t + e), motion.at(t + e)[:, 1], scene.disk)[:, 0] for e in (-h, h)]
+    bodies = [
+        rim_points(motion.at(t + e), motion.at(t + e)[:, 1], scene.disk)[:, 0] for e in (-h, h)
+    ]
     speed = np.linalg.norm(bodies[1] - bodies[0], axis=2) / (2 * h)
     nearest = bodies[0][:, :, 2].argmin(axis=1)
     assert np.all(speed[np.arange(3), nearest] < 0.05 * speed.max(axis=1))
@@ -95,11 +113,11 @@ def test_the_disk_stays_in_the_picture(result, late):
         camera = camera_of(clip)
         disk = clip.result.scene.disk
         state = clip.states(np.linspace(*clip.span, 200))
-        bodies = rims(state, clip.inclination(state), disk)
+        bodies = rim_points(state, clip.inclination(state), disk)
         place = camera.project(bodies)
-        assert np.all((place > 0) & (place < np.array(STAGE)))
-        image = exposed(camera, table(camera, disk.radius), bodies[:1])
-        assert tuple(image[-1, 0]) == TABLE
+        assert np.all((place > 0) & (place < np.array(DISK_VIEW_SIZE)))
+        image = draw_blurred_disk(camera, draw_table(camera, disk.radius), bodies[:1])
+        assert tuple(image[-1, 0]) == TABLE_COLOUR
         assert np.ptp(image.reshape(-1, 3), axis=0).max() > 100
 
 
@@ -111,7 +129,7 @@ def test_a_small_inclination_is_drawn_larger_and_a_large_one_as_it_is(result, la
     end = late.motion.t[-1]
     assert clip.span == pytest.approx((end - 7, end + 1))
     assert clip.inclination(clip.states(np.linspace(*clip.span, 2000))).max() == pytest.approx(
-        STEEPEST
+        MIN_DRAWN_INCLINATION
     )
 
 
@@ -126,17 +144,17 @@ def test_the_film_plays_anywhere_and_its_sound_is_in_step(result):
     raw = subprocess.run(
         [*command, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], check=True, stdout=subprocess.PIPE
     )
-    frames = np.frombuffer(raw.stdout, np.uint8).reshape(-1, SIZE[1], SIZE[0], 3)
+    frames = np.frombuffer(raw.stdout, np.uint8).reshape(-1, FILM_SIZE[1], FILM_SIZE[0], 3)
     assert about["codec"] == "h264"
     assert about["pix_fmt"].startswith("yuv420p")
     assert about["audio_codec"] == "aac"
-    assert about["fps"] == FPS
-    assert len(frames) == int((result.sound.source_end + AFTER) * FPS)
+    assert about["fps"] == FRAME_RATE
+    assert len(frames) == int((result.sound.source_end + TAIL_DURATION) * FRAME_RATE)
     changed = np.abs(frames[-1].astype(float) - frames[0]).mean(axis=2) > 20
     assert (
-        changed[: STAGE[1], : STAGE[0]].mean() > 0.02
+        changed[: DISK_VIEW_SIZE[1], : DISK_VIEW_SIZE[0]].mean() > 0.02
     )  # the disk has moved, and so has the cursor
-    assert changed[STAGE[1] :].any(axis=0).sum() < 20
+    assert changed[DISK_VIEW_SIZE[1] :].any(axis=0).sum() < 20
     heard = path.with_name("heard.wav")
     subprocess.run([*command, "-vn", str(heard)], check=True)
     samples, rate = soundfile.read(heard)
@@ -150,7 +168,7 @@ def test_a_full_disk_leaves_no_half_film(result, monkeypatch):
     pytest.importorskip("imageio_ffmpeg", reason="the extra `animation` is not installed")
     resource = pytest.importorskip("resource", reason="this system cannot limit the size of files")
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-    monkeypatch.setattr(animation, "cut_sound", lambda clip, path: result.out / "sound.wav")
+    monkeypatch.setattr(animation, "write_clip_sound", lambda clip, path: result.out / "sound.wav")
     before = resource.getrlimit(resource.RLIMIT_FSIZE)
     (result.out / "animation.mp4").unlink(missing_ok=True)
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, before[1]))

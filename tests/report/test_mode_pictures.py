@@ -13,8 +13,14 @@ import pytest
 import skfem
 
 from modal import Body, Material, Plate, Support, plate_modes
-from sonify.report.lit_polygons import skin
-from sonify.report.mode_shapes import caption, draw_modes, edges, stiff_share, top_face
+from sonify.report.lit_polygons import surface_polygons
+from sonify.report.mode_shapes import (
+    draw_modes,
+    face_radii,
+    mode_caption,
+    rigid_motion_share,
+    top_face,
+)
 
 STEEL = Material(young=195e9, poisson=0.28, loss_factor=3e-4)
 DISK = Plate(radius=0.03755, thickness=0.0128, material=STEEL, density=7737.27)
@@ -74,7 +80,7 @@ def test_the_skin_of_a_cube_is_its_six_sides(cell, tmp_path):
     body = Body(
         points=read.points, cells=block.data, cell_type=block.type, displacement=read.points[None]
     )
-    corners = body.points[skin(body)]
+    corners = body.points[surface_polygons(body)]
     sides = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]) / 2
     if corners.shape[1] == 4:
         sides += np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 0]) / 2
@@ -83,11 +89,11 @@ def test_the_skin_of_a_cube_is_its_six_sides(cell, tmp_path):
 
 def test_a_hole_is_left_out(modes, tmp_path):
     ring = plate_modes(Plate(**vars(DISK) | {"inner_radius": 0.02}), 20e3)
-    assert edges(ring) == pytest.approx((0.03755, 0.02), rel=1e-3)
-    assert edges(modes)[1] == 0
-    x, y, _ = top_face(ring, 0, *edges(ring))
+    assert face_radii(ring) == pytest.approx((0.03755, 0.02), rel=1e-3)
+    assert face_radii(modes)[1] == 0
+    x, y, _ = top_face(ring, 0, *face_radii(ring))
     assert (np.hypot(x, y).min(), np.hypot(x, y).max()) == pytest.approx((0.02, 0.03755), rel=1e-3)
-    points = ring.body.points[skin(ring.body)].mean(axis=1)
+    points = ring.body.points[surface_polygons(ring.body)].mean(axis=1)
     assert np.hypot(*points[:, :2].T).min() > 0.019
     draw_modes(ring, tmp_path / "ring.png")
 
@@ -136,18 +142,18 @@ def test_a_stiff_disk_that_turns_about_its_patch_swings():
     }
     rims = {"rim_angle": angle, "rim_shape": np.array([turned, turned + bent])}
     modes = SimpleNamespace(frequency=[800.0, 900.0], decay_rate=[0.0, 0.0], **names, **rims)
-    assert [stiff_share(modes, i) for i in (0, 1)] == pytest.approx([1, 0.5])
-    assert caption(modes, 0, held=True) == "1: 800 Hz\nswing, in plane"
-    assert caption(modes, 1, held=True) == "2: 900 Hz\nextensional, order 0"
-    assert caption(modes, 0) == "1: 800 Hz\nextensional, order 0"
+    assert [rigid_motion_share(modes, i) for i in (0, 1)] == pytest.approx([1, 0.5])
+    assert mode_caption(modes, 0, held=True) == "1: 800 Hz\nswing, in plane"
+    assert mode_caption(modes, 1, held=True) == "2: 900 Hz\nextensional, order 0"
+    assert mode_caption(modes, 0) == "1: 800 Hz\nextensional, order 0"
 
 
 def test_captions_say_what_a_mode_is(modes):
-    assert caption(modes, 0) == "1: 10603 Hz, T60 0.69 s\nflexural, even, order 2"
+    assert mode_caption(modes, 0) == "1: 10603 Hz, T60 0.69 s\nflexural, even, order 2"
     silent = SimpleNamespace(
         frequency=modes.frequency, decay_rate=0 * modes.decay_rate, decay_time=modes.decay_time
     )
     vars(silent).update(
         parity=modes.parity, partner=modes.partner, family=modes.family, order=modes.order
     )
-    assert "T60" not in caption(silent, 0)
+    assert "T60" not in mode_caption(silent, 0)

@@ -22,7 +22,7 @@ from dynamics.observables import drawn_rates
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.report import maps, pictures, sound
 from sonify.report import motion as motion_pictures
-from sonify.report.figure import envelope
+from sonify.report.figure import running_range
 from sonify.scene import load_scene
 
 
@@ -42,7 +42,7 @@ def drawn(monkeypatch):
 
 
 def course(motion):
-    return {"motion": pictures._course(motion)}
+    return {"motion": pictures._time_histories(motion)}
 
 
 @pytest.fixture(scope="module")
@@ -69,7 +69,7 @@ def test_a_motion_is_drawn_in_si_units_without_the_paper(drawn, short):
 
 
 def test_the_figures_of_the_paper_are_drawn_for_its_scene_alone(drawn, short):
-    paper = pictures._figures_of_the_paper(short)
+    paper = pictures._paper_figures(short)
     one = drawn(motion_pictures.draw_motion, **course(short), paper=paper)
     assert_readable(one)
     assert len(one.axes) == 12
@@ -86,14 +86,14 @@ def test_an_envelope_holds_the_oscillation_and_not_the_decline():
     """The envelope of 3 + sin spans 2 to 4; that of a straight line has zero width, except at its
     ends."""
     t = np.linspace(0, 100, 20_001)
-    mean, least, greatest = envelope(3 + np.sin(2 * np.pi * t), 0.02)
+    mean, least, greatest = running_range(3 + np.sin(2 * np.pi * t), 0.02)
     assert least[20:-20] == pytest.approx(2, abs=0.01)
     assert greatest[20:-20] == pytest.approx(4, abs=0.01)
     assert mean[20:-20] == pytest.approx(3, abs=0.01)
-    _, least, greatest = envelope(t, 0.02)
+    _, least, greatest = running_range(t, 0.02)
     assert (greatest - least)[20:-20] == pytest.approx(0, abs=1e-6)
     rough = np.random.default_rng(1).exponential(size=20_001)
-    _, least, greatest = envelope(rough, 0.02)
+    _, least, greatest = running_range(rough, 0.02)
     assert least.min() >= rough.min()
     assert greatest.max() <= rough.max()
 

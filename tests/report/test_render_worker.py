@@ -75,13 +75,13 @@ def test_the_modes_of_a_disk_are_drawn_once_however_it_moves(monkeypatch):
     found = SimpleNamespace(scene=scene, plan=plan, modes=np.arange(3.0), table=None, motion=None)
     slides = scene.replace("friction.mu_static=0.4")
     other = np.arange(4.0)
-    pictures._of_the_modes.cache_clear()
+    pictures._mode_picture_future.cache_clear()
     first, again = (
-        pictures._begun("modes", SimpleNamespace(**vars(found) | {"scene": s}))
+        pictures._picture_future("modes", SimpleNamespace(**vars(found) | {"scene": s}))
         for s in (scene, slides)
     )
-    third = pictures._begun("modes", SimpleNamespace(**vars(found) | {"modes": other}))
-    pictures._of_the_modes.cache_clear()
+    third = pictures._picture_future("modes", SimpleNamespace(**vars(found) | {"modes": other}))
+    pictures._mode_picture_future.cache_clear()
     assert first is again
     assert first is not third
     assert [work[2]()["modes"].tolist() for work in drawn] == [

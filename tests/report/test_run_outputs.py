@@ -301,7 +301,7 @@ def test_pictures_say_what_is_seen(result):
 
 
 def test_a_sound_too_long_for_the_page_is_beside_it(result, tmp_path, monkeypatch):
-    monkeypatch.setattr(page_data, "MOST_SOUND", 1000)
+    monkeypatch.setattr(page_data, "MAX_SOUND_BYTES", 1000)
     report.write(result, tmp_path / "report.html")
     page = (tmp_path / "report.html").read_text()
     assert page.count("data:audio") == 0
@@ -331,7 +331,7 @@ def test_the_page_shows_the_motion(result):
     data = page_data.page_data(result)["motion"]
     t, precession = (np.frombuffer(b64decode(data[name]["base64"])) for name in ("t", "precession"))
     assert t[[0, -1]].tolist() == result.motion.t[[0, -1]].tolist()
-    assert len(t) <= page_data.MOST_INSTANTS + 2
+    assert len(t) <= page_data.MAX_INSTANTS + 2
     heard = t[:-1] < result.motion.t[-1] - 0.01
     assert np.abs(np.diff(precession))[heard].max() < 2 * np.pi / 5
 
@@ -429,8 +429,8 @@ def test_terminal_page_and_record_give_one_verdict(result, record):
     page = (result.out / "report.html").read_text(encoding="utf-8")
     shown = re.findall(r'<li class="(\w+)"><p class="claim"><strong>([^<]*)</strong>', page)
     assert shown == [(finding.verdict, finding.answer) for finding in result.findings]
-    assert report.counted(result.findings) in page
-    assert report.counted(result.findings) in repr(result)
+    assert report.verdict_counts(result.findings) in page
+    assert report.verdict_counts(result.findings) in repr(result)
 
 
 def test_a_contact_that_is_lost_is_not_found_kept():

@@ -26,7 +26,7 @@ from modal.tabletop.solve import surface_modes
 from sonify.claims.details import unit_and_details
 from sonify.claims.rigid_motion import load_frequency_rises
 from sonify.plan.preflight import solve_motion
-from sonify.report.page_data import rates
+from sonify.report.page_data import encoded_rates
 from sonify.scene import load_scene
 
 
@@ -123,7 +123,9 @@ def test_where_the_contact_hops_the_nutation_is_drawn_while_there_is_one():
     share = nutation[drawn] / precession[drawn]
     assert (np.abs(share - np.median(share)) < 0.1).all()
     assert f"the disk nutates until {end:.4g} s" in unit_and_details(load_frequency_rises(motion))
-    assert rates(motion)["nutation"]["base64"] != rates(motion)["precession"]["base64"]
+    assert (
+        encoded_rates(motion)["nutation"]["base64"] != encoded_rates(motion)["precession"]["base64"]
+    )
 
 
 def test_a_few_peaks_that_come_by_chance_are_no_nutation():
