@@ -16,8 +16,8 @@ from sonify.runtime.signals import BrokenOffError, well_behaved
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for small matrices more threads are slower
 
-FULL = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
-REFUSED = {
+DISK_FULL_ERRORS = {errno.ENOSPC, errno.EDQUOT, errno.EFBIG}
+ACCESS_ERRORS = {
     errno.EACCES,
     errno.EPERM,
     errno.EROFS,
@@ -27,21 +27,24 @@ REFUSED = {
     errno.ELOOP,
 }
 ASSIGNMENT = re.compile(r"[A-Za-z_][\w.]*\s*=")
-ACCURACIES = ("draft", "standard", "reference")
+ACCURACY_LEVELS = ("draft", "standard", "reference")
 
 
-class FullHelp(click.Group):
+class FullSummaryGroup(click.Group):
     """Command group that lists every command with its full summary, wrapped to the terminal."""
 
     def format_commands(self, context, formatter):
         """Write the commands with their full summaries."""
         commands = {name: self.get_command(context, name) for name in self.list_commands(context)}
-        summaries = [(name, " ".join(one.help.split())) for name, one in commands.items()]
+        summaries = [
+            (name, " ".join(command.help.split("\n\n")[0].split()))
+            for name, command in commands.items()
+        ]
         with formatter.section("Commands"):
             formatter.write_dl(summaries)
 
 
-class OneLine(FullHelp):
+class OneLineErrorGroup(FullSummaryGroup):
     """Command group that reports expected errors as one line on standard error.
 
     `invoke` defines the exit status.
@@ -58,7 +61,7 @@ class OneLine(FullHelp):
     def invoke(self, context):
         """Run the command and convert expected errors to an exit status.
 
-        1: full disk, or work broken off; 2: invalid input or output; 128 + n: signal n.
+        1: full disk, or an aborted computation; 2: invalid input or output; 128 + n: signal n.
         """
         from sonify.runtime.files import OutputError
         from sonify.scene_errors import InputError
@@ -66,29 +69,31 @@ class OneLine(FullHelp):
         try:
             return super().invoke(context)
         except (InputError, OutputError) as error:
-            _stop(error, 2)
+            _exit_with_message(error, 2)
         except click.UsageError as error:
-            _stop(error.format_message(), error.exit_code)
+            _exit_with_message(error.format_message(), error.exit_code)
         except BrokenOffError as error:
-            _stop(error, 1)
+            _exit_with_message(error, 1)
         except KeyboardInterrupt as signal:
-            _stop("interrupted", 128 + (signal.args or [SIGINT])[0])
+            _exit_with_message("interrupted", 128 + (signal.args or [SIGINT])[0])
         except OSError as error:
-            if error.errno not in FULL | REFUSED:
+            if error.errno not in DISK_FULL_ERRORS | ACCESS_ERRORS:
                 raise
             where = error.filename or f"the output, or a temporary file in {gettempdir()}"
-            _stop(f"{where}: {error.strerror}", 1 if error.errno in FULL else 2)
+            _exit_with_message(
+                f"{where}: {error.strerror}", 1 if error.errno in DISK_FULL_ERRORS else 2
+            )
 
 
-class WithAssignments(click.Command):
+class AssignmentCommand(click.Command):
     """Command that accepts several assignments after one --set, as in `--set a=1 b=2`."""
 
     def parse_args(self, context, arguments):
         """Parse the arguments after inserting --set before each further assignment."""
-        return super().parse_args(context, list(_set_before_each(arguments)))
+        return super().parse_args(context, list(_repeat_set_option(arguments)))
 
 
-def _set_before_each(arguments):
+def _repeat_set_option(arguments):
     """Yield the arguments, with --set before each assignment that follows another assignment."""
     role = "other"
     for argument in arguments:
@@ -105,7 +110,7 @@ def _set_before_each(arguments):
         yield argument
 
 
-class Given(click.ParamType):
+class NonEmptyText(click.ParamType):
     """Parameter type for text that must not be empty.
 
     An empty value, e.g. from an unset shell variable, does not select the default.
@@ -123,37 +128,44 @@ class Given(click.ParamType):
         return value
 
 
-PATH, TEXT = Given("path"), Given("text")
+PATH = NonEmptyText("path")
+TEXT = NonEmptyText("text")
 
 
-def _stop(message, status):
+def _exit_with_message(message, status):
     click.echo(f"sonify: {' '.join(str(message).split())}", err=True)
     sys.exit(status)
 
 
-@click.group(cls=OneLine, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=OneLineErrorGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(__version__, message="%(version)s")
 def main():
     """Euler's disk, heard: from a scene to its sound."""
 
 
-@main.command(cls=WithAssignments)
+@main.command(cls=AssignmentCommand)
 @click.argument("scene", default="published", type=TEXT)
-@click.option("--out", type=PATH, help="Folder for the files; default outputs/<scene name>.")
-@click.option("--accuracy", type=click.Choice(ACCURACIES), help="Instead of the scene's.")
+@click.option("--out", type=PATH, help="Output folder; default outputs/<scene name>.")
+@click.option(
+    "--accuracy", type=click.Choice(ACCURACY_LEVELS), help="Accuracy level; overrides the scene."
+)
 @click.option(
     "--set",
     "assignments",
     multiple=True,
     metavar="KEY=VALUE ...",
-    help="Replace values, as friction.mu_static=0.3 audio.distance=1.0.",
+    help="Override values of the scene, e.g. friction.mu_static=0.3 audio.distance=1.0.",
 )
 @click.option(
-    "--animation", is_flag=True, help="Film the last seconds, too (needs the extra `animation`)."
+    "--animation",
+    is_flag=True,
+    help="Also render a video of the last seconds (needs the extra `animation`).",
 )
 def run(scene, out, accuracy, assignments, animation):
-    """Solve SCENE, a shipped name, a TOML file or the run.json of a run; write sound, pictures and
-    report."""
+    """Simulate SCENE and write its sound, pictures and report.
+
+    SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run.
+    """
     from sonify.scene import load_scene
 
     if ASSIGNMENT.match(scene) and not os.path.exists(scene):
@@ -178,7 +190,7 @@ def run(scene, out, accuracy, assignments, animation):
         click.echo(str(result.out / name))
     answers = in_short(result.findings)
     for question in ANSWERS:
-        click.echo(f"{question}: {answers.get(question, 'not judged in this run')}")
+        click.echo(f"{question}: {answers.get(question, 'not evaluated in this run')}")
     sys.exit(0 if result.passed else 1)
 
 
@@ -187,14 +199,15 @@ def run(scene, out, accuracy, assignments, animation):
 @click.option(
     "--out",
     type=PATH,
-    help="Folder for picture and numbers; default outputs/listen/<name of the file>.",
+    help="Output folder; default outputs/listen/<name of the file>.",
 )
 @click.option(
-    "--scene", type=TEXT, help="Whose resonances the carriers are matched to: a name or a file."
+    "--scene",
+    type=TEXT,
+    help="Scene whose resonances are compared with the spectral lines (a name or a file).",
 )
 def listen(recording, out, scene):
-    """Seek the rising tone, its end and exponent, and the carriers in RECORDING, a sound file of
-    your own."""
+    """Detect disks and coins that come to rest, and spectral lines, in the sound file RECORDING."""
     from sonify.report.recording import tell
 
     for line in tell(recording, out, scene, warn=lambda line: click.echo(line, err=True)):
@@ -208,17 +221,21 @@ def listen(recording, out, scene):
     type=TEXT,
     default="toy",
     show_default=True,
-    help="Whose radius, thickness and air: a name or a file.",
+    help="Scene that provides radius, thickness and air (a name or a file).",
 )
 @click.option(
-    "--out", type=PATH, help="Folder for the files; default outputs/fit/<name of the first file>."
+    "--out", type=PATH, help="Output folder; default outputs/fit/<name of the first file>."
 )
 @click.option(
-    "--like", type=click.Choice(["fu-berlin"]), help="Also the exponents of a published chain."
+    "--like",
+    type=click.Choice(["fu-berlin"]),
+    help="Also compute the exponents as in a published analysis.",
 )
 def fit(recordings, scene, out, like):
-    """Find what slowed the disk in RECORDINGS: sound files, exports of phyphox, or folders of
-    takes."""
+    """Estimate what slowed the disk in RECORDINGS.
+
+    RECORDINGS are sound files, phyphox exports, or folders of takes.
+    """
     from sonify.console import Console
 
     with Console() as stages:
@@ -237,12 +254,12 @@ def fit(recordings, scene, out, like):
 
 @main.command()
 @click.option(
-    "--keys", is_flag=True, help="List every key of a scene instead: unit, range, default, meaning."
+    "--keys", is_flag=True, help="List every scene key with unit, range, default and meaning."
 )
 @click.option(
     "--schema",
     is_flag=True,
-    help="Print the JSON schema of a scene instead, for editors that complete.",
+    help="Print the JSON schema of a scene, for completion in editors.",
 )
 def scenes(keys, schema):
     """List the shipped scenes."""
@@ -262,18 +279,22 @@ def scenes(keys, schema):
 
 @main.command()
 @click.argument("name", type=click.Choice([*CHART_NAMES, "all"]), default="all")
-@click.option("--quick", is_flag=True, help="Fewer settings of every method, in under two minutes.")
 @click.option(
-    "--out", type=PATH, default="outputs/charts", show_default=True, help="Folder for the files."
+    "--quick", is_flag=True, help="Fewer settings per method; takes less than two minutes."
+)
+@click.option(
+    "--out", type=PATH, default="outputs/charts", show_default=True, help="Output folder."
 )
 @click.option(
     "--redraw",
     is_flag=True,
-    help="Measure nothing: make pictures and pages from the tables in the folder.",
+    help="Redraw pictures and pages from existing tables without measuring.",
 )
 def chart(name, quick, out, redraw):
-    """Measure speed against accuracy, and where methods fail; write a table, a picture and a
-    page."""
+    """Measure speed against accuracy, and where methods fail.
+
+    Writes a table, a picture and a page for each chart.
+    """
     chart_files = load_chart_files()
     from sonify.console import Console
 
@@ -287,20 +308,19 @@ def chart(name, quick, out, redraw):
 @click.argument("what", type=click.Choice(["modes"]))
 @click.argument("scene", default="published", type=TEXT)
 @click.option(
-    "--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="Kind of file."
+    "--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="File format."
 )
 @click.option(
     "--strike",
     type=float,
     metavar="ANGLE",
-    help="Where Faust strikes [degrees]; default: opposite, 180.",
+    help="Angle of the strike in the Faust program [degrees]; default 180, opposite the patch.",
 )
 @click.option(
-    "--out", type=PATH, help="The file; default <scene name> with the suffix of its kind."
+    "--out", type=PATH, help="Output file; default <scene name> with the suffix of the format."
 )
 def export(what, scene, form, strike, out):
-    """Write the modes of SCENE for Faust, for modal analysis (universal file, extra `uff`) or for
-    ParaView."""
+    """Export the modes of SCENE as a Faust program, a universal file (extra `uff`) or a ParaView file."""
     from sonify.export import export_modes
 
     click.echo(str(export_modes(scene, form, out, strike)))
@@ -308,19 +328,18 @@ def export(what, scene, form, strike, out):
 
 @main.command()
 @click.argument("folder", default="outputs", type=PATH)
-@click.option("--port", default=8000, show_default=True, help="Port; 0 is any that is free.")
+@click.option("--port", default=8000, show_default=True, help="Port; 0 selects a free one.")
 @click.option(
     "--host",
     default="127.0.0.1",
     show_default=True,
-    help="Address to listen on; by default this machine alone.",
+    help="Address to listen on; the default accepts this machine only.",
 )
 def serve(folder, port, host):
-    """Show the finished runs in FOLDER in a browser: a list, the page of each, two of them side by
-    side."""
+    """Show the finished runs in FOLDER in a browser: a list, each page, and two pages side by side."""
     from sonify.serve import serve
 
-    serve(folder, host, port, lambda address: click.echo(f"{address} (Ctrl-C ends it)"))
+    serve(folder, host, port, lambda address: click.echo(f"{address} (Ctrl-C stops the server)"))
 
 
 @main.command()
@@ -329,23 +348,25 @@ def serve(folder, port, host):
     "--scheduler",
     type=TEXT,
     metavar="ADDRESS",
-    help="Of Dask, as tcp://10.0.0.1:8786, or local (extra `cluster`).",
+    help="Dask scheduler, e.g. tcp://10.0.0.1:8786, or local (extra `cluster`).",
 )
 @click.option(
-    "--processes", type=click.IntRange(1), help="Processes of this machine; default: its cores."
+    "--processes", type=click.IntRange(1), help="Number of local processes; default: one per core."
 )
-@click.option("--out", type=PATH, help="Folder for the table; default outputs/sweeps/<name>.")
+@click.option("--out", type=PATH, help="Output folder; default outputs/sweeps/<name>.")
 @click.option(
     "--plan",
     "planned",
     is_flag=True,
-    help="Only tell how many runs there are and how long they would take.",
+    help="Print the number of runs and the estimated time, then exit.",
 )
-@click.option("--yes", is_flag=True, help="Begin even more than a million runs.")
-@click.option("--retry", is_flag=True, help="Solve runs with an error again.")
+@click.option("--yes", is_flag=True, help="Start even if there are more than a million runs.")
+@click.option("--retry", is_flag=True, help="Repeat runs that ended with an error.")
 def sweep(sweep, scheduler, processes, out, planned, yes, retry):
-    """Run the scenes of SWEEP, a shipped name or a TOML file, of which a table has no row yet; draw
-    the table."""
+    """Run the missing scenes of SWEEP and draw its table.
+
+    SWEEP is the name of a shipped sweep or a TOML file.
+    """
     from sonify.console import Console
     from sonify.sweeps.command import plan, says
     from sonify.sweeps.command import sweep as run_all
@@ -372,11 +393,13 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     "--of",
     type=TEXT,
     required=True,
-    help="Column of which a picture is drawn, as t_end or outcome.",
+    help="Column to draw, e.g. t_end or outcome.",
 )
-@click.option("--out", type=PATH, help="The picture; default <of>.png beside the table.")
+@click.option(
+    "--out", type=PATH, help="Output picture; default <of>.png in the folder of the table."
+)
 def draw(table, x, y, of, out):
-    """Draw a column of TABLE, the runs.parquet of a sweep, over one or two of its axes."""
+    """Draw a column of TABLE, the runs.parquet of a sweep, over one or two axes."""
     from sonify.sweeps.maps import make_map
 
     click.echo(str(make_map(table, of, x, y, out)))
