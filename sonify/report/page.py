@@ -21,6 +21,7 @@ from sonify.claims.paper_figures import of_the_paper, paper_rows
 from sonify.claims.provenance import depends_on
 from sonify.claims.surface_summary import in_short
 from sonify.report import captions as words
+from sonify.report.headline import headline
 from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
 from sonify.runtime.files import whole
@@ -35,7 +36,7 @@ MOST_EMBEDDED = 100_000_000
 def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
     """Write the page of a result, with everything that it shows and plays embedded.
 
-    Sounds that are too long for a page are omitted. `numbers` is the return value of `template_data`, if
+    Of a long sound, the page plays only the end. `numbers` is the return value of `template_data`, if
     already known.
     """
     modes = result.modes
@@ -49,6 +50,7 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
             modes=[*zip(modes.frequency, modes.decay_time, shapes, strict=True)],
             depends_on=depends_on,
             unit_and_details=unit_and_details,
+            headline=headline(result.findings),
             answers=in_short(result.findings),
             claims=verdict_counts(result.findings),
             paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
@@ -69,9 +71,9 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
 
 
 def template_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
-    """Return the `page_data` of a result as JSON, and a flag: True if the page plays sounds."""
+    """Return the `page_data` of a result as JSON, and the time from which the page plays [s]."""
     data = page_data(result, parts)
-    return {"data": htmlsafe_json_dumps(data), "plays": bool(data["sounds"])}
+    return {"data": htmlsafe_json_dumps(data), "start": data["start"]}
 
 
 def page_assets() -> dict[str, str]:
@@ -116,6 +118,8 @@ def notebook_html(result: "Result") -> str:
         depends_on=depends_on,
         unit_and_details=unit_and_details,
         audible=audible,
+        claims=verdict_counts(result.findings),
+        unfolded=True,
         words=summary_text(result),
     )
 

@@ -25,15 +25,17 @@ from sonify.sound.pressure import Sound
 if TYPE_CHECKING:
     from sonify.result import Result
 
-MAX_INSTANTS = 40_000
+MAX_INSTANTS = 24_000
 """Largest number of instants of the motion in the page.
 
 Half are evenly spaced in time, half in the rotation angle of the contact.
 """
 MAX_SHAPES = 24
 """Largest number of modes in the page; the lowest modes are kept."""
-MAX_SOUND_BYTES = 24_000_000
-"""Largest size of all sounds in the page [bytes of FLAC]; larger ones are in files only."""
+MAX_SOUND_SECONDS = 30.0
+"""Longest part of a sound in the page [s], up to its end."""
+MAX_SOUND_BYTES = 3_000_000
+"""Largest size of all sounds in the page [characters of base64]; a larger sound is shortened."""
 
 
 def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str, Any]:
@@ -55,7 +57,8 @@ def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str
         "sample_rate": sound.sample_rate,
         "source_end": sound.source_end,
         "delay": sound.source_end - float(motion.t[-1]),
-        "sounds": parts["sound"],
+        "start": parts["sound"]["start"],
+        "sounds": parts["sound"]["scales"],
         "lines": {
             "rates": encoded_rates(motion),
             "modes": base64_array(np.unique(result.modes.frequency.round(1))),
@@ -77,48 +80,55 @@ def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str
 
 
 def encoded_sounds(sound: Sound) -> dict[str, Any]:
-    """Return every stem at two scales: A-weighted as in audible.wav, and true as in sound.wav.
+    """Return the stems at two scales: A-weighted as in audible.wav, and true as in sound.wav.
 
-    The result is empty if the stems are too long for a page.
+    Of a sound longer than MAX_SOUND_SECONDS or larger than MAX_SOUND_BYTES, only the end is
+    returned; `start` is its time [s].
     """
-    bytes_per_sample = 1  # upper estimate for disk sound as 16-bit FLAC
-    if 2 * len(sound.stems) * sound.samples * bytes_per_sample > MAX_SOUND_BYTES:
-        return {}
+    seconds = min(sound.duration, MAX_SOUND_SECONDS)
+    scales = _scales(sound, sound.duration - seconds)
+    size = sum(len(track) for scale in scales.values() for track in scale["tracks"].values())
+    if size > MAX_SOUND_BYTES:
+        seconds *= 0.95 * MAX_SOUND_BYTES / size
+        scales = _scales(sound, sound.duration - seconds)
+    return {"start": sound.duration - seconds, "scales": scales}
+
+
+def _scales(sound, start):
     audible = sound.audible.full_scale
-    whole = sound.full_scale
+    weighted = {name: Weighted(track=track) for name, track in sound.stems.items()}
     return {
         "audible": {
             "full_scale": audible,
             "unit": "dB(A)",
-            "tracks": encoded_stems(sound, audible, True),
+            "tracks": encoded_stems(weighted, audible, start),
         },
         "true": {
-            "full_scale": whole,
+            "full_scale": sound.full_scale,
             "unit": "dB SPL",
-            "tracks": encoded_stems(sound, whole, False),
+            "tracks": encoded_stems(sound.stems, sound.full_scale, start),
         },
     }
 
 
-def encoded_stems(sound: Sound, full_scale: float, weighted: bool) -> dict[str, str]:
-    """Return the stems, divided by `full_scale` [Pa], by name.
+def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
+    """Return stems from `start` [s] on, divided by `full_scale` [Pa], by name.
 
     A single stem can be louder than the sum; it is then clipped.
     """
-    stems = [Weighted(track=track) if weighted else track for track in sound.stems.values()]
-    copies = [Copy(track=stem, full_scale=full_scale) for stem in stems]
-    return dict(
-        zip(sound.stems, map(flac_data_url, copies), strict=True)
-    )  # one by one, because the run analyses the sound meanwhile
+    return {
+        name: flac_data_url(Copy(track=stem, full_scale=full_scale), start)
+        for name, stem in stems.items()
+    }
 
 
-def flac_data_url(source) -> str:
-    """Encode a source as FLAC and return it as a data URL."""
+def flac_data_url(source, start: float = 0.0) -> str:
+    """Encode a source from `start` [s] on as FLAC and return it as a data URL."""
     held = BytesIO()
     with soundfile.SoundFile(
         held, "w", source.sample_rate, source.channels, "PCM_16", format="FLAC"
     ) as file:
-        for block in source.blocks():
+        for block in source.blocks(round(start * source.sample_rate)):
             file.write(np.clip(block, -1.0, 1.0))
     return f"data:audio/flac;base64,{b64encode(held.getvalue()).decode()}"
 

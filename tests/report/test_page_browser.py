@@ -32,6 +32,8 @@ ARGUMENTS = [
     "--disable-background-networking",
 ]
 WIDTHS = (360, 1280, 1920)
+SCREENS = {(1366, 768): 4000, (390, 844): 7000}
+"""Width and height of a screen [px], and the greatest height of the folded page [px]."""
 
 HEARD = """async () => {
   // The last samples that left the mixer, where in the sum of the stems they are, and where the playhead says it is.
@@ -96,8 +98,9 @@ def open_page(browser, folder):
     contexts = []
     said = []
 
-    def open_page(width=1280, script="", **options):
-        contexts.append(browser.new_context(viewport={"width": width, "height": 900}, **options))
+    def open_page(width=1280, script="", height=900, **options):
+        viewport = {"width": width, "height": height}
+        contexts.append(browser.new_context(viewport=viewport, **options))
         page = contexts[-1].new_page()
         page.on(
             "console",
@@ -213,8 +216,6 @@ def test_the_spectrogram_shows_the_mode_where_it_is(page):
 
 
 def test_keys_do_what_the_page_says(page):
-    page.focus("#span")
-    page.evaluate("document.activeElement.blur()")
     page.locator(".spectrogram").first.evaluate("(e) => { e.tabIndex = 0; e.focus() }")
     page.keyboard.press("End")
     assert page.evaluate("sonify.player.time") == pytest.approx(
@@ -254,6 +255,35 @@ def test_it_fits_the_screen(open_page, width, tmp_path):
     assert len(shot) > 10_000
 
 
+@pytest.mark.parametrize("screen", SCREENS)
+def test_the_first_screen_shows_the_answer_and_the_disk(open_page, screen):
+    """Title, answer, Play button, disk and spectrogram are visible without scrolling."""
+    width, height = screen
+    page = open_page(width, height=height)
+    page.wait_for_function(READY, timeout=60_000)
+    for part in ("h1", ".lead", "#play", "#disks canvas", ".spectrogram"):
+        place = page.locator(part).first.bounding_box()
+        assert place["width"] > 0
+        assert 0 <= place["y"] < place["y"] + place["height"] <= height, part
+    assert page.locator(".lead").inner_text().endswith(".")
+    assert page.evaluate("document.documentElement.scrollHeight") <= SCREENS[screen]
+
+
+def test_a_selected_stretch_loops_and_stays_in_view(page):
+    page.click("#end")
+    page.wait_for_function("sonify.player.playing")
+    span = page.evaluate("sonify.timeline.span")
+    page.wait_for_timeout(2500)
+    assert page.evaluate("sonify.player.playing")
+    assert page.evaluate("sonify.timeline.span") == span
+    assert span[0] <= page.evaluate("sonify.player.time") <= span[1] + 0.1
+    page.click("#slow")
+    page.wait_for_function("sonify.player.playing")
+    assert page.evaluate("sonify.player.speed") == 0.1
+    page.click("#loop")
+    assert not page.evaluate("sonify.timeline.looping")
+
+
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_it_can_be_used_by_everyone(open_page, scheme):
     axe = pytest.importorskip(
@@ -268,6 +298,7 @@ def test_it_can_be_used_by_everyone(open_page, scheme):
 def test_scene_and_command_are_copied(open_page, folder):
     page = open_page(permissions=["clipboard-read", "clipboard-write"])
     page.wait_for_function(READY, timeout=60_000)
+    page.evaluate("document.querySelectorAll('details').forEach((part) => (part.open = true))")
     for place in ("scene", "command"):
         page.click(f'button[data-copy="#{place}"]')
         page.wait_for_selector("button:has-text('copied')")
@@ -309,6 +340,7 @@ def test_a_served_page_plays_and_stretches_under_its_policy(browser, folder, add
     page.click("#play")
     until(page, "sonify.player.playing")
     assert page.evaluate(LOUDEST) > 1e-4
+    page.evaluate("document.querySelectorAll('details').forEach((part) => (part.open = true))")
     page.locator("figure img").first.scroll_into_view_if_needed()  # loads once visible
     until(page, "document.querySelector('figure img').naturalWidth > 0")
     refused = [text for text in said if "Content Security Policy" in text or "violates" in text]

@@ -10,6 +10,7 @@ import { Spectrogram } from './spectrogram.js'
 import { Timeline } from './timeline.js'
 
 const LAST = 1 // [s]: the last stretch before the end
+const SLOW = 0.1 // speed of slow motion
 const QUIET = -20 // [dB SPL]: the lower end of a level meter
 const LOUD = 100
 
@@ -32,7 +33,6 @@ async function start() {
   const all = runs()
   document.documentElement.classList.add('alive')
   copies()
-  contents()
   const player = new Player(all)
   const timeline = new Timeline(player.duration, player)
   timeline.onError = (error) => say(`No sound: ${error.message}.`)
@@ -81,14 +81,6 @@ function copies() {
   }
 }
 
-/** Links to the parts of the page. */
-function contents() {
-  const place = $('nav')
-  if (!place) return
-  place.append(...[...document.querySelectorAll('main > h2[id]')].map((part) => element('a', { href: `#${part.id}`, textContent: part.textContent })))
-  place.hidden = false
-}
-
 function transport(player, timeline, all) {
   const plays = $('#play')
   const attempt = (promise) => Promise.resolve(promise).then(() => say(''), timeline.onError)
@@ -97,22 +89,29 @@ function transport(player, timeline, all) {
   $('#pitch').addEventListener('change', (event) => attempt(player.set({ keepPitch: event.target.checked })))
   $('#scale').addEventListener('change', (event) => attempt(player.set({ scale: event.target.value })))
   $('#volume').addEventListener('input', (event) => attempt(player.set({ volume: Number(event.target.value) })))
-  $('#whole').addEventListener('click', () => timeline.show(0, player.duration))
+  $('#whole').addEventListener('click', () => timeline.showAll())
   $('#closer').addEventListener('click', () => timeline.zoom(0.5))
   $('#wider').addEventListener('click', () => timeline.zoom(2))
   $('#end').addEventListener('click', () => {
     const end = all[player.run].source_end
-    timeline.show(end - LAST, end + LAST / 10)
-    attempt(player.seek(end - LAST))
+    timeline.select(end - LAST, end + LAST / 10)
+    attempt(player.play())
   })
+  $('#slow').addEventListener('click', () => {
+    $('#speed').value = player.speed === SLOW ? '1' : String(SLOW)
+    $('#speed').dispatchEvent(new Event('change'))
+  })
+  $('#loop').addEventListener('click', () => timeline.setLooping(!timeline.looping))
+  timeline.onLoop = (looping) => $('#loop').setAttribute('aria-pressed', String(looping))
   timeline.onShow = (from, to) => {
     $('#span').textContent = `${clock(from, to - from)} to ${clock(to, to - from)}`
   }
-  timeline.show(0, player.duration)
+  timeline.showAll()
   if (all.length > 1) choice(player, all, attempt)
   player.onChange(() => {
     plays.setAttribute('aria-pressed', String(player.playing))
     plays.textContent = player.playing ? 'Pause' : 'Play'
+    $('#slow').setAttribute('aria-pressed', String(player.speed !== 1))
   })
   mixer(player)
 }
@@ -173,11 +172,11 @@ async function spectrograms(all, player, timeline) {
     ]
     const panel = element('div', { className: 'panel spectrogram' }, element('canvas'), element('canvas', { className: 'lines' }))
     const [title, levels] = [element('span', { className: 'title', textContent: all.length > 1 ? `${'AB'[i]}: ${run.name} ` : 'Spectrogram ' }), element('span', { className: 'value' })]
-    $('#spectrograms').append(element('p', { className: 'caption' }, title, levels), panel)
+    $('#loading').before(element('p', { className: 'caption' }, title, levels), panel)
     panel.setAttribute('role', 'img')
     panel.setAttribute('aria-label', run.seen)
     const spectrogram = new Spectrogram($('canvas', panel), samples, {
-      sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.true.full_scale,
+      sampleRate: run.sample_rate, colours: run.colours, lines, delay: run.delay, fullScale: run.sounds.true.full_scale, start: run.start,
     })
     spectrogram.onPainted = (words) => (levels.textContent = words)
     window.sonify.spectrograms.push(spectrogram)

@@ -15,7 +15,8 @@ export class Player {
     this.volume = 1
     this.muted = new Set()
     this.solo = null
-    this.position = 0
+    this.position = this.start
+    this.loop = null // [from, to] that is repeated [s]
     this.playing = false
     this.decoded = new Map()
     this.listeners = []
@@ -23,6 +24,11 @@ export class Player {
 
   get names() {
     return Object.keys(this.runs[this.run].sounds[this.scale].tracks)
+  }
+
+  /** Time of the first sample in the page [s]; of a long sound the page holds only the end. */
+  get start() {
+    return Math.max(...this.runs.map((run) => run.start))
   }
 
   get duration() {
@@ -51,7 +57,12 @@ export class Player {
   get time() {
     if (!this.playing) return this.position
     const heard = this.context.currentTime - (this.context.outputLatency || 0)
-    return Math.min(this.from + Math.max(heard - this.since, 0) * this.speed, this.duration)
+    const time = this.from + Math.max(heard - this.since, 0) * this.speed
+    if (this.loop && time >= this.loop[1]) {
+      const [from, to] = this.loop
+      return from + ((time - from) % (to - from))
+    }
+    return Math.min(time, this.duration)
   }
 
   async play() {
@@ -60,7 +71,7 @@ export class Player {
     const running = this.context.resume()
     const patience = new Promise((_, no) => setTimeout(no, 2000, new Error('this browser does not let the page sound')))
     await Promise.race([running, patience])
-    if (this.position >= this.duration - 1e-3) this.position = 0
+    if (this.position >= this.duration - 1e-3) this.position = this.start
     await this.#start()
     this.#changed()
   }
@@ -75,11 +86,13 @@ export class Player {
     const across = stems[0].channels.length
     const buffer = this.context.createBuffer(stems.length * across, stems[0].channels[0].length, this.runs[this.run].sample_rate)
     stems.flatMap((stem) => stem.channels).forEach((channel, i) => buffer.copyToChannel(channel, i))
-    const source = new AudioBufferSourceNode(this.context, { buffer, playbackRate: this.speed })
+    const offset = this.runs[this.run].start
+    const repeats = this.loop ? { loop: true, loopStart: this.loop[0] - offset, loopEnd: this.loop[1] - offset } : {}
+    const source = new AudioBufferSourceNode(this.context, { buffer, playbackRate: this.speed, ...repeats })
     this.#mixed(source, stems)
     this.from = this.position
     this.since = this.context.currentTime + 0.01
-    source.start(this.since, this.from)
+    source.start(this.since, this.from - offset)
     return () => source.stop()
   }
 
@@ -92,7 +105,9 @@ export class Player {
     this.#mixed(node, stems)
     this.from = this.position
     this.since = this.context.currentTime + AHEAD + (await node.latency())
-    node.schedule({ output: this.since, outputTime: this.since, input: this.from, rate: this.speed, active: true })
+    const offset = this.runs[this.run].start
+    const repeats = this.loop ? { loopStart: this.loop[0] - offset, loopEnd: this.loop[1] - offset } : {}
+    node.schedule({ output: this.since, outputTime: this.since, input: this.from - offset, rate: this.speed, active: true, ...repeats })
     return () => {
       node.stop()
       node.disconnect()
@@ -155,7 +170,8 @@ export class Player {
     const was = this.playing
     if (was && !gains) this.pause()
     Object.assign(this, change)
-    this.position = Math.min(Math.max(this.position, 0), this.duration)
+    this.position = Math.min(Math.max(this.position, this.start), this.duration)
+    if (this.loop && (this.position < this.loop[0] || this.position >= this.loop[1])) this.position = this.loop[0]
     this.#setGains()
     if (was && !gains) await this.play()
     this.#changed()
@@ -182,7 +198,7 @@ export class Player {
 
   /** To be called as often as the screen is drawn: stops at the end. */
   tick() {
-    if (this.playing && this.time >= this.duration) this.pause()
+    if (this.playing && !this.loop && this.time >= this.duration) this.pause()
   }
 }
 

@@ -12,8 +12,8 @@ const BUSY = 12 // [ms] of work between two frames of the screen
 export class Spectrogram {
   /** `samples` Float32Array, 1 is `fullScale` [Pa]; `colours` 256 x 3 bytes; `lines` over it: [{name, t, f, style}];
    * `onPainted(words)` is told what the colours mean. */
-  constructor(canvas, samples, { sampleRate, colours, lines, delay, fullScale }) {
-    Object.assign(this, { canvas, samples, sampleRate, colours, lines, delay, fullScale })
+  constructor(canvas, samples, { sampleRate, colours, lines, delay, fullScale, start }) {
+    Object.assign(this, { canvas, samples, sampleRate, colours, lines, delay, fullScale, start })
     this.element = canvas.parentElement
     this.overlay = this.element.querySelector('canvas.lines')
     this.showLines = true
@@ -48,7 +48,7 @@ export class Spectrogram {
     let painted = rest
     for (let column = 0; column < width; column++) {
       const time = from + ((column + 0.5) / width) * (to - from)
-      for (const band of bands) band.read(this.samples, time * this.sampleRate, level, column, width)
+      for (const band of bands) band.read(this.samples, (time - this.start) * this.sampleRate, level, column, width)
       if (performance.now() - rest > BUSY) {
         await new Promise(requestAnimationFrame)
         if (job !== this.job) return

@@ -8,7 +8,12 @@ export class Timeline {
     this.duration = duration
     this.player = player
     this.panels = []
-    this.span = [0, duration]
+    this.start = player.start
+    this.span = [this.start, duration]
+  }
+
+  get looping() {
+    return Boolean(this.player.loop)
   }
 
   /** `panel` has `element`, the area that shows the span, and `show(from, to)`. */
@@ -23,12 +28,30 @@ export class Timeline {
   }
 
   show(from, to) {
-    const width = Math.min(Math.max(to - from, SHORTEST), this.duration)
-    const start = Math.min(Math.max(from, 0), this.duration - width)
+    const width = Math.min(Math.max(to - from, SHORTEST), this.duration - this.start)
+    const start = Math.min(Math.max(from, this.start), this.duration - width)
     this.span = [start, start + width]
     this.panels.forEach((panel) => panel.show(...this.span))
     this.onShow?.(...this.span)
+    if (this.looping) this.setLooping(true)
     this.draw()
+  }
+
+  /** Show a stretch and play it again and again. */
+  select(from, to) {
+    this.show(from, to)
+    this.setLooping(true)
+  }
+
+  showAll() {
+    this.show(this.start, this.duration)
+    this.setLooping(false)
+  }
+
+  setLooping(looping) {
+    const [from, to] = this.span
+    this.player.set({ loop: looping ? [from, Math.min(to, this.duration)] : null })
+    this.onLoop?.(looping)
   }
 
   zoom(factor, about = this.player.time) {
@@ -76,7 +99,7 @@ export class Timeline {
       if (!start) return
       const time = this.#time(element, event)
       if (mark.hidden) this.player.seek(time)
-      else this.show(Math.min(time, start.time), Math.max(time, start.time))
+      else this.select(Math.min(time, start.time), Math.max(time, start.time))
       start = null
       mark.hidden = true
     })
@@ -84,7 +107,7 @@ export class Timeline {
       start = null
       mark.hidden = true
     })
-    element.addEventListener('dblclick', () => this.show(0, this.duration))
+    element.addEventListener('dblclick', () => this.showAll())
     element.addEventListener(
       'wheel',
       (event) => {
@@ -103,12 +126,12 @@ export class Timeline {
       ' ': () => this.player.toggle(),
       ArrowLeft: () => this.player.seek(this.player.time - step()),
       ArrowRight: () => this.player.seek(this.player.time + step()),
-      Home: () => this.player.seek(0),
+      Home: () => this.player.seek(this.start),
       End: () => this.player.seek(this.duration),
       '+': () => this.zoom(0.5),
       '=': () => this.zoom(0.5),
       '-': () => this.zoom(2),
-      0: () => this.show(0, this.duration),
+      0: () => this.showAll(),
     }
     element.addEventListener('keydown', (event) => {
       const busy = event.target.closest('button, select, input, canvas.orbit, a, summary')

@@ -1,0 +1,54 @@
+"""FINDINGS -> HEADLINE: one sentence that says what a run shows about the paper's conjecture."""
+
+from collections.abc import Iterable
+
+from sonify.claims.finding import Finding
+
+CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
+    "sound": {
+        "table_is_louder": (
+            "you hear the table more than the disk",
+            "you hear the disk more than the table",
+        ),
+        "carrier_is_contact": (
+            "you hear the disk vibrate on its contact",
+            "you hear no resonance of the contact",
+        ),
+        "modes_carry_the_end": (
+            "you hear the disk ring",
+            "you hear the disk move rather than ring",
+        ),
+    },
+    "pitch": {
+        "table_tone_rises": ("the pitch rises", "the pitch does not rise"),
+        "carrier_rises": ("the pitch rises", "the pitch does not rise"),
+        "pitch_rises": ("the pitch rises", "the pitch does not rise"),
+    },
+    "contact": {
+        "table_breaks_contact": (
+            "vibrations break the contact",
+            "vibrations do not break the contact",
+        ),
+        "contact_is_lost": ("the disk leaves the table", "the disk never leaves the table"),
+        "contact_kept": ("the disk never leaves the table", "the disk leaves the table"),
+    },
+}
+"""Subject -> key of a finding -> clauses if it holds and if not; the first finding counts."""
+
+
+def headline(findings: Iterable[Finding]) -> str:
+    """Return one sentence on the sound, its pitch and the contact, from the findings of a run.
+
+    Undecided findings and subjects without a finding are left out; without any, it is empty.
+    """
+    by_key = {finding.key: finding for finding in findings}
+    clauses = []
+    for words in CLAUSES.values():
+        key = next((key for key in words if key in by_key), None)
+        if key is not None and by_key[key].holds is not None:
+            yes, no = words[key]
+            clauses.append(yes if by_key[key].holds else no)
+    if not clauses:
+        return ""
+    sentence = ", and ".join([", ".join(clauses[:-1]), clauses[-1]] if clauses[1:] else clauses)
+    return f"{sentence[0].upper()}{sentence[1:]}."

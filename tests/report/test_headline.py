@@ -1,0 +1,49 @@
+"""Claim: the first sentence of a page states what its findings decide, and nothing else.
+
+Source: the findings of a run. Oracle: findings made by hand, for each verdict.
+"""
+
+import pytest
+
+from sonify.claims.finding import JUDGES, Finding
+from sonify.report.headline import CLAUSES, headline
+
+
+def found(key, value, margin=0.0):
+    return Finding(
+        key=key, claim=key, value=value, unit="", at_least=0.0, margin=margin, source="a test"
+    )
+
+
+def test_every_key_is_a_finding():
+    assert {key for words in CLAUSES.values() for key in words} <= JUDGES.keys()
+
+
+@pytest.mark.parametrize(
+    ("findings", "sentence"),
+    [
+        ([], ""),
+        ([found("contact_kept", 1.0)], "The disk never leaves the table."),
+        ([found("contact_kept", -1.0)], "The disk leaves the table."),
+        ([found("contact_kept", 1.0, margin=2.0)], ""),
+        (
+            [found("pitch_rises", -1.0), found("contact_kept", 1.0)],
+            "The pitch does not rise, and the disk never leaves the table.",
+        ),
+        (
+            [
+                found("modes_carry_the_end", -1.0),
+                found("pitch_rises", 1.0),
+                found("contact_kept", 1.0),
+            ],
+            "You hear the disk move rather than ring, the pitch rises, and the disk never leaves "
+            "the table.",
+        ),
+        (
+            [found("pitch_rises", 1.0), found("carrier_rises", -1.0)],
+            "The pitch does not rise.",
+        ),
+    ],
+)
+def test_the_sentence_follows_the_verdicts(findings, sentence):
+    assert headline(findings) == sentence
