@@ -17,8 +17,8 @@ from typing import Annotated, NamedTuple
 from annotated_types import Ge, Le
 
 from dynamics.disk import GRAVITY, Disk
-from dynamics.equations import Law, Loads
-from dynamics.kinematics import arms, centre_velocity, precession_rate
+from dynamics.equations import DiskConstants, Loads
+from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -97,7 +97,7 @@ class Resistance(NamedTuple):
     is_singular: bool
     carries = False
 
-    def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
+    def __call__(self, beta, omega, slip, law: DiskConstants, flow) -> Loads:
         """Return the loads at inclination beta, angular velocity omega and slip velocity.
 
         All are dimensionless scalars of the kind that the functions of `flow` accept.
@@ -105,7 +105,7 @@ class Resistance(NamedTuple):
         sin_a = flow.cos(beta)
         cos_a = flow.sin(beta)
         rate = precession_rate(omega[2], cos_a)
-        v1, v2 = centre_velocity(slip, omega, arms(sin_a, cos_a, law.h)[0], law.h)
+        v1, v2 = centre_velocity(slip, omega, contact_arms(sin_a, cos_a, law.h)[0], law.h)
         M1, M2, M3 = (-self.viscous_moment * w for w in omega)
         # |Omega|^(b-1) sign(Omega), written so that it is a polynomial for b = 2, 4, ...
         for c, half in self.powers:
@@ -171,7 +171,7 @@ class OwnLaw:
     is_singular = False
     carries = False
 
-    def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
+    def __call__(self, beta, omega, slip, law: DiskConstants, flow) -> Loads:
         """Return the dimensionless loads on the disk.
 
         Parameters
@@ -214,7 +214,7 @@ class OwnLaw:
         return law
 
 
-class Together(NamedTuple):
+class CombinedLoads(NamedTuple):
     """Several laws that act together; their loads add up."""
 
     laws: tuple
@@ -235,30 +235,30 @@ class Together(NamedTuple):
         return any(law.carries for law in self.laws)
 
     @property
-    def shape(self) -> "Together":
+    def shape(self) -> "CombinedLoads":
         """The shapes of the laws."""
-        return Together(tuple(law.shape for law in self.laws))
+        return CombinedLoads(tuple(law.shape for law in self.laws))
 
     @property
     def numbers(self) -> tuple[float, ...]:
         """The run-time parameters (n,), in the order of the None of `shape`."""
         return tuple(chain(*(law.numbers for law in self.laws)))
 
-    def filled(self, numbers: Iterable) -> "Together":
+    def filled(self, numbers: Iterable) -> "CombinedLoads":
         """Return the laws with `numbers` (n,), of any scalar kind, in place of None."""
         remaining = iter(numbers)
-        return Together(tuple(law.filled(remaining) for law in self.laws))
+        return CombinedLoads(tuple(law.filled(remaining) for law in self.laws))
 
 
-def together(*laws):
+def combined_loads(*laws):
     """Combine laws into one law, without those that are None; return None if none remains."""
     acting = tuple(law for law in laws if law)
     if len(acting) > 1:
-        return Together(acting)
+        return CombinedLoads(acting)
     return acting[0] if acting else None
 
 
-def resistance(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:
+def resistance_of(dissipation: Dissipation | None, disk: Disk) -> Resistance | None:
     """Return the dimensionless loads of a `Dissipation`, or None if all its laws are zero."""
     if dissipation is None:
         return None

@@ -7,10 +7,10 @@ given sine and cosine."""
 import math
 from typing import NamedTuple
 
-from dynamics.kinematics import arms, centre_velocity, precession_rate
+from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
 
 
-class Law(NamedTuple):
+class DiskConstants(NamedTuple):
     """Dimensionless constants of a scene: h = H/R, K = k^2, friction coefficients, arms over R."""
 
     h: float
@@ -27,9 +27,9 @@ class Law(NamedTuple):
         return self.k1, self.k2, self.k3
 
 
-def law_of(disk, friction) -> Law:
+def disk_constants(disk, friction) -> DiskConstants:
     """Return the dimensionless constants of a disk and its friction, (4.4) and (7.3)."""
-    return Law(
+    return DiskConstants(
         h=disk.aspect,
         K=disk.gyration,
         mu_static=friction.mu_static,
@@ -92,10 +92,10 @@ class Contact(NamedTuple):
         return self.m1, self.m2, self.m3
 
 
-UNLOADED = Loads()
+NO_LOADS = Loads()
 
 
-def balance(sin, cos):
+def equations_of_motion(sin, cos):
     """Return the solver of the balance laws (4.1), (4.2) for scalars of `sin` and `cos`."""
 
     def solve(
@@ -115,7 +115,7 @@ def balance(sin, cos):
         s2,
         s3,
         law,
-        loads=UNLOADED,
+        loads=NO_LOADS,
     ):
         """Return accelerations and contact loads at inclination beta, angular velocity w and slip
         velocity u.
@@ -128,7 +128,7 @@ def balance(sin, cos):
         K = law.K
         sin_a = cos(beta)
         cos_a = sin(beta)
-        e, f = arms(sin_a, cos_a, h)
+        e, f = contact_arms(sin_a, cos_a, h)
         J1 = K / 4 + h * h / 3
         J2 = K / 2
         weight = (K + 4) / 4
@@ -224,16 +224,16 @@ def balance(sin, cos):
     return solve
 
 
-def separation(beta, w1, w2, w3, law, loads=UNLOADED) -> float:
+def separation_acceleration(beta, w1, w2, w3, law, loads=NO_LOADS) -> float:
     """Return the acceleration of the lowest point off the plane without a contact force."""
     sin_a = math.cos(beta)
     cos_a = math.sin(beta)
-    e, f = arms(sin_a, cos_a, law.h)
+    e, f = contact_arms(sin_a, cos_a, law.h)
     J1 = law.K / 4 + law.h**2 / 3
     J2 = law.K / 2
     free = (J2 * w2 * w3 - J1 * w3 * w3 * sin_a / cos_a + loads.M1) / J1
     return e * w1 * w1 - f * free - (law.K + 4) / 4 + loads.G3
 
 
-solve = balance(math.sin, math.cos)
+solve_contact = equations_of_motion(math.sin, math.cos)
 """Solver of the balance laws for Python floats."""

@@ -8,12 +8,12 @@ AXES = ("nutation", "rolling", "pivoting")
 """Names of the rotations about a_1, a_2, a_3, which the moments (3.3) resist."""
 STOP_SPEED = 1e-9
 """Slip speed over r at which one step along the tangent ends a slide, with a second-order error."""
-FALLING = 10.0
+MAX_FALL_RATE = 10.0
 """Value of omega_1 over sqrt(inclination) above which the disk falls flat with energy left. It is
 at most one for a disk that comes to rest. An air film would stop the fall."""
 
 
-class Kind(Enum):
+class GuardKind(Enum):
     """Consequence of a guard that has crossed zero."""
 
     END = "the motion ends"
@@ -24,7 +24,7 @@ class Kind(Enum):
     UNSTICKS = "a moment holds a turning no longer"
 
 
-class Where(NamedTuple):
+class GuardArguments(NamedTuple):
     """Arguments of the guards: r, omega_1/r, omega_3/r, slip, omega.a_i/r, contact and constants.
 
     `root` and `cos` are the square root and the cosine for the scalar type of the flow."""
@@ -45,16 +45,16 @@ class Where(NamedTuple):
 class Guard(str):
     """A guard, identified by its name: its kind, its rotation, its equation, and its branches.
 
-    `value(where)` evaluates the equation at `Where`; `acts(branch)` is True if the branch has the
+    `value(where)` evaluates the equation at `GuardArguments`; `acts(branch)` is True if the branch has the
     guard."""
 
-    kind: Kind
+    kind: GuardKind
     axis: int | None
-    value: Callable[[Where], Any]
+    value: Callable[[GuardArguments], Any]
     acts: Callable[[Any], bool]
 
     def __new__(
-        cls, name: str, kind: Kind, value, acts=lambda branch: True, axis: int | None = None
+        cls, name: str, kind: GuardKind, value, acts=lambda branch: True, axis: int | None = None
     ):
         """Create the guard `name`."""
         guard = super().__new__(cls, name)
@@ -66,10 +66,10 @@ class Guard(str):
 
     def __reduce__(self):
         """Pickle the guard by its name."""
-        return guard_of, (str(self),)
+        return guard_named, (str(self),)
 
 
-def _reserve(i: int, where: Where):
+def _moment_reserve(i: int, where: GuardArguments):
     """Return (arm^2 Phi^2 - moment^2)/arm^2, positive while (3.3) can hold rotation i."""
     arm = where.law[4 + i]
     moment = where.contact[8 + i]
@@ -77,26 +77,26 @@ def _reserve(i: int, where: Where):
     return (limit * limit - moment * moment) / (arm * arm)
 
 
-def _cone(where: Where):
+def _friction_cone_reserve(where: GuardArguments):
     """Return the squared limit of static friction minus the squared friction force (3.2)."""
     cone = where.law.mu_static * where.contact.Phi
     contact = where.contact
     return cone * cone - contact.F1 * contact.F1 - contact.F2 * contact.F2
 
 
-def _turnings(i: int) -> tuple[Guard, Guard]:
+def _rotation_guards(i: int) -> tuple[Guard, Guard]:
     """Return the two guards of rotation i: one while it sticks, one while it turns."""
     return (
         Guard(
             f"{AXES[i]} unsticks",
-            Kind.UNSTICKS,
-            lambda at: _reserve(i, at),
+            GuardKind.UNSTICKS,
+            lambda at: _moment_reserve(i, at),
             lambda b: b.stuck[i],
             i,
         ),
         Guard(
             f"{AXES[i]} reverses",
-            Kind.REVERSES,
+            GuardKind.REVERSES,
             lambda at: at.senses[i] * at.turns[i],
             lambda b: b.resisted[i] and not b.stuck[i],
             i,
@@ -104,42 +104,45 @@ def _turnings(i: int) -> tuple[Guard, Guard]:
     )
 
 
-FLAT = Guard("flat", Kind.END, lambda at: at.r - at.r_end)
-UPRIGHT = Guard("upright", Kind.END, lambda at: FALLING * at.cos(at.r * at.r))
-"""The factor makes it as large as FALLS, relative to which the Taylor integrator measures its
+FLAT = Guard("flat", GuardKind.END, lambda at: at.r - at.r_end)
+UPRIGHT = Guard("upright", GuardKind.END, lambda at: MAX_FALL_RATE * at.cos(at.r * at.r))
+"""The factor makes it as large as FALLS_FLAT, relative to which the Taylor integrator measures its
 error. The steps are then equally long in air and in a vacuum."""
-FALLS = Guard(
-    "falls", Kind.END, lambda at: FALLING - at.w1, lambda b: not (b.loads and b.loads.carries)
+FALLS_FLAT = Guard(
+    "falls",
+    GuardKind.END,
+    lambda at: MAX_FALL_RATE - at.w1,
+    lambda b: not (b.loads and b.loads.carries),
 )
-LIFT_OFF = Guard("lift-off", Kind.END, lambda at: at.contact.Phi)
-JAMS = Guard(
+LIFT_OFF = Guard("lift-off", GuardKind.END, lambda at: at.contact.Phi)
+CONTACT_JAMS = Guard(
     "jams",
-    Kind.JAM,
+    GuardKind.JAM,
     lambda at: at.contact.inertia,
     lambda b: b.sliding and b.can_grip and not b.stuck[0],
 )
 PRECESSION_STOPS = Guard(
     "precession stops",
-    Kind.END,
+    GuardKind.END,
     lambda at: at.root(at.w3 * at.w3) - STOP_SPEED,  # its Taylor series continues through zero
     lambda b: b.loads and b.loads.is_singular,
 )
-GRIP = Guard("grip", Kind.GRIP, lambda at: at.slip, lambda b: b.sliding and b.can_grip)
-SLIP = Guard("slip", Kind.SLIP, _cone, lambda b: not b.sliding and b.can_slip)
-ALL = (
+GRIP = Guard("grip", GuardKind.GRIP, lambda at: at.slip, lambda b: b.sliding and b.can_grip)
+SLIP = Guard("slip", GuardKind.SLIP, _friction_cone_reserve, lambda b: not b.sliding and b.can_slip)
+ALL_GUARDS = (
     FLAT,
     UPRIGHT,
-    FALLS,
+    FALLS_FLAT,
     LIFT_OFF,
-    JAMS,
+    CONTACT_JAMS,
     PRECESSION_STOPS,
-    *sum(map(_turnings, range(3)), ()),
+    *sum(map(_rotation_guards, range(3)), ()),
     GRIP,
     SLIP,
 )
-_NAMED = {str(guard): guard for guard in ALL}
+_GUARD_BY_NAME = {str(guard): guard for guard in ALL_GUARDS}
 
 
-def guard_of(name: str) -> Guard:
+def guard_named(name: str) -> Guard:
     """Return the guard with this name."""
-    return _NAMED[name]
+    return _GUARD_BY_NAME[name]

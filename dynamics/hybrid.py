@@ -7,7 +7,7 @@ are at sqrt(2) (1, 2, 2.5, ...).
 
 >>> import math
 >>> import numpy as np
->>> from dynamics.hybrid import Arc, Switch, drive
+>>> from dynamics.hybrid import Arc, Switch, run_events
 >>> class BouncingBall:
 ...     def begin(self, y):
 ...         return Switch("flight", y)
@@ -24,7 +24,7 @@ are at sqrt(2) (1, 2, 2.5, ...).
 ...
 ...     def switch(self, y, regime, guard):
 ...         return Switch("flight", [0.0, -0.5 * y[1]])
->>> path, guard = drive(BouncingBall(), [1.0, 0.0], span=3.6)
+>>> path, guard = run_events(BouncingBall(), [1.0, 0.0], span=3.6)
 >>> [round(crossing.t / math.sqrt(2), 9) for crossing in path.crossings]
 [1.0, 2.0, 2.5]
 >>> guard is None
@@ -128,7 +128,7 @@ class Switch(NamedTuple):
 
 
 class System(Protocol):
-    """A hybrid system, as `drive` integrates it; states are lists (k,)."""
+    """A hybrid system, as `run_events` integrates it; states are lists (k,)."""
 
     def begin(self, y: list) -> Switch:
         """Return the regime at the start."""
@@ -192,13 +192,13 @@ class Path:
         return regime
 
 
-CASCADE = "cascade"
+EVENT_CASCADE = "cascade"
 """End of a motion whose regime changes without end at one instant."""
 STALLED = "stalled"
 """End of a motion that becomes too stiff to integrate."""
 
 
-def drive(
+def run_events(
     system: System,
     y: list,
     span: float,
@@ -225,7 +225,7 @@ def drive(
     path : Path
         The solution.
     guard : str or None
-        The guard that ended it: CASCADE after too many switches at one instant, STALLED after a
+        The guard that ended it: EVENT_CASCADE after too many switches at one instant, STALLED after a
         `StalledError` that is not raised at time 0, None at the end of `span`.
     """
     path = Path()
@@ -262,7 +262,7 @@ def _integrate(system: System, path, switch, span, watch, max_switches_at_once) 
         path.crossings.append(Crossing(t, regime, switch.regime, arc.guard))
         switches_at_once = switches_at_once + 1 if path.t == start else 0
         if switches_at_once > max_switches_at_once:
-            return CASCADE
+            return EVENT_CASCADE
     return None
 
 

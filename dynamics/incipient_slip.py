@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.equations import UNLOADED
-from dynamics.kinematics import arms
-from dynamics.regime import FLOAT, V1, V2, W1, W2, W3, R
+from dynamics.equations import NO_LOADS
+from dynamics.kinematics import contact_arms
+from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W2, W3, R
 
 
 class SlipPush(NamedTuple):
@@ -49,10 +49,10 @@ class SlipPush(NamedTuple):
         if found is None or abs(found - angle) > 1:
             found = min(
                 self.aligned_directions(),
-                key=lambda other: abs(_turned(other - angle)),
+                key=lambda other: abs(_unit_direction(other - angle)),
                 default=None,
             )
-            return None if found is None or abs(_turned(found - angle)) > 1 else found
+            return None if found is None or abs(_unit_direction(found - angle)) > 1 else found
         return found
 
     def aligned_directions(self) -> list[float]:
@@ -94,13 +94,13 @@ class SlipPush(NamedTuple):
             return []
         turn = math.asin(share / size)
         angles = (
-            _turned(-phase - turn - axis) + axis,
-            _turned(-phase + turn + math.pi - axis) + axis,
+            _unit_direction(-phase - turn - axis) + axis,
+            _unit_direction(-phase + turn + math.pi - axis) + axis,
         )
         return [nu for nu in angles if self.a + self.b * math.sin(nu) > 0]
 
 
-def _turned(angle):
+def _unit_direction(angle):
     """Return an angle reduced to [-pi, pi]."""
     return math.remainder(angle, 2 * math.pi)
 
@@ -110,13 +110,15 @@ def slip_push(y, branch, senses, law) -> SlipPush:
     r = y[R]
     omega = (r * y[W1], r * y[W2], r * y[W3])
     slip = (r * y[V1], r * y[V2])
-    loads = branch.loads(r * r, omega, slip, law, FLOAT) if branch.loads else UNLOADED
+    loads = branch.loads(r * r, omega, slip, law, FLOAT_FORMULAS) if branch.loads else NO_LOADS
     side = math.copysign(
-        1.0, arms(math.cos(r * r), math.sin(r * r), law.h)[1]
+        1.0, contact_arms(math.cos(r * r), math.sin(r * r), law.h)[1]
     )  # where the inertia is not zero
 
     def pushed(c, s):
-        contact = FLOAT.solve(r * r, *omega, *slip, c, s, True, *branch.stuck, *senses, law, loads)
+        contact = FLOAT_FORMULAS.solve(
+            r * r, *omega, *slip, c, s, True, *branch.stuck, *senses, law, loads
+        )
         return contact.inertia, contact.inertia * complex(contact.du1, contact.du2)
 
     (a, k) = pushed(0.0, 0.0)

@@ -8,7 +8,7 @@ def precession_rate(w3, cos_a):
     return w3 / cos_a
 
 
-def arms(sin_a, cos_a, h):
+def contact_arms(sin_a, cos_a, h):
     """Return e and f of (4.9): vertical and horizontal distance of centre and contact, over R."""
     return h * sin_a + cos_a, h * cos_a - sin_a
 
@@ -23,7 +23,7 @@ def energy(beta, omega, slip, law):
     """Return the dimensionless energy (6.1), without its two misprints; zero at rest."""
     sin_a = np.cos(beta)
     cos_a = np.sin(beta)
-    e, f = arms(sin_a, cos_a, law.h)
+    e, f = contact_arms(sin_a, cos_a, law.h)
     v1, v2 = centre_velocity(slip, omega, e, law.h)
     w1, w2, w3 = omega
     v3 = f * w1

@@ -22,7 +22,7 @@ def free_rolling_load(disk: Disk, state) -> np.ndarray:
     K = disk.gyration
     sin_a = np.cos(state[:, 1])
     cos_a = np.sin(state[:, 1])
-    e, f = kinematics.arms(sin_a, cos_a, h)
+    e, f = kinematics.contact_arms(sin_a, cos_a, h)
     w2 = state[:, 6] * disk.time_unit
     w3 = state[:, 7] * disk.time_unit
     gyroscopic = w3 * (2 * w2 - (1 + 4 * h * h / (3 * K)) * w3 * sin_a / cos_a)

@@ -8,7 +8,7 @@ MIN_COMPILED_TIMES = 2048
 """Number of times from which the compiled evaluation, which also releases the GIL, is faster."""
 
 
-class Pieces:
+class PiecewisePolynomials:
     """Polynomials of m quantities on p pieces.
 
     Parameters

@@ -2,7 +2,7 @@
 
 from math import inf
 
-from dynamics.equations import law_of
+from dynamics.equations import disk_constants
 from dynamics.film.activation import non_contact_loads
 from dynamics.quasi_steady import decline_time
 from dynamics.sections import MotionScene
@@ -18,7 +18,7 @@ class MotionProgress:
 
     def __init__(self, scene: MotionScene):
         self._disk = scene.disk
-        self._law = law_of(scene.disk, scene.friction)
+        self._law = disk_constants(scene.disk, scene.friction)
         self._loads = non_contact_loads(scene)
         self._time_limit = scene.numerics.time_limit
         self._share = 0.0

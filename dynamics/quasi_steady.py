@@ -3,9 +3,9 @@
 from math import copysign, log, sin, sqrt
 
 from dynamics.disk import Disk, Friction
-from dynamics.dissipation import Dissipation, resistance
-from dynamics.equations import law_of
-from dynamics.regime import DISSIPATED, FLOAT, Branch, Regime, turnings
+from dynamics.dissipation import Dissipation, resistance_of
+from dynamics.equations import disk_constants
+from dynamics.regime import DISSIPATED, FLOAT_FORMULAS, Branch, Regime, rotation_rates
 from dynamics.steady_motion import steady_precession
 
 
@@ -21,7 +21,9 @@ def time_left(
     Their power is extrapolated as a power of beta, with its exponent at `beta`. The time is
     infinite if the exponent is 1 or more, or if nothing is dissipated.
     """
-    return decline_time(beta, disk, law_of(disk, friction), resistance(dissipation, disk))
+    return decline_time(
+        beta, disk, disk_constants(disk, friction), resistance_of(dissipation, disk)
+    )
 
 
 def decline_time(beta: float, disk: Disk, law, loads) -> float:
@@ -44,7 +46,9 @@ def steady_power(beta: float, law, loads) -> float:
     w3 = steady_precession(beta, law.h, law.K) * sin(beta)
     r = sqrt(beta)
     y = [r, 0.0, law.h * w3 / r, w3 / r, *[0.0] * 7]
-    regime = Regime(False, (False,) * 3, tuple(copysign(1.0, turning) for turning in turnings(y)))
+    regime = Regime(
+        False, (False,) * 3, tuple(copysign(1.0, turning) for turning in rotation_rates(y))
+    )
     branch = Branch.of(regime, law, loads)
-    contact = FLOAT.contact(y, branch, regime.senses, law)
-    return FLOAT.rates(y, contact, branch, law)[DISSIPATED]
+    contact = FLOAT_FORMULAS.contact(y, branch, regime.senses, law)
+    return FLOAT_FORMULAS.rates(y, contact, branch, law)[DISSIPATED]

@@ -12,10 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dynamics.equations import UNLOADED, Contact, Law, balance
-from dynamics.guards import ALL, AXES, STOP_SPEED, Guard, Where
-from dynamics.guards import FALLING as FALLING
-from dynamics.kinematics import arms, centre_velocity, precession_rate
+from dynamics.equations import NO_LOADS, Contact, DiskConstants, equations_of_motion
+from dynamics.guards import ALL_GUARDS, AXES, STOP_SPEED, Guard, GuardArguments
+from dynamics.guards import MAX_FALL_RATE as MAX_FALL_RATE
+from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
 
 R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
 
@@ -51,7 +51,7 @@ class Branch(NamedTuple):
     loads: Callable | None
 
     @classmethod
-    def of(cls, regime: Regime, law: Law, loads: Callable | None) -> "Branch":
+    def of(cls, regime: Regime, law: DiskConstants, loads: Callable | None) -> "Branch":
         """Return the branch of `regime` under `law`.
 
         A zero arm, infinite static friction or zero dynamic friction removes the corresponding
@@ -74,19 +74,19 @@ def projections(beta, w1, w2, w3, sin, cos):
     return w1, w2 * cos_a - w3 * sin_a, w2 * sin_a + w3 * cos_a
 
 
-def turnings(y) -> tuple[float, float, float]:
+def rotation_rates(y) -> tuple[float, float, float]:
     """Return omega.a_i / r at a state y of floats."""
     return projections(y[R] * y[R], y[W1], y[W2], y[W3], math.sin, math.cos)
 
 
-def describe(y) -> str:
+def describe_state(y) -> str:
     """Return a description of a state for messages."""
     r = y[R]
     omega = ", ".join(f"{r * y[i]:.6g}" for i in (W1, W2, W3))
     return f"inclination {r * r:.6g} rad, dimensionless omega ({omega}), slip ({r * y[V1]:.6g}, {r * y[V2]:.6g})"
 
 
-class Flow:
+class FlowFormulas:
     """The flow of every branch, for the scalar type of `sin`, `cos`, `sqrt` and `power`."""
 
     FUNCTIONS, SIZE = ("sin", "cos", "sqrt", "pow"), DISSIPATED + 1
@@ -97,7 +97,7 @@ class Flow:
         self.cos = cos
         self.sqrt = sqrt
         self.power = power
-        self.solve = balance(sin, cos)
+        self.solve = equations_of_motion(sin, cos)
 
     def speed(self, y):
         """Return the slip speed over r."""
@@ -107,7 +107,7 @@ class Flow:
         """Return the guard of a slide that comes to rest: slip speed over r minus STOP_SPEED."""
         return self.speed(y) - STOP_SPEED
 
-    def contact(self, y, branch: Branch, senses, law: Law) -> Contact:
+    def contact(self, y, branch: Branch, senses, law: DiskConstants) -> Contact:
         """Solve the balance laws at state y; the slip direction is that of y."""
         r = y[R]
         u1 = 0.0
@@ -123,16 +123,18 @@ class Flow:
                 s = y[V2] / speed
         return self.contact_along(y, (u1, u2), (c, s), branch, senses, law)
 
-    def contact_along(self, y, slip, direction, branch: Branch, senses, law: Law) -> Contact:
+    def contact_along(
+        self, y, slip, direction, branch: Branch, senses, law: DiskConstants
+    ) -> Contact:
         """Solve the balance laws at state y with the slip direction given."""
         r = y[R]
         omega = (r * y[W1], r * y[W2], r * y[W3])
-        loads = branch.loads(r * r, omega, slip, law, self) if branch.loads else UNLOADED
+        loads = branch.loads(r * r, omega, slip, law, self) if branch.loads else NO_LOADS
         return self.solve(
             r * r, *omega, *slip, *direction, branch.sliding, *branch.stuck, *senses, law, loads
         )
 
-    def rates(self, y, contact: Contact, branch: Branch, law: Law):
+    def rates(self, y, contact: Contact, branch: Branch, law: DiskConstants):
         """Return dy/dtau from the contact: (4.7) or (5.3), (2.3), (2.5) and the dissipated
         power."""
         r = y[R]
@@ -142,7 +144,7 @@ class Flow:
         sin_a = self.cos(beta)
         cos_a = self.sin(beta)
         slip = (r * y[V1], r * y[V2]) if branch.sliding else (0.0, 0.0)
-        e, f = arms(sin_a, cos_a, law.h)
+        e, f = contact_arms(sin_a, cos_a, law.h)
         v1, v2 = centre_velocity(slip, omega, e, law.h)
         rate = precession_rate(omega[2], cos_a)
         ct = self.cos(y[PRECESSION])
@@ -171,16 +173,16 @@ class Flow:
         ]
 
     def guards(
-        self, y, contact: Contact, branch: Branch, senses, law: Law, r_end
+        self, y, contact: Contact, branch: Branch, senses, law: DiskConstants, r_end
     ) -> dict[Guard, Any]:
         """Return the guards of a branch with their values, positive while the regime is valid."""
         turns = projections(y[R] * y[R], y[W1], y[W2], y[W3], self.sin, self.cos)
         slip = self.grip(y) if branch.sliding and branch.can_grip else None
-        where = Where(
+        where = GuardArguments(
             y[R], y[W1], y[W3], slip, turns, contact, senses, law, r_end, self.sqrt, self.cos
         )
-        return {guard: guard.value(where) for guard in ALL if guard.acts(branch)}
+        return {guard: guard.value(where) for guard in ALL_GUARDS if guard.acts(branch)}
 
 
-FLOAT = Flow(math.sin, math.cos, math.sqrt, math.pow)
-ARRAY = Flow(np.sin, np.cos, np.sqrt, np.power)
+FLOAT_FORMULAS = FlowFormulas(math.sin, math.cos, math.sqrt, math.pow)
+ARRAY_FORMULAS = FlowFormulas(np.sin, np.cos, np.sqrt, np.power)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynamics.disk import Disk
-from dynamics.equations import Law
+from dynamics.equations import DiskConstants
 from dynamics.film.wedge import Film, film_powers, find_film
 from dynamics.kinematics import energy, precession_rate
 from dynamics.monotonicity import largest_fall
@@ -23,9 +23,9 @@ from dynamics.motion import (
     piece_ends_and_middles,
     read_only,
 )
-from dynamics.piecewise_polynomial import Pieces
+from dynamics.piecewise_polynomial import PiecewisePolynomials
 from dynamics.regime import (
-    ARRAY,
+    ARRAY_FORMULAS,
     DISSIPATED,
     PRECESSION,
     SPIN,
@@ -96,9 +96,9 @@ class RigidMotion(MotionBase):
     """
 
     disk: Disk
-    law: Law
+    law: DiskConstants
     loads: Callable | None
-    path: Pieces
+    path: PiecewisePolynomials
     regimes: tuple[Regime, ...]
     regime_of_piece: np.ndarray
     transitions: tuple[Transition, ...]
@@ -235,7 +235,7 @@ class RigidMotion(MotionBase):
             states = y[:, selected]
             contact = self._contact(states, piece[selected], regime)
             branch = Branch.of(regime, self.law, self.loads)
-            power[selected] = ARRAY.rates(states, contact, branch, self.law)[DISSIPATED]
+            power[selected] = ARRAY_FORMULAS.rates(states, contact, branch, self.law)[DISSIPATED]
         return power * self._unit_of_energy / self.disk.time_unit
 
     def largest_regain(self) -> float:
@@ -331,7 +331,7 @@ class RigidMotion(MotionBase):
         if regime.sliding:
             self._set_direction_at_rest(y, piece)
         branch = Branch.of(regime, self.law, self.loads)
-        return ARRAY.contact(y, branch, regime.senses, self.law)
+        return ARRAY_FORMULAS.contact(y, branch, regime.senses, self.law)
 
     def _set_direction_at_rest(self, y, piece):
         """Give a slip at rest the direction in which its piece begins or ends, in place.

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 from operator import add
 
 from dynamics.dissipation import OwnLaw, Resistance
-from dynamics.equations import Law
-from dynamics.guards import AXES, LIFT_OFF, STOP_SPEED, Kind, guard_of
+from dynamics.equations import DiskConstants
+from dynamics.guards import AXES, LIFT_OFF, STOP_SPEED, GuardKind, guard_named
 from dynamics.hybrid import Arc, StalledError, Step, Switch
 from dynamics.integrators.slow_slide_criterion import is_stiff
 from dynamics.regime import (
-    FLOAT,
+    FLOAT_FORMULAS,
     PRECESSION,
     SPIN,
     V1,
@@ -20,10 +20,16 @@ from dynamics.regime import (
     Branch,
     R,
     Regime,
-    describe,
-    turnings,
+    describe_state,
+    rotation_rates,
 )
-from dynamics.switching import GRAZING, ImpossibleContactError, at_rest, follow, slide_to_rest
+from dynamics.switching import (
+    MAX_GRAZING_ACCELERATION,
+    ImpossibleContactError,
+    next_regime,
+    slide_to_rest,
+    with_rotation_zero,
+)
 
 
 @dataclass(frozen=True)
@@ -33,7 +39,7 @@ class RollingDisk:
     `announce(what)` is called before each slow slide, because its flow may have to be compiled
     first."""
 
-    law: Law
+    law: DiskConstants
     loads: OwnLaw | Resistance | None
     r_end: float
     integrate: Callable
@@ -44,13 +50,13 @@ class RollingDisk:
         """Decide the regime of a disk released with its contact at rest."""
         if self.loads and self.loads.is_singular and abs(y[W3]) <= STOP_SPEED:
             raise ImpossibleContactError(
-                f"{describe(y)}: without precession the law of dissipation has no direction"
+                f"{describe_state(y)}: without precession the law of dissipation has no direction"
             )
-        turns = turnings(y)
+        turns = rotation_rates(y)
         at_zero = {0} | {i + 1 for i in range(3) if abs(turns[i]) < 1e-14}
         start = self._follow(y, at_zero)
         if start.ended:
-            raise ImpossibleContactError(f"{describe(y)}: the disk leaves the plane at once")
+            raise ImpossibleContactError(f"{describe_state(y)}: the disk leaves the plane at once")
         return start
 
     def advance(self, y, regime: Regime, span: float) -> Arc:
@@ -63,9 +69,9 @@ class RollingDisk:
         arc = None
         if self._is_stiff(y, regime):
             self.announce("slow slide")
-            from dynamics.integrators.slow_slides import advance  # numba loads slowly
+            from dynamics.integrators.slow_slides import advance_slow_slide  # numba loads slowly
 
-            arc = advance(*within)
+            arc = advance_slow_slide(*within)
         arc = arc or self.integrate(*within, self.tolerance)
         steps = len(arc.times)
         shortest_mean_step = 1e-5 * y[R]
@@ -74,17 +80,20 @@ class RollingDisk:
             and steps >= 1000
             and arc.times[-1] < min(shortest_mean_step * steps, span)
         ):
-            raise StalledError(f"{describe(y)}: every step is too short in {regime}")
+            raise StalledError(f"{describe_state(y)}: every step is too short in {regime}")
         return shifted(arc, offset)
 
     def _graze(self, y, nu, regime) -> Arc | None:
         """Integrate a slide from rest along nu, almost without push; one step if it is not
         stiff."""
-        from dynamics.integrators.slow_slides import MOST_STEPS, graze  # numba loads slowly
+        from dynamics.integrators.slow_slides import (  # numba loads slowly
+            MAX_STEPS_PER_CALL,
+            advance_from_grazing,
+        )
 
         local, offset = restarted(y)
-        most = MOST_STEPS if self._is_stiff(y, regime) else 1
-        arc = graze(local, nu, regime, self.law, self.loads, self.r_end, most)
+        most = MAX_STEPS_PER_CALL if self._is_stiff(y, regime) else 1
+        arc = advance_from_grazing(local, nu, regime, self.law, self.loads, self.r_end, most)
         return arc and shifted(arc, offset)
 
     def _is_stiff(self, y, regime) -> bool:
@@ -96,30 +105,34 @@ class RollingDisk:
     @property
     def _is_grazing(self) -> bool:
         """True if slides begin so gently that slow_slides.py is tried before other methods."""
-        return self.law.mu_static < (1 + GRAZING) * self.law.mu_dynamic
+        return self.law.mu_static < (1 + MAX_GRAZING_ACCELERATION) * self.law.mu_dynamic
 
     def _contact(self, y, regime):
-        return FLOAT.contact(y, Branch.of(regime, self.law, self.loads), regime.senses, self.law)
+        return FLOAT_FORMULAS.contact(
+            y, Branch.of(regime, self.law, self.loads), regime.senses, self.law
+        )
 
     def switch(self, y, regime: Regime, guard: str) -> Switch:
         """Select the next regime after `guard` has fallen through zero."""
-        guard = guard_of(guard)
+        guard = guard_named(guard)
         held = {i for i, holds in enumerate((not regime.sliding, *regime.stuck)) if holds}
         match guard.kind:
-            case Kind.REVERSES | Kind.UNSTICKS:  # by far the most frequent
-                fired = {guard.axis + 1} if guard.kind is Kind.UNSTICKS else ()
+            case GuardKind.REVERSES | GuardKind.UNSTICKS:  # by far the most frequent
+                fired = {guard.axis + 1} if guard.kind is GuardKind.UNSTICKS else ()
                 return self._follow(
-                    at_rest(y, guard.axis), {*held, guard.axis + 1}, fired, regime.senses
+                    with_rotation_zero(y, guard.axis), {*held, guard.axis + 1}, fired, regime.senses
                 )
-            case Kind.END:
+            case GuardKind.END:
                 return Switch(None, y, ended=guard)
-            case Kind.JAM:
-                raise ImpossibleContactError(f"{describe(y)}: the slide jams, {guard.kind.value}")
-            case Kind.SLIP:
+            case GuardKind.JAM:
+                raise ImpossibleContactError(
+                    f"{describe_state(y)}: the slide jams, {guard.kind.value}"
+                )
+            case GuardKind.SLIP:
                 if self._is_grazing:
                     self.announce("slow slide")
                 return self._follow(y, held, fired={0}, senses=regime.senses)
-            case Kind.GRIP:
+            case GuardKind.GRIP:
                 return self._stop(y, regime, held)
 
     def _stop(self, y, regime, held) -> Switch:
@@ -135,7 +148,7 @@ class RollingDisk:
     def _follow(self, y, at_zero, fired=(), senses=(1.0, 1.0, 1.0)) -> Switch:
         at_zero = frozenset(at_zero)
         fired = frozenset(fired)
-        regime, step = follow(y, self.law, self.loads, at_zero, fired, senses, self._graze)
+        regime, step = next_regime(y, self.law, self.loads, at_zero, fired, senses, self._graze)
         if regime is None:
             return Switch(None, y, ended=LIFT_OFF)
         return (
@@ -152,7 +165,7 @@ class RollingDisk:
         arms = (self.law.k1, self.law.k2, self.law.k3)
 
         def guards(y):
-            turns = zip(AXES, arms, stuck, senses, turnings(y), strict=True)
+            turns = zip(AXES, arms, stuck, senses, rotation_rates(y), strict=True)
             return {
                 axis: sense * turn for axis, arm, held, sense, turn in turns if arm > 0 and not held
             }
@@ -166,7 +179,7 @@ class RollingDisk:
         y = step.end
         if axis is None:
             return Switch(step.regime, y, (step,))
-        y = at_rest(y, AXES.index(axis))
+        y = with_rotation_zero(y, AXES.index(axis))
         held = {*at_zero, AXES.index(axis) + 1} - {0}
         if math.hypot(y[V1], y[V2]) < STOP_SPEED:
             y[V1] = y[V2] = 0.0

@@ -11,12 +11,12 @@ import numpy as np
 
 from dynamics import guards
 from dynamics.dissipation import OwnLaw
-from dynamics.equations import law_of
+from dynamics.equations import disk_constants
 from dynamics.film.activation import final_inclination, non_contact_loads
-from dynamics.hybrid import CASCADE, STALLED, StalledError, drive
+from dynamics.hybrid import EVENT_CASCADE, STALLED, StalledError, run_events
 from dynamics.motion import Motion, Outcome, Transition, read_only
-from dynamics.piecewise_polynomial import Pieces
-from dynamics.regime import FLOAT, V1, V2, W1, W3, R, Regime
+from dynamics.piecewise_polynomial import PiecewisePolynomials
+from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W3, R, Regime
 from dynamics.rigid_motion import RigidMotion
 from dynamics.rolling import RollingDisk, released
 from dynamics.sections import MotionScene, motion_scene
@@ -25,11 +25,11 @@ from dynamics.switching import ImpossibleContactError
 
 OUTCOMES = {
     guards.FLAT: Outcome.SETTLED,
-    guards.FALLS: Outcome.FELL,
+    guards.FALLS_FLAT: Outcome.FELL,
     guards.UPRIGHT: Outcome.UPRIGHT,
     guards.LIFT_OFF: Outcome.LIFTED_OFF,
     guards.PRECESSION_STOPS: Outcome.PRECESSION_STOPPED,
-    CASCADE: Outcome.CASCADE,
+    EVENT_CASCADE: Outcome.CASCADE,
     STALLED: Outcome.STALLED,
     None: Outcome.TIME_LIMIT,
 }
@@ -150,13 +150,13 @@ def _with_given_table(
     start = released(scene.disk, scene.release)
     time_limit = scene.numerics.time_limit / scene.disk.time_unit
     try:
-        path, guard = drive(watched_system, start, time_limit, progress.record)
+        path, guard = run_events(watched_system, start, time_limit, progress.record)
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {progress.t:.9g} s: {error}") from None
     outcome = outcome_of(guard, progress.state, system)
     motion = _motion(scene.disk, system, path, outcome, integrator_of(scene.numerics.integrator))
     lost_contact = 1e-9  # normal force over the weight
-    if guard == CASCADE and motion.normal_load(motion.t[-1])[0] < lost_contact:
+    if guard == EVENT_CASCADE and motion.normal_load(motion.t[-1])[0] < lost_contact:
         # Without a normal force friction cannot hold the contact: the regimes change without end.
         return replace(motion, outcome=outcome_of(guards.LIFT_OFF, progress.state, system))
     return motion
@@ -206,7 +206,7 @@ def outcome_of(guard: str | None, y, system: RollingDisk, min_film_share: float 
         r = y[R]
         omega = tuple(r * w for w in y[W1 : W3 + 1])
         slip = (r * y[V1], r * y[V2])
-        film_lift = system.loads(r * r, omega, slip, system.law, FLOAT).G3
+        film_lift = system.loads(r * r, omega, slip, system.law, FLOAT_FORMULAS).G3
         weight = (system.law.K + 4) / 4
         if film_lift > min_film_share * weight:
             return Outcome.AIRBORNE
@@ -240,7 +240,7 @@ def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
     disk = scene.disk
     numerics = scene.numerics
     return RollingDisk(
-        law=law_of(disk, scene.friction),
+        law=disk_constants(disk, scene.friction),
         loads=non_contact_loads(scene, loads),
         r_end=math.sqrt(final_inclination(scene)),
         integrate=chosen_integrator(numerics.integrator)[1],
@@ -272,7 +272,7 @@ def _motion(disk, system, path, outcome, integrator) -> RigidMotion:
         disk=disk,
         law=system.law,
         loads=system.loads,
-        path=Pieces(
+        path=PiecewisePolynomials(
             read_only(_joined(path.coefficients, has_duration)),
             read_only(np.append(times[0], times[1:][has_duration])),
         ),
@@ -288,7 +288,7 @@ def _motion(disk, system, path, outcome, integrator) -> RigidMotion:
 def _joined(blocks, keep):
     """Return the kept pieces of blocks (n, order + 1, k) as (highest order + 1, sum of n, k).
 
-    The highest power comes first, as in `Pieces`.
+    The highest power comes first, as in `PiecewisePolynomials`.
     """
     order = max(block.shape[1] for block in blocks)
     terms = np.zeros((np.count_nonzero(keep), blocks[0].shape[2], order))

@@ -12,11 +12,11 @@ from annotated_types import Ge, Gt, Le, Len, Lt
 Action = Literal["auto", "sound", "motion"]
 Length = Annotated[float, Gt(0), Le(100)]
 Coordinate = Annotated[float, Ge(-100), Le(100)]
-Young = Annotated[float, Ge(1), Le(1e15)]
-Poisson = Annotated[float, Gt(-1), Lt(0.5)]
+YoungModulus = Annotated[float, Ge(1), Le(1e15)]
+PoissonRatio = Annotated[float, Gt(-1), Lt(0.5)]
 Density = Annotated[float, Ge(1e-3), Le(1e6)]
-Loss = Annotated[float, Ge(0), Le(1)]
-ACTS = 0.01
+LossFactor = Annotated[float, Ge(0), Le(1)]
+MIN_TWO_WAY_SHARE = 0.01
 """Two-way coupling begins where the table modes hold this share of the energy of the disk, or take
 this share of the dissipated power."""
 
@@ -63,13 +63,13 @@ class PlateSurface:
     """Radius of the plate [m], at least that of the disk."""
     thickness: Length
     """Thickness of the plate [m]."""
-    young: Young
+    young: YoungModulus
     """Young's modulus of the table [Pa]."""
-    poisson: Poisson
+    poisson: PoissonRatio
     """Poisson's ratio of the table."""
     density: Density
     """Density of the table [kg/m^3]."""
-    loss_factor: Loss = 0.02
+    loss_factor: LossFactor = 0.02
     """Loss factor of the material: twice the damping ratio of every mode."""
     edge: Literal["free", "supported", "clamped"] = "supported"
     """Boundary condition at the edge of the plate."""
@@ -150,13 +150,13 @@ class InfiniteSurface:
     """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
     thickness: Length
     """Thickness of the plate [m]."""
-    young: Young
+    young: YoungModulus
     """Young's modulus of the table [Pa]."""
-    poisson: Poisson
+    poisson: PoissonRatio
     """Poisson's ratio of the table."""
     density: Density
     """Density of the table [kg/m^3]."""
-    loss_factor: Loss = 0.02
+    loss_factor: LossFactor = 0.02
     """Loss factor of the material: twice the damping ratio of every mode."""
 
 
@@ -178,13 +178,13 @@ class MeshSurface:
     """Effect of the table: sound only, two-way coupling with the motion, or auto by the plan."""
     file: str
     """Mesh file readable by meshio, in metres, z upwards; relative to the scene file."""
-    young: Young
+    young: YoungModulus
     """Young's modulus of the table [Pa]."""
-    poisson: Poisson
+    poisson: PoissonRatio
     """Poisson's ratio of the table."""
     density: Density
     """Density of the table [kg/m^3]."""
-    loss_factor: Loss = 0.02
+    loss_factor: LossFactor = 0.02
     """Loss factor of the material: twice the damping ratio of every mode."""
     held: tuple[str, ...] = ()
     """Names of the fixed surfaces or node sets of the mesh."""

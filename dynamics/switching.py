@@ -11,22 +11,34 @@ from itertools import product
 
 import numpy as np
 
-from dynamics.equations import UNLOADED, Law, separation
-from dynamics.guards import Kind
+from dynamics.equations import NO_LOADS, DiskConstants, separation_acceleration
+from dynamics.guards import GuardKind
 from dynamics.hybrid import Arc, StalledError, Step
 from dynamics.incipient_slip import slip_push
-from dynamics.regime import FLOAT, V1, V2, W1, W2, W3, Branch, R, Regime, describe, turnings
+from dynamics.regime import (
+    FLOAT_FORMULAS,
+    V1,
+    V2,
+    W1,
+    W2,
+    W3,
+    Branch,
+    R,
+    Regime,
+    describe_state,
+    rotation_rates,
+)
 
-ROUND_OFF = 1e-12
+CONSISTENCY_TOLERANCE = 1e-12
 """Relative tolerance for rounding errors in the consistency of a regime."""
-START = 3e-6
+FIRST_STEP = 3e-6
 """Length of the first step of a slide in units of r, and bound of the relative change of the state
-within it; the error, START cubed, is below round-off."""
-PASSING = 0.01
+within it; the error, FIRST_STEP cubed, is below round-off."""
+GUARD_OVERSHOOT_FRACTION = 0.01
 """Length of the step past a guard that has fallen, as a fraction of the time in which friction
 could stop the slip."""
 
-GRAZING = 0.05
+MAX_GRAZING_ACCELERATION = 0.05
 """A slide with an initial acceleration below this fraction of friction starts with the long steps
 of slow_slides.py."""
 
@@ -44,48 +56,56 @@ class ImpossibleContactError(ValueError):
     """
 
 
-def follow(y, law: Law, loads, at_zero, fired, senses, graze) -> tuple[Regime, Step | Arc | None]:
+def next_regime(
+    y, law: DiskConstants, loads, at_zero, fired, senses, graze
+) -> tuple[Regime, Step | Arc | None]:
     """Return the regime that follows from state y, and the first step or arc if it leaves rest.
 
     `at_zero` contains the quantities that are zero: 0 for the slip, i for omega.a_i. `fired`
     contains those that can no longer stay zero. `graze(y, nu, regime)` integrates a slide that
-    leaves rest along nu more gently than GRAZING, or returns None. Both results are None if the
+    leaves rest along nu more gently than MAX_GRAZING_ACCELERATION, or returns None. Both results are None if the
     disk leaves the plane. Raises ImpossibleContactError if the disk presses on the plane, but no
     regime is consistent."""
     for leaving in (fired, frozenset()) if fired else (fired,):
-        for regime in _candidates(y, law, at_zero, leaving, senses):
+        for regime in _candidate_regimes(y, law, at_zero, leaving, senses):
             branch = Branch.of(regime, law, loads)
             if regime.sliding and 0 in at_zero:
                 step = _slide_from_rest(y, regime, branch, law, at_zero, graze)
                 if step:
                     return regime, step
-            elif _consistent(
-                y, contact := FLOAT.contact(y, branch, regime.senses, law), regime, law, at_zero
+            elif _is_consistent(
+                y,
+                contact := FLOAT_FORMULAS.contact(y, branch, regime.senses, law),
+                regime,
+                law,
+                at_zero,
             ):
-                return regime, _step_off(y, contact, regime, branch, law) if leaving - {0} else None
-    if _separates(y, law, loads):
+                return regime, _heun_step(y, contact, regime, branch, law) if leaving - {
+                    0
+                } else None
+    if _leaves_plane(y, law, loads):
         return None, None
     raise ImpossibleContactError(
-        f"{describe(y)}: no rolling, sliding or sticking contact with a pressing force satisfies "
+        f"{describe_state(y)}: no rolling, sliding or sticking contact with a pressing force satisfies "
         f"the balance laws"
     )
 
 
-def reversal(y, regime, branch, guard, law: Law) -> tuple[list, Regime] | None:
+def after_reversal(y, regime, branch, guard, law: DiskConstants) -> tuple[list, Regime] | None:
     """Return state and regime after a rotation of a rolling disk reverses, or None otherwise.
 
-    `follow` would try the same regime first."""
-    if guard.kind is not Kind.REVERSES or regime.sliding or any(regime.stuck):
+    `next_regime` would try the same regime first."""
+    if guard.kind is not GuardKind.REVERSES or regime.sliding or any(regime.stuck):
         return None
-    y = at_rest(y, guard.axis)
+    y = with_rotation_zero(y, guard.axis)
     axis = guard.axis
     senses = tuple([-sense if i == axis else sense for i, sense in enumerate(regime.senses)])
     after = Regime(False, regime.stuck, senses)
-    contact = FLOAT.contact(y, branch, senses, law)
-    return (y, after) if _consistent(y, contact, after, law, (axis + 1,)) else None
+    contact = FLOAT_FORMULAS.contact(y, branch, senses, law)
+    return (y, after) if _is_consistent(y, contact, after, law, (axis + 1,)) else None
 
 
-def at_rest(y, i):
+def with_rotation_zero(y, i):
     """Return y with omega.a_(i+1) exactly zero."""
     y = list(y)
     if i == 0:
@@ -93,38 +113,40 @@ def at_rest(y, i):
         return y
     sin_a = math.cos(y[R] ** 2)
     cos_a = math.sin(y[R] ** 2)
-    excess = turnings(y)[i]
+    excess = rotation_rates(y)[i]
     along2, along3 = (cos_a, -sin_a) if i == 1 else (sin_a, cos_a)
     y[W2], y[W3] = y[W2] - excess * along2, y[W3] - excess * along3
     return y
 
 
-def _separates(y, law, loads) -> bool:
+def _leaves_plane(y, law, loads) -> bool:
     """Return True if the free disk would rise from the plane, or stay on it within rounding."""
     r = y[R]
     omega = (r * y[W1], r * y[W2], r * y[W3])
     slip = (r * y[V1], r * y[V2])
-    applied = loads(r * r, omega, slip, law, FLOAT) if loads else UNLOADED
-    return separation(r * r, *omega, law, applied) > -ROUND_OFF
+    applied = loads(r * r, omega, slip, law, FLOAT_FORMULAS) if loads else NO_LOADS
+    return separation_acceleration(r * r, *omega, law, applied) > -CONSISTENCY_TOLERANCE
 
 
-def _candidates(y, law, at_zero, leaving, senses):
+def _candidate_regimes(y, law, at_zero, leaving, senses):
     """Return the regimes to try, in order.
 
     Rolling precedes sliding. For a rotation at zero the order is reversal, sticking, the old
     sense."""
-    turn1, turn2, turn3 = turnings(y)
+    turn1, turn2, turn3 = rotation_rates(y)
     turning = (
         0.0 if 1 in at_zero else math.copysign(1.0, turn1),
         0.0 if 2 in at_zero else math.copysign(1.0, turn2),
         0.0 if 3 in at_zero else math.copysign(1.0, turn3),
     )
     resisted = tuple([arm > 0 for arm in law.arms])
-    return _choices(turning, senses, resisted, law.mu_static < math.inf, 0 in at_zero, leaving)
+    return _regime_combinations(
+        turning, senses, resisted, law.mu_static < math.inf, 0 in at_zero, leaving
+    )
 
 
 @lru_cache(1024)
-def _choices(turning, senses, resisted, can_slip, at_rest, leaving):
+def _regime_combinations(turning, senses, resisted, can_slip, at_rest, leaving):
     """Return the regimes to try, for the sign of each rotation (0 at rest) and its old sense."""
     contact = [False] if not can_slip else [True] if not at_rest or 0 in leaving else [False, True]
     surfaces = []
@@ -142,19 +164,22 @@ def _choices(turning, senses, resisted, can_slip, at_rest, leaving):
     ]
 
 
-def _consistent(y, contact, regime, law, at_zero) -> bool:
+def _is_consistent(y, contact, regime, law, at_zero) -> bool:
     """Return True if a contact presses, keeps to its friction limits and has the assumed senses."""
     if not (contact.Phi > 0 and contact.inertia > 0):
         return False
     cone = law.mu_static * contact.Phi
-    if not regime.sliding and cone * cone * (1 + ROUND_OFF) < contact.F1**2 + contact.F2**2:
+    if (
+        not regime.sliding
+        and cone * cone * (1 + CONSISTENCY_TOLERANCE) < contact.F1**2 + contact.F2**2
+    ):
         return False
     for i in (axis - 1 for axis in at_zero if axis):
         arm = law.arms[i]
         if regime.stuck[i]:
-            if abs(contact.moments[i]) > arm * contact.Phi * (1 + ROUND_OFF):
+            if abs(contact.moments[i]) > arm * contact.Phi * (1 + CONSISTENCY_TOLERANCE):
                 return False
-        elif arm > 0 and regime.senses[i] * turning_rates(y, contact)[i] < -ROUND_OFF:
+        elif arm > 0 and regime.senses[i] * turning_rates(y, contact)[i] < -CONSISTENCY_TOLERANCE:
             return False
     return True
 
@@ -164,7 +189,7 @@ def turning_rates(y, contact) -> tuple[float, float, float]:
     r = y[R]
     sin_a = math.cos(r * r)
     cos_a = math.sin(r * r)
-    turn1, turn2, turn3 = turnings(y)
+    turn1, turn2, turn3 = rotation_rates(y)
     w1 = r * turn1
     along2 = r * turn2
     along3 = r * turn3
@@ -175,10 +200,10 @@ def turning_rates(y, contact) -> tuple[float, float, float]:
     )
 
 
-def _along(y, angle, regime, branch, law):
+def _contact_sliding_along(y, angle, regime, branch, law):
     """Solve the balance laws for a contact that is about to slide along `angle` (2.7)."""
     slip = (y[R] * y[V1], y[R] * y[V2])
-    return FLOAT.contact_along(
+    return FLOAT_FORMULAS.contact_along(
         y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law
     )
 
@@ -190,23 +215,23 @@ def _slip_directions(y, regime, branch, law):
     all others on the circle follow, in descending order of acceleration."""
     push = slip_push(y, branch, regime.senses, law)
     if push.is_solvable:
-        held = FLOAT.contact(y, branch._replace(sliding=False), regime.senses, law)
+        held = FLOAT_FORMULAS.contact(y, branch._replace(sliding=False), regime.senses, law)
         near = push.aligned_direction_near(math.atan2(-held.F2, -held.F1))
-        if near is not None and push.acceleration_along(near, near) > -ROUND_OFF:
+        if near is not None and push.acceleration_along(near, near) > -CONSISTENCY_TOLERANCE:
             yield near
     speeds = sorted(
         ((push.acceleration_along(nu, nu), nu) for nu in push.aligned_directions()), reverse=True
     )
-    yield from (nu for speed, nu in speeds if speed > -ROUND_OFF)
+    yield from (nu for speed, nu in speeds if speed > -CONSISTENCY_TOLERANCE)
 
 
 def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | None:
     """Take the first step of a slide from rest, or return None if `regime` is inconsistent."""
     for nu in _slip_directions(y, regime, branch, law):
-        first = _along(y, nu, regime, branch, law)
-        if _consistent(y, first, regime, law, at_zero):
+        first = _contact_sliding_along(y, nu, regime, branch, law)
+        if _is_consistent(y, first, regime, law, at_zero):
             push = math.hypot(first.du1, first.du2)
-            if push < GRAZING * law.mu_dynamic * first.Phi:
+            if push < MAX_GRAZING_ACCELERATION * law.mu_dynamic * first.Phi:
                 step = graze(y, nu, regime)
             else:
                 step = _trapezoidal_step(y, nu, first, regime, branch, law)
@@ -216,39 +241,43 @@ def _slide_from_rest(y, regime, branch, law, at_zero, graze) -> Step | Arc | Non
 
 
 def _trapezoidal_step(y, nu, first, regime, branch, law) -> Step:
-    """Take one implicit trapezoidal step of length START r; the unknown is the slip direction at
+    """Take one implicit trapezoidal step of length FIRST_STEP r; the unknown is the slip direction at
     its end.
 
     This is the direction of the mean slip acceleration. Raises StalledError if there is none within
     1 rad."""
-    slope = FLOAT.rates(y, first, branch, law)
-    dt = _short(y, slope)
+    slope = FLOAT_FORMULAS.rates(y, first, branch, law)
+    dt = _first_step_length(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
 
     ahead_push = slip_push(ahead, branch, regime.senses, law)
     direction = ahead_push.with_added_rate(complex(first.du1, first.du2)).aligned_direction_near(nu)
     if direction is None:
-        raise StalledError(f"{describe(y)}: the slide that starts here has no direction")
-    last = _along(ahead, direction, regime, branch, law)
-    return _parabola(regime, dt, y, slope, FLOAT.rates(ahead, last, branch, law))
+        raise StalledError(f"{describe_state(y)}: the slide that starts here has no direction")
+    last = _contact_sliding_along(ahead, direction, regime, branch, law)
+    return _quadratic_step(regime, dt, y, slope, FLOAT_FORMULAS.rates(ahead, last, branch, law))
 
 
-def _short(y, slope) -> float:
-    """Return the length of a step: START r, or less if y changes faster at its rates `slope`."""
-    return START / max(1 / y[R], *(abs(b) / (1 + abs(a)) for a, b in zip(y, slope, strict=True)))
+def _first_step_length(y, slope) -> float:
+    """Return the length of a step: FIRST_STEP r, or less if y changes faster at its rates `slope`."""
+    return FIRST_STEP / max(
+        1 / y[R], *(abs(b) / (1 + abs(a)) for a, b in zip(y, slope, strict=True))
+    )
 
 
-def _step_off(y, first, regime, branch, law, length=None) -> Step:
+def _heun_step(y, first, regime, branch, law, length=None) -> Step:
     """Take one step of Heun's method; a rotation that stops sticking starts at the zero of its
     guard, without push."""
-    slope = FLOAT.rates(y, first, branch, law)
-    dt = length or _short(y, slope)
+    slope = FLOAT_FORMULAS.rates(y, first, branch, law)
+    dt = length or _first_step_length(y, slope)
     ahead = [a + dt * b for a, b in zip(y, slope, strict=True)]
-    after = FLOAT.rates(ahead, FLOAT.contact(ahead, branch, regime.senses, law), branch, law)
-    return _parabola(regime, dt, y, slope, after)
+    after = FLOAT_FORMULAS.rates(
+        ahead, FLOAT_FORMULAS.contact(ahead, branch, regime.senses, law), branch, law
+    )
+    return _quadratic_step(regime, dt, y, slope, after)
 
 
-def _parabola(regime, dt, y, slope, after) -> Step:
+def _quadratic_step(regime, dt, y, slope, after) -> Step:
     return Step(
         regime,
         dt,
@@ -256,7 +285,7 @@ def _parabola(regime, dt, y, slope, after) -> Step:
     )
 
 
-def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
+def slide_to_rest(y, regime: Regime, law: DiskConstants, loads) -> tuple[Step, bool]:
     """Return the last step of a slide, and True if it ends at rest.
 
     The friction takes the intermediate direction that stops the slip exactly, so the balance laws
@@ -275,11 +304,18 @@ def slide_to_rest(y, regime: Regime, law: Law, loads) -> tuple[Step, bool]:
     ]
     if stopping:
         angle = min(stopping, key=lambda a: abs(a - along))
-        slope = FLOAT.rates(y, _along(y, angle, regime, branch, law), branch, law)
+        slope = FLOAT_FORMULAS.rates(
+            y, _contact_sliding_along(y, angle, regime, branch, law), branch, law
+        )
         return Step(
             regime, -speed * y[R] / push.acceleration_along(angle, along), np.array([y, slope])
         ), True
-    here = FLOAT.contact(y, branch, regime.senses, law)
-    return _step_off(
-        y, here, regime, branch, law, PASSING * speed * y[R] / (law.mu_dynamic * here.Phi)
+    here = FLOAT_FORMULAS.contact(y, branch, regime.senses, law)
+    return _heun_step(
+        y,
+        here,
+        regime,
+        branch,
+        law,
+        GUARD_OVERSHOOT_FRACTION * speed * y[R] / (law.mu_dynamic * here.Phi),
     ), False

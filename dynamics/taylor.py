@@ -8,42 +8,45 @@ import heyoka
 import numpy as np
 
 from dynamics.dissipation import Resistance
-from dynamics.equations import Law
+from dynamics.equations import DiskConstants
 from dynamics.film.wedge import Film, find_film
 from dynamics.guards import Guard
 from dynamics.hybrid import Arc
-from dynamics.integrators.branch_formulas import formulas, prepared, shape
-from dynamics.regime import Branch, Flow, Regime
+from dynamics.integrators.branch_formulas import branch_to_compile, compiled_flow, rates_and_guards
+from dynamics.regime import Branch, FlowFormulas, Regime
 from dynamics.rolling import restarted
-from dynamics.switching import reversal
+from dynamics.switching import after_reversal
 
-SYMBOLIC = Flow(heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent)
-STATE = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
+SYMBOLIC_FORMULAS = FlowFormulas(
+    heyoka.sin, heyoka.cos, heyoka.sqrt, lambda base, exponent: base**exponent
+)
+STATE_SYMBOLS = ("r", "w1", "w2", "w3", "v1", "v2", "precession", "spin", "x", "y", "dissipated")
 # warnings would go to standard output, which is for results; the checks assess each run
 heyoka.set_logger_level_error()
-SUCCESS, NOT_FINITE = heyoka.taylor_outcome.success, heyoka.taylor_outcome.err_nf_state
-MOST_STEPS = 1000
-MOST_COMPILED = 64
+SUCCESS = heyoka.taylor_outcome.success
+NOT_FINITE = heyoka.taylor_outcome.err_nf_state
+MAX_STEPS_PER_CALL = 1000
+MAX_COMPILED_BRANCHES = 64
 """Number of branches kept in compiled form; one scene needs about a tenth of them."""
-SHORT = 1e-11
+MIN_SHORT_SERIES_TOLERANCE = 1e-11
 """Smallest tolerance at which a Taylor series has at most 14 terms."""
-LIFT = 1e-300
+GUARD_OFFSET = 1e-300
 """Offset added to every guard: if a guard is exactly zero at the start of a step, heyoka finds this
 root and misses the next one."""
 
 
-class Compiled:
+class CompiledTaylor:
     """The compiled integrator of one branch; each run borrows a copy to hold its state.
 
     heyoka caches compiled code on disk, so the most frequent branches are compiled for speed:
     rolling in a vacuum, and all branches in an air film. Compact mode compiles six times faster,
     but the code runs at half the speed. It is used for branches in which a rotation sticks, for
-    branches with other loads, and for slides in a vacuum at tolerances below SHORT; series of few
+    branches with other loads, and for slides in a vacuum at tolerances below MIN_SHORT_SERIES_TOLERANCE; series of few
     terms compile quickly."""
 
     def __init__(self, branch: Branch, tolerance: float):
-        y = heyoka.make_vars(*STATE)
-        rates, guards = formulas(SYMBOLIC, y, branch, lambda i: heyoka.par[i])
+        y = heyoka.make_vars(*STATE_SYMBOLS)
+        rates, guards = rates_and_guards(SYMBOLIC_FORMULAS, y, branch, lambda i: heyoka.par[i])
         falling = heyoka.event_direction.negative
         self.guards = tuple(guards)
         self._idle = []
@@ -55,10 +58,10 @@ class Compiled:
             [1.0] * len(y),
             tol=tolerance,
             compact_mode=any(branch.stuck)
-            or not is_common(branch.loads)
-            or (branch.sliding and not branch.loads and tolerance < SHORT),
+            or not is_common_load(branch.loads)
+            or (branch.sliding and not branch.loads and tolerance < MIN_SHORT_SERIES_TOLERANCE),
             opt_level=1,  # same instructions as level 2, in 5/6 of the time
-            t_events=[heyoka.t_event(g + LIFT, direction=falling) for g in guards.values()],
+            t_events=[heyoka.t_event(g + GUARD_OFFSET, direction=falling) for g in guards.values()],
         )
 
     def borrow(self):
@@ -79,7 +82,7 @@ class Compiled:
         self._idle.append(borrowed)
 
 
-def is_common(loads) -> bool:
+def is_common_load(loads) -> bool:
     """Return True if the loads are none, or an air film with or without a Resistance."""
     laws = getattr(loads, "laws", (loads,))
     return loads is None or (
@@ -90,26 +93,28 @@ def is_common(loads) -> bool:
 _compilers = ThreadPoolExecutor(thread_name_prefix="heyoka")
 
 
-@lru_cache(MOST_COMPILED)
-def compiled(branch: Branch, tolerance: float):
-    """Return the future of a `Compiled`; heyoka compiles in the background, without Python's
+@lru_cache(MAX_COMPILED_BRANCHES)
+def compiled_taylor(branch: Branch, tolerance: float):
+    """Return the future of a `CompiledTaylor`; heyoka compiles in the background, without Python's
     lock."""
-    return _compilers.submit(Compiled, branch, tolerance)
+    return _compilers.submit(CompiledTaylor, branch, tolerance)
 
 
-def compile_in_background(regime: Regime, law: Law, loads, tolerance: float) -> None:
+def compile_in_background(regime: Regime, law: DiskConstants, loads, tolerance: float) -> None:
     """Start to compile the flow of a regime."""
-    compiled(shape(regime, law, loads), tolerance)
+    compiled_taylor(branch_to_compile(regime, law, loads), tolerance)
 
 
-def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, tolerance: float) -> Arc:
+def advance(
+    y, regime: Regime, law: DiskConstants, loads, r_end: float, span: float, tolerance: float
+) -> Arc:
     """Integrate from y within `regime` until a guard falls through zero, for `span`, or for
-    MOST_STEPS steps.
+    MAX_STEPS_PER_CALL steps.
 
     Rolling continues through rotations that only reverse. DOP853 integrates the arc if a law is not
     analytic, such as a power of the precession at rest. Safe to call from several threads at once.
     Raises StalledError if the steps of DOP853 are too short."""
-    future, parameters = prepared(compiled, regime, law, loads, r_end, tolerance)
+    future, parameters = compiled_flow(compiled_taylor, regime, law, loads, r_end, tolerance)
     flow = future.result()
     integrator, pars, state, series = borrowed = flow.borrow()
     pars[:] = parameters
@@ -125,8 +130,8 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
     times = []
     kept = []
     passed = []
-    lost = [[0.0] * len(STATE)]
-    for _ in range(MOST_STEPS):
+    lost = [[0.0] * len(STATE_SYMBOLS)]
+    for _ in range(MAX_STEPS_PER_CALL):
         outcome, _ = step(span - t, True)
         since = t
         t = integrator.time
@@ -135,13 +140,13 @@ def advance(y, regime: Regime, law: Law, loads, r_end: float, span: float, toler
         if outcome == SUCCESS:
             continue
         guard = flow.guard(outcome)
-        after = guard and t > since and reversal(state.tolist(), now, branch, guard, law)
+        after = guard and t > since and after_reversal(state.tolist(), now, branch, guard, law)
         if not after:
             break
         y, now = after
         state[:], origin = restarted(y)  # large components would make the steps longer
         lost.append(origin)
-        pars[:] = prepared(compiled, now, law, loads, r_end, tolerance)[1]
+        pars[:] = compiled_flow(compiled_taylor, now, law, loads, r_end, tolerance)[1]
         integrator.reset_cooldowns()
         passed.append((len(times), guard, now))
         guard = None

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 
-from dynamics.compliant.two_way_onset import takes_modes
+from dynamics.compliant.two_way_onset import needs_table_modes
 from dynamics.progress import MotionProgress
 from dynamics.simulation import compile_in_background
 from modal import Modes, SurfaceModes, eigenmodes
@@ -94,7 +94,9 @@ def solve(
             if elastic.done():
                 elastic.result()  # raises if the modes failed
 
-        motion = solve_motion(scene, show, elastic.result()[2] if takes_modes(scene) else None)
+        motion = solve_motion(
+            scene, show, elastic.result()[2] if needs_table_modes(scene) else None
+        )
         plan, modes, table = elastic.result()
     solved = SolvedMotion(scene=scene, plan=plan, modes=modes, table=table, motion=motion)
     begin(solved)

@@ -9,11 +9,11 @@ from math import pi, sin, sqrt
 from typing import NamedTuple
 
 from benchmarks.timed_runs import Answer, relative_error
-from dynamics.equations import Law
+from dynamics.equations import DiskConstants
 from dynamics.kinematics import energy
 from dynamics.steady_motion import flat_square
 
-PUBLISHED_LAW = Law(
+PUBLISHED_LAW = DiskConstants(
     h=0.0128 / 0.0751, K=1.0, mu_static=0.5, mu_dynamic=0.3, k1=1e-4, k2=8e-4, k3=8e-3
 )
 """Parameters (7.1) and (7.3) of the paper, with the misprint of (7.2) corrected."""
@@ -39,7 +39,7 @@ class Case(NamedTuple):
     """A law, a time span and the initial state; inclination and energy at the end are known."""
 
     name: str
-    law: Law
+    law: DiskConstants
     span: float
     start: tuple[float, ...] = PUBLISHED_RELEASE
 
@@ -111,12 +111,12 @@ def scaled(state) -> list:
     return [r, *(x / r for x in state[1:]), *[0.0] * 5]
 
 
-def answer_of(state, law: Law, steps: int) -> Answer:
+def answer_of(state, law: DiskConstants, steps: int) -> Answer:
     """Return inclination and energy (6.1) of a state."""
     return Answer((float(state[0]), float(energy(state[0], state[1:4], state[4:6], law))), steps)
 
 
-def answer_of_scaled(y, law: Law, steps: int) -> Answer:
+def answer_of_scaled(y, law: DiskConstants, steps: int) -> Answer:
     """Return inclination and energy (6.1) of a state in the variables of `dynamics.regime`."""
     r = y[0]
     return answer_of((r * r, *(r * x for x in y[1:6])), law, steps)

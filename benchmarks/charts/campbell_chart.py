@@ -17,7 +17,7 @@ from benchmarks.timed_runs import (
     selected_values,
     works_over,
 )
-from dynamics.compliant.campbell import Campbell, campbell
+from dynamics.compliant.campbell import CampbellDiagram, campbell_diagram
 from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_inputs import contact_law
@@ -67,7 +67,7 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
     """
     disk = contact_table().law.disk
     smooth = Friction(mu_static=0.0, mu_dynamic=0.0)
-    _, (omega,), (beta,), (values,) = campbell(disk, mode, x)
+    _, (omega,), (beta,), (values,) = campbell_diagram(disk, mode, x)
     modes = table_modes_from_numbers(ModesSurface(modes=(mode,)), disk, 2 * mode.frequency)
     model = CompliantModel(table=contact_table(), friction=smooth, modes=modes, rate=rate)
     y = released_state(model, np.array([0, beta, 0, 0, 0, 0, 0, omega * np.sin(beta), 0, 0, 0]))
@@ -96,7 +96,7 @@ def _amplitude(t, x, omega, begin, end):
 
 def expected_growth(mode: SurfaceMode, x: float) -> float:
     """Return the largest real part of the eigenvalues [1/s]."""
-    return float(campbell(contact_table().law.disk, mode, x).eigenvalue.real.max())
+    return float(campbell_diagram(contact_table().law.disk, mode, x).eigenvalue.real.max())
 
 
 def _answer(rate):
@@ -130,7 +130,7 @@ def run(quick: bool, watch=lambda fraction, note: None) -> list[Record]:
     return measured(works, watch, warm=lambda work: True)
 
 
-def is_divergent(diagram: Campbell) -> np.ndarray:
+def is_divergent(diagram: CampbellDiagram) -> np.ndarray:
     """Return (k,) True where a non-oscillating eigenvalue grows faster than the waves decay."""
     still = np.abs(diagram.eigenvalue.imag) < 1e-9 * diagram.omega[:, None]
     return (
@@ -139,7 +139,7 @@ def is_divergent(diagram: Campbell) -> np.ndarray:
     )
 
 
-def flutter_growth(diagram: Campbell) -> np.ndarray:
+def flutter_growth(diagram: CampbellDiagram) -> np.ndarray:
     """Return the largest growth rate (k,) [1/s] of the oscillating eigenvalues, 0 if none grows."""
     moves = np.abs(diagram.eigenvalue.imag) > 0.05 * diagram.omega[:, None]
     return np.where(moves, diagram.eigenvalue.real, 0.0).max(axis=1).clip(0)
@@ -148,7 +148,7 @@ def flutter_growth(diagram: Campbell) -> np.ndarray:
 def draw(records: list[Record], title: str, path):
     """Draw frequencies over Omega and growth rates against x, and the speed at which the steps were
     assessed."""
-    diagram = campbell(contact_table().law.disk, MODE, SPEEDS)
+    diagram = campbell_diagram(contact_table().law.disk, MODE, SPEEDS)
     figure = Figure(figsize=(9, 9), dpi=DPI, layout="constrained")
     above, below = figure.subplots(2, 1, sharex=True)
     growth = diagram.eigenvalue.real
@@ -192,7 +192,7 @@ def draw(records: list[Record], title: str, path):
 
 def conclusion(records: list[Record]) -> list[str]:
     """Return where the steady motion is unstable, and the error of the two-way steps."""
-    diagram = campbell(contact_table().law.disk, MODE, SPEEDS)
+    diagram = campbell_diagram(contact_table().law.disk, MODE, SPEEDS)
     divergent = SPEEDS[is_divergent(diagram)]
     growth = np.where(SPEEDS > 1.1, flutter_growth(diagram), 0.0)
     strongest = growth.argmax()

@@ -10,7 +10,7 @@ from benchmarks.timed_runs import Answer, Failure, Record, measured, relative_er
 from dynamics import Air
 from dynamics.disk import Disk
 from dynamics.dissipation import Dissipation, power_laws
-from dynamics.film.reynolds import FilmMesh, compressible_wedge
+from dynamics.film.reynolds import FilmMesh, compressible_wedge_response
 from dynamics.film.wedge import compressibility, film_under, layer_thickness
 from dynamics.steady_motion import flat_square
 from sonify.scene import load_scene
@@ -77,7 +77,7 @@ def compressible_power(beta: float, cells: int) -> Answer:
     """
     mesh = FilmMesh(cells, nearest=5.0)
     try:
-        share = compressible_wedge(
+        share = compressible_wedge_response(
             [compressibility(beta, precession_rate(beta), disk_and_air()[1])], mesh
         )[1][0]
     except ArithmeticError:

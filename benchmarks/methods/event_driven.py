@@ -9,8 +9,8 @@ from scipy.integrate import solve_ivp
 from benchmarks.cases.motion_case import Case, answer_of_scaled, scaled
 from benchmarks.methods.sign_friction import MAX_EVALUATIONS
 from benchmarks.timed_runs import LEFT_OUT, Answer, Failure
-from dynamics.hybrid import Arc, drive
-from dynamics.regime import FLOAT, V2, W1, Branch, R
+from dynamics.hybrid import Arc, run_events
+from dynamics.regime import FLOAT_FORMULAS, V2, W1, Branch, R
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 
@@ -42,7 +42,7 @@ def follow_events(case: Case, integrate, tolerance: float) -> Answer:
         return arc
 
     system = RollingDisk(case.law, None, FINAL_SQRT_INCLINATION, integrate_and_count, tolerance)
-    path, ended = drive(system, scaled(case.start), case.span, keep_state)
+    path, ended = run_events(system, scaled(case.start), case.span, keep_state)
     if ended:
         raise Failure(f"ended at tau = {path.t:.4g}: {ended}")
     return answer_of_scaled(last_state, case.law, steps)
@@ -90,9 +90,9 @@ def _solve_until_event(y, regime, law, r_end, span, method, tolerance):
         nonlocal last_state, last_guards
         if last_state is not y:
             values = y.tolist()
-            contact = FLOAT.contact(values, branch, regime.senses, law)
+            contact = FLOAT_FORMULAS.contact(values, branch, regime.senses, law)
             last_state = y
-            last_guards = FLOAT.guards(values, contact, branch, regime.senses, law, r_end)
+            last_guards = FLOAT_FORMULAS.guards(values, contact, branch, regime.senses, law, r_end)
         return last_guards
 
     def rates(_, y):
@@ -101,7 +101,9 @@ def _solve_until_event(y, regime, law, r_end, span, method, tolerance):
         if evaluations > MAX_EVALUATIONS:
             raise Failure(f"never grips again: {MAX_EVALUATIONS} evaluations within one {regime}")
         y = y.tolist()
-        return FLOAT.rates(y, FLOAT.contact(y, branch, regime.senses, law), branch, law)
+        return FLOAT_FORMULAS.rates(
+            y, FLOAT_FORMULAS.contact(y, branch, regime.senses, law), branch, law
+        )
 
     def event(name):
         def value(_, y):

@@ -14,8 +14,8 @@ from numba.extending import register_jitable
 
 from benchmarks.cases.motion_case import Case, answer_of
 from benchmarks.timed_runs import Answer, Failure
-from dynamics.equations import balance
-from dynamics.kinematics import arms, centre_velocity, precession_rate
+from dynamics.equations import equations_of_motion
+from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
 
 MAX_PROJECTIONS = 300
 """Largest number of projections in one step."""
@@ -38,9 +38,9 @@ def moreau(case: Case, step: float) -> Answer:
 @functools.cache
 def stepper():
     """Return the compiled time-stepping; it is compiled once per process."""
-    for function in (arms, centre_velocity, precession_rate):  # `solve` calls them
+    for function in (contact_arms, centre_velocity, precession_rate):  # `solve` calls them
         register_jitable(function)
-    solve = njit(balance(math.sin, math.cos))
+    solve = njit(equations_of_motion(math.sin, math.cos))
 
     @njit
     def clip(x):

@@ -14,7 +14,7 @@ from scipy.integrate import solve_ivp
 
 from benchmarks.cases.motion_case import Case, answer_of
 from benchmarks.timed_runs import Answer, Failure
-from dynamics.equations import Law, solve
+from dynamics.equations import DiskConstants, solve_contact
 from dynamics.regime import projections
 
 ROLLING = False
@@ -43,10 +43,10 @@ def angular_rates(state) -> tuple[float, float, float]:
     return projections(*state[:4], math.sin, math.cos)
 
 
-def solve_contact(state, sliding: bool, direction, senses, law: Law):
+def solve_sign_contact(state, sliding: bool, direction, senses, law: DiskConstants):
     """Solve the balance laws (4.1), (4.2) for given slip direction and senses of the moments;
     nothing sticks."""
-    return solve(*state, *direction, sliding, *NOTHING_STICKS, *senses, law)
+    return solve_contact(*state, *direction, sliding, *NOTHING_STICKS, *senses, law)
 
 
 def rates(state, solved) -> list[float]:
@@ -54,17 +54,19 @@ def rates(state, solved) -> list[float]:
     return [-state[1], solved.domega1, solved.domega2, solved.domega3, solved.du1, solved.du2]
 
 
-def contact_by_sign(state, law: Law):
+def contact_by_sign(state, law: DiskConstants):
     """Solve the contact with sign() of the velocities of the state."""
     senses = [sign(rate) for rate in angular_rates(state)]
     speed = math.hypot(state[4], state[5])
     if speed > ROLLING_SLIP_SPEED:
-        return solve_contact(state, SLIDING, (state[4] / speed, state[5] / speed), senses, law)
-    rolling = solve_contact(state, ROLLING, (0.0, 0.0), senses, law)
+        return solve_sign_contact(state, SLIDING, (state[4] / speed, state[5] / speed), senses, law)
+    rolling = solve_sign_contact(state, ROLLING, (0.0, 0.0), senses, law)
     demand = math.hypot(rolling.F1, rolling.F2)
     if demand <= law.mu_static * rolling.Phi:
         return rolling
-    return solve_contact(state, SLIDING, (-rolling.F1 / demand, -rolling.F2 / demand), senses, law)
+    return solve_sign_contact(
+        state, SLIDING, (-rolling.F1 / demand, -rolling.F2 / demand), senses, law
+    )
 
 
 def integrate(rhs, case: Case, method: str, tolerance: float, first=None) -> Answer:
@@ -122,7 +124,7 @@ def euler_angles(case: Case, tolerance: float) -> Answer:
         if not 0 < rolling[0] < math.pi / 2:
             raise Failure("the inclination is lost in the last digits of alpha")
         senses = [sign(angular_rate) for angular_rate in angular_rates(rolling)]
-        solved = solve_contact(rolling, ROLLING, (0.0, 0.0), senses, case.law)
+        solved = solve_sign_contact(rolling, ROLLING, (0.0, 0.0), senses, case.law)
         falling, *others = rates(rolling, solved)
         return [-falling, *others[:3]]
 

@@ -14,7 +14,7 @@ from scipy.optimize import brentq
 from benchmarks.cases.motion_case import Case
 from benchmarks.methods.sign_friction import SLIDING, angular_rates, integrate, rates, solve_contact
 from benchmarks.timed_runs import Answer
-from dynamics.equations import Law
+from dynamics.equations import DiskConstants
 
 DECAY_WIDTHS = 10.0
 """Slip speed, in widths, over which the friction coefficient decays from the static to the dynamic
@@ -38,13 +38,13 @@ def static_excess(mu_static: float, mu_dynamic: float) -> float:
     return brentq(excess, 0.0, 2 * mu_static)
 
 
-def coefficient(x: float, law: Law) -> float:
+def coefficient(x: float, law: DiskConstants) -> float:
     """Return friction over normal force at the slip speed x, in widths."""
     amplitude = static_excess(law.mu_static, law.mu_dynamic)
     return math.tanh(x) * (law.mu_dynamic + amplitude * math.exp(-((x / DECAY_WIDTHS) ** 2)))
 
 
-def regularised_contact(state, law: Law, width: float):
+def regularised_contact(state, law: DiskConstants, width: float):
     """Solve the contact with tanh(v/width) in place of every sign(v)."""
     speed = math.hypot(state[4], state[5])
     factor = coefficient(speed / width, law) / law.mu_dynamic / speed if speed else 0.0

@@ -12,8 +12,8 @@ import numpy as np
 
 from benchmarks.cases.motion_case import Case
 from benchmarks.timed_runs import Answer, Failure
-from dynamics.equations import Law
-from dynamics.kinematics import arms, centre_velocity
+from dynamics.equations import DiskConstants
+from dynamics.kinematics import centre_velocity, contact_arms
 
 MAX_CENTRE_HEIGHT = 1.2
 """Height of the centre, over R, that a disk with its rim on the table cannot reach."""
@@ -29,12 +29,12 @@ class Pose(NamedTuple):
     angular: np.ndarray
 
 
-def gravity(law: Law) -> float:
+def gravity(law: DiskConstants) -> float:
     """Return the dimensionless gravity."""
     return (law.K + 4) / 4
 
 
-def inertia(law: Law) -> tuple[float, float, float]:
+def inertia(law: DiskConstants) -> tuple[float, float, float]:
     """Return the principal moments of inertia in the frame of the disk."""
     return law.K / 4 + law.h**2 / 3, law.K / 4 + law.h**2 / 3, law.K / 2
 
@@ -45,7 +45,7 @@ def at_start(case: Case) -> Pose:
     h = case.law.h
     sin_a = math.cos(beta)
     cos_a = math.sin(beta)
-    e, f = arms(sin_a, cos_a, h)
+    e, f = contact_arms(sin_a, cos_a, h)
     rotation = np.array([[1.0, 0.0, 0.0], [0.0, sin_a, cos_a], [0.0, -cos_a, sin_a]])
     return Pose(
         centre=np.array([0.0, 0.0, e]),
@@ -61,7 +61,7 @@ def quaternion(case: Case) -> tuple[float, float, float, float]:
     return math.cos(case.start[0] / 2), -math.sin(case.start[0] / 2), 0.0, 0.0
 
 
-def answer(pose: Pose, law: Law, steps: int) -> Answer:
+def answer(pose: Pose, law: DiskConstants, steps: int) -> Answer:
     """Return inclination and energy (6.1) of a pose. Raises Failure if the disk has left the
     table."""
     height = float(pose.centre[2])
@@ -74,7 +74,7 @@ def answer(pose: Pose, law: Law, steps: int) -> Answer:
     return Answer((math.atan2(math.hypot(axle[0], axle[1]), axle[2]), float(energy)), steps)
 
 
-def resistance(axle, angular, normal: float, law: Law) -> np.ndarray:
+def resistance(axle, angular, normal: float, law: DiskConstants) -> np.ndarray:
     """Return the moment (3,) of (3.3) with sign() of the angular velocities, for engines without
     such a law.
 

@@ -25,10 +25,10 @@ from benchmarks.cases.motion_case import (
     scaled,
     sticking,
 )
-from dynamics.hybrid import Arc, drive
+from dynamics.hybrid import Arc, run_events
 from dynamics.regime import Branch
 from dynamics.rolling import RollingDisk
-from dynamics.taylor import STATE, SYMBOLIC
+from dynamics.taylor import STATE_SYMBOLS, SYMBOLIC_FORMULAS
 
 ROOT = Path(__file__).parents[2]
 LONG = np.longdouble
@@ -59,14 +59,16 @@ ABOUT = (
 @functools.cache
 def compiled(branch, senses, law):
     """Return the compiled 80-bit integrator of one branch."""
-    y = heyoka.make_vars(*STATE)
+    y = heyoka.make_vars(*STATE_SYMBOLS)
     law = type(law)(*(heyoka.expression(LONG(x)) for x in law))
-    contact = SYMBOLIC.contact(y, branch, senses, law)
+    contact = SYMBOLIC_FORMULAS.contact(y, branch, senses, law)
     rates = [
         heyoka.expression(r) if isinstance(r, float) else r
-        for r in SYMBOLIC.rates(y, contact, branch, law)
+        for r in SYMBOLIC_FORMULAS.rates(y, contact, branch, law)
     ]
-    guards = SYMBOLIC.guards(y, contact, branch, senses, law, heyoka.expression(LONG(1e-9)))
+    guards = SYMBOLIC_FORMULAS.guards(
+        y, contact, branch, senses, law, heyoka.expression(LONG(1e-9))
+    )
     falling = {"direction": heyoka.event_direction.negative, "fp_type": LONG}
     events = [heyoka.t_event(g + GUARD_OFFSET, **falling) for g in guards.values()]
     options = {"tol": LONG(1e-19), "t_events": events, "fp_type": LONG}
@@ -101,7 +103,7 @@ def solved(case):
     """Return inclination and energy at the end of a case."""
     states = []
     system = EightyBit(case.law, None, 1e-9, advance, 0.0)
-    drive(system, scaled(case.start), case.span, lambda _, y: states.append(y))
+    run_events(system, scaled(case.start), case.span, lambda _, y: states.append(y))
     return list(answer_of_scaled(states[-1], case.law, 0).values)
 
 

@@ -9,7 +9,7 @@ from time import perf_counter, process_time
 
 from benchmarks.cases.motion_case import PUBLISHED_LAW, PUBLISHED_RELEASE, scaled
 from benchmarks.methods.event_driven import integrator_of
-from dynamics.hybrid import drive
+from dynamics.hybrid import run_events
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
 
@@ -26,7 +26,7 @@ def timed(integrate, tolerance, law=PUBLISHED_LAW):
     system = RollingDisk(law, None, 1e-9**0.5, integrate, tolerance)
     began = perf_counter()
     processor_before = process_time()
-    path, ended = drive(system, scaled(PUBLISHED_RELEASE), 1000.0)
+    path, ended = run_events(system, scaled(PUBLISHED_RELEASE), 1000.0)
     end = f"{ended} at tau = {path.t:.3f}, {len(path.crossings)} changes"
     return perf_counter() - began, process_time() - processor_before, end
 

@@ -23,7 +23,7 @@ from dynamics.disk import Disk
 from dynamics.surface import SurfaceMode
 
 
-class Campbell(NamedTuple):
+class CampbellDiagram(NamedTuple):
     """Steady motions at x = n Omega/w (k,), and their stability.
 
     Attributes
@@ -48,8 +48,8 @@ class Campbell(NamedTuple):
     eigenvalue: np.ndarray
 
 
-def campbell(disk: Disk, mode: SurfaceMode, x) -> Campbell:
-    """Return the `Campbell` diagram of a disk on one table mode at positive x = n Omega/w (k,).
+def campbell_diagram(disk: Disk, mode: SurfaceMode, x) -> CampbellDiagram:
+    """Return the Campbell diagram of a disk on one table mode at positive x = n Omega/w (k,).
 
     Valid for small inclinations without friction. The nutation on a rigid table is Omega (3 J/(J +
     m R^2))^0.5, within 1 % of that of a rolling disk. Raises ValueError for a mode without order,
@@ -60,7 +60,7 @@ def campbell(disk: Disk, mode: SurfaceMode, x) -> Campbell:
         raise ValueError("campbell: needs a mode of order 1 or more, and positive x = n Omega/w")
     omega = x * 2 * np.pi * mode.frequency / mode.order
     found = [_eigenvalues(disk, mode, rate) for rate in omega]
-    return Campbell(x, omega, *(np.array(part) for part in zip(*found, strict=True)))
+    return CampbellDiagram(x, omega, *(np.array(part) for part in zip(*found, strict=True)))
 
 
 def _eigenvalues(disk, mode, rate):

@@ -6,14 +6,14 @@ from functools import cached_property
 
 import numpy as np
 
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import mobility
 from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.tabulated import SeriesLawTable
 from dynamics.compliant.model_inputs import (
-    edge_of,
+    edge_flexibility,
+    final_contact_inclination,
     is_two_way,
-    last_inclination,
     law_table,
     step_rate,
 )
@@ -73,7 +73,7 @@ OUTCOME_OF_END = {
     CONTINUES: Outcome.TIME_LIMIT,
     IS_AIRBORNE: Outcome.AIRBORNE,
 }
-"""Outcome of a motion for each reason of `march`."""
+"""Outcome of a motion for each reason of `step_motion`."""
 
 # Columns of a row after COLUMNS.
 ENERGY_COLUMN = len(COLUMNS)
@@ -245,7 +245,7 @@ class CompliantMotion(MotionBase):
         turning = np.abs(precession_rate(state)) / (2 * np.pi)
         held = np.maximum(
             FORCE_HARMONICS * turning,
-            MAX_OVERTONE * self.carrier(np.maximum(state[:, 1], LEAST_INCLINATION)),
+            MAX_OVERTONE * self.carrier(np.maximum(state[:, 1], MIN_CONTACT_INCLINATION)),
         )
         return np.minimum(held, FORCE_RATE / 2)
 
@@ -421,7 +421,7 @@ def solve_compliant_motion(
     last = (
         FLAT_INCLINATION
         if modes is not None or model.imperfection is not None
-        else last_inclination(scene)
+        else final_contact_inclination(scene)
     )
     if begin is None:
         tilt = np.radians(scene.release.inclination_deg)
@@ -523,7 +523,7 @@ def compliant_model(scene, modes=None) -> CompliantModel:
         fitted=scene.roughness is not None and scene.roughness.loss == "fitted",
         modes=modes,
         bending=moving_rim_modes(
-            edge_of(scene),
+            edge_flexibility(scene),
             scene.material.loss_factor,
         )
         if bends

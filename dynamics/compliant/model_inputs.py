@@ -9,7 +9,7 @@ from math import radians
 
 import numpy as np
 
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION, ContactLaw
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.sections import require_resolved_waves
 from dynamics.compliant.law.tabulated import LawTable
@@ -30,10 +30,10 @@ def law_table(scene, kind: type[LawTable] = LawTable, moves: float = 0.0) -> Law
     The modes below `moves` [Hz] are not part of this flexibility. The tables are cached and shared
     by threads.
     """
-    return _tabulated(kind, contact_law(scene), edge_of(scene), moves)
+    return _tabulated(kind, contact_law(scene), edge_flexibility(scene), moves)
 
 
-def edge_of(scene):
+def edge_flexibility(scene):
     """Return the `Edge` of the disk of a scene if the disk is elastic, else None."""
     return scene.edge if scene.contact.body == "elastic" else None
 
@@ -43,9 +43,9 @@ def _tabulated(kind, law, edge, moves):
     return kind(law=law, edge=edge, moves=moves)
 
 
-def last_inclination(scene) -> float:
+def final_contact_inclination(scene) -> float:
     """Return the final inclination [rad] of a disk on its elastic contact."""
-    return max(final_inclination(scene), LEAST_INCLINATION)
+    return max(final_inclination(scene), MIN_CONTACT_INCLINATION)
 
 
 def is_two_way(scene) -> bool:
@@ -69,7 +69,7 @@ def min_step_rate(scene) -> float:
     On a table that moves or is wavy the disk passes through all inclinations before it rests.
     """
     moves = is_two_way(scene) or scene.imperfection
-    least = LEAST_INCLINATION if moves else last_inclination(scene)
+    least = MIN_CONTACT_INCLINATION if moves else final_contact_inclination(scene)
     return float(required_step_rate(contact_law(scene), np.array([least]))[0])
 
 
@@ -84,7 +84,7 @@ def check_contact(scene) -> None:
 
         require_resolved_waves(scene.roughness, float(law.semi_axes(beta, scene.disk.weight)[0]))
         check_roughness(scene.roughness, scene.disk.radius)
-    if beta <= last_inclination(scene):
+    if beta <= final_contact_inclination(scene):
         raise ValueError(
             f"release.inclination_deg = {scene.release.inclination_deg:g}: ends before it begins"
         )

@@ -9,11 +9,11 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from dynamics.compliant.law.linear_response import predicted_power, predicted_rms
-from dynamics.compliant.model_inputs import is_two_way, last_inclination, law_table
-from dynamics.equations import law_of
+from dynamics.compliant.model_inputs import final_contact_inclination, is_two_way, law_table
+from dynamics.equations import disk_constants
 from dynamics.film.activation import airborne_inclination, non_contact_loads
 from dynamics.quasi_steady import steady_power
-from dynamics.regime import FLOAT, Branch
+from dynamics.regime import FLOAT_FORMULAS, Branch
 from dynamics.rolling import RollingDisk, released
 from dynamics.steady_motion import steady_precession
 from dynamics.switching import ImpossibleContactError
@@ -106,7 +106,7 @@ def roughness_energy_share(scene) -> float:
     if scene.roughness is None or scene.roughness.loss == "fitted":
         return 0.0
     disk = scene.disk
-    law = law_of(scene.disk, scene.friction)
+    law = disk_constants(scene.disk, scene.friction)
     loads = non_contact_loads(scene)
     (beta, speed) = steady_motions(scene)
     exists = np.array([abs(steady_rate(disk, b) - flat_rate(disk, b)) > 0 for b in beta])
@@ -134,7 +134,7 @@ def steady_motions(scene) -> tuple[np.ndarray, np.ndarray]:
     """
     disk = scene.disk
     first = radians(scene.release.inclination_deg)
-    last = max(last_inclination(scene), min(airborne_inclination(scene), first / 2))
+    last = max(final_contact_inclination(scene), min(airborne_inclination(scene), first / 2))
     beta = np.geomspace(first, last, PREDICTION_POINTS)
     rate = np.array([steady_rate(disk, b) for b in beta])
     return beta, disk.radius * rate * (np.cos(beta) - disk.aspect * np.sin(beta))
@@ -171,7 +171,7 @@ def release_force(scene) -> np.ndarray:
     It is the weight if no contact force satisfies the balance laws.
     """
     disk = scene.disk
-    law = law_of(scene.disk, scene.friction)
+    law = disk_constants(scene.disk, scene.friction)
     loads = non_contact_loads(scene)
     system = RollingDisk(
         law=law,
@@ -185,7 +185,7 @@ def release_force(scene) -> np.ndarray:
     except ImpossibleContactError:
         return np.array([0.0, 0.0, disk.weight])
     branch = Branch.of(start.regime, law, loads)
-    contact = FLOAT.contact(start.state, branch, start.regime.senses, law)
+    contact = FLOAT_FORMULAS.contact(start.state, branch, start.regime.senses, law)
     return (
         np.array([contact.F1, contact.F2, contact.Phi])
         * disk.mass

@@ -8,7 +8,7 @@ from scipy.interpolate import NdBSpline, make_interp_spline
 
 from dynamics.surface import ModesSurface
 
-HIGHEST_TABLE_MODE = 24e3  # Hz; `modal.surface_modes` has the same limit
+MAX_TABLE_FREQUENCY = 24e3  # Hz; `modal.surface_modes` has the same limit
 SPLINE_DEGREE = 3
 
 
@@ -65,14 +65,14 @@ class TableModes:
 
 
 def modes_from_numbers(surface: ModesSurface, radius: float) -> TableModes:
-    """Return the modes below HIGHEST_TABLE_MODE of a table given by numbers, under a disk of
+    """Return the modes below MAX_TABLE_FREQUENCY of a table given by numbers, under a disk of
     `radius` [m].
 
     The shapes are (r/R)^n cos(n theta) and (r/R)^n sin(n theta) over sqrt(modal mass), with splines
     of sixteen values to the shortest wave on the contact circle. `modal.surface_modes` computes the
     same values.
     """
-    below = [mode for mode in surface.modes if mode.frequency < HIGHEST_TABLE_MODE]
+    below = [mode for mode in surface.modes if mode.frequency < MAX_TABLE_FREQUENCY]
     members = []
     for mode in sorted(below, key=lambda mode: mode.frequency):
         members.append((mode, 0))

@@ -5,7 +5,7 @@ of that state.
 import numpy as np
 
 from dynamics.compliant.law.height_profile import mean_height
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias
 from dynamics.compliant.law.tabulated import (
     HALF_LENGTH,
@@ -137,7 +137,7 @@ def energy(model, y) -> np.ndarray:
         + (L * L).sum(axis=0) / J1
         + (1 / J2 - 1 / J1) * (L * n).sum(axis=0) ** 2
     )
-    x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(LEAST_INCLINATION)))
+    x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(MIN_CONTACT_INCLINATION)))
     moved += 0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[at.GAP])) ** 5
     moved += (
         y[at.SPRING_STIFFNESS : at.SPRING_STIFFNESS + 2]

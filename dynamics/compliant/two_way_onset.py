@@ -9,10 +9,10 @@ from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.model_selection import steady_rate
 from dynamics.compliant.modes_from_scene import modes_from_numbers
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
-from dynamics.dissipation import resistance
-from dynamics.equations import law_of
+from dynamics.dissipation import resistance_of
+from dynamics.equations import disk_constants
 from dynamics.quasi_steady import steady_power
-from dynamics.surface import ACTS, ModesSurface
+from dynamics.surface import MIN_TWO_WAY_SHARE, ModesSurface
 
 INCLINATION_COUNT = 200
 """Inclinations at which the reaction of the table is evaluated."""
@@ -49,25 +49,27 @@ def table_reaction(scene, modes) -> TableReaction:
     solved with an elastic contact.
     """
     beta, energy, power = reaction_shares(scene, modes)
-    more = np.flatnonzero((energy > ACTS) | (power > ACTS))
+    more = np.flatnonzero((energy > MIN_TWO_WAY_SHARE) | (power > MIN_TWO_WAY_SHARE))
     if not len(more):
-        reason = f"its energy and wave drag stay below {ACTS:.0%} of those of disk and friction"
+        reason = f"its energy and wave drag stay below {MIN_TWO_WAY_SHARE:.0%} of those of disk and friction"
         return TableReaction(False, 0.0, reason)
     since = more[0]
-    what = "energy" if energy[since] > ACTS else "wave drag"
+    what = "energy" if energy[since] > MIN_TWO_WAY_SHARE else "wave drag"
     reference = "disk's" if what == "energy" else "friction's"
-    reason = f"its {what} exceeds {ACTS:.0%} of the {reference} below {beta[since]:.2g} rad"
-    wrong = why_not_two_way(scene)
+    reason = (
+        f"its {what} exceeds {MIN_TWO_WAY_SHARE:.0%} of the {reference} below {beta[since]:.2g} rad"
+    )
+    wrong = reason_against_two_way(scene)
     return TableReaction(not wrong, float(beta[since]), reason, wrong)
 
 
 def may_be_two_way(scene: Any) -> bool:
     """Return True if the motion of a scene is solved with the modes of its table."""
     action = scene.surface.action
-    return action == "motion" or (action == "auto" and not why_not_two_way(scene))
+    return action == "motion" or (action == "auto" and not reason_against_two_way(scene))
 
 
-def takes_modes(scene: Any) -> bool:
+def needs_table_modes(scene: Any) -> bool:
     """Return True if the motion of a scene needs table modes that the scene does not contain as
     numbers.
     """
@@ -83,11 +85,13 @@ def table_modes(scene, given=None):
     """
     if not may_be_two_way(scene):
         return None
-    if scene.surface.action == "motion" and (why := why_not_two_way(scene) or why_not_full(scene)):
+    if scene.surface.action == "motion" and (
+        why := reason_against_two_way(scene) or reason_against_full_model(scene)
+    ):
         raise ValueError(f"surface.action = 'motion' with {why}")
     if given is not None:
         return given
-    if takes_modes(scene):
+    if needs_table_modes(scene):
         raise ValueError(
             f"surface.kind = '{scene.surface.kind}' with surface.action = "
             f"'{scene.surface.action}': the table may "
@@ -97,7 +101,7 @@ def table_modes(scene, given=None):
     return modes_from_numbers(scene.surface, scene.disk.radius)
 
 
-def why_not_full(scene) -> str:
+def reason_against_full_model(scene) -> str:
     """Return the reason why the contact of a scene is not solved in full from the release; empty if
     it is.
     """
@@ -107,7 +111,7 @@ def why_not_full(scene) -> str:
     return "numerics.contact = 'filter': such a table needs 'full'" if filtered else ""
 
 
-def why_not_two_way(scene) -> str:
+def reason_against_two_way(scene) -> str:
     """Return the reason why the table of a scene cannot have two-way coupling; empty if it can."""
     if scene.surface.kind in ("rigid", "infinite"):
         return f"surface.kind = '{scene.surface.kind}': a table that acts back must have modes"
@@ -116,11 +120,11 @@ def why_not_two_way(scene) -> str:
     return (
         "imperfection: a table is wavy or acts back"
         if scene.imperfection
-        else why_no_contact_law(scene)
+        else reason_against_contact_law(scene)
     )
 
 
-def why_no_contact_law(scene) -> str:
+def reason_against_contact_law(scene) -> str:
     """Return the reason why the disk of a scene has no elastic contact; empty if it has one."""
     try:
         contact_law(scene)
@@ -145,8 +149,8 @@ def reaction_shares(scene, modes):
         Power of the waves in the table over that of the friction.
     """
     disk = scene.disk
-    law = law_of(scene.disk, scene.friction)
-    loads = resistance(scene.dissipation, disk)
+    law = disk_constants(scene.disk, scene.friction)
+    loads = resistance_of(scene.dissipation, disk)
     beta = np.geomspace(
         min(radians(scene.release.inclination_deg), 0.3),
         FLAT_INCLINATION,

@@ -10,8 +10,8 @@ import numpy as np
 
 from dynamics.air import Air
 from dynamics.disk import Disk, Release
-from dynamics.dissipation import OwnLaw, resistance, together
-from dynamics.equations import law_of
+from dynamics.dissipation import OwnLaw, combined_loads, resistance_of
+from dynamics.equations import disk_constants
 from dynamics.film.wedge import Film, film_under
 from dynamics.kinematics import energy
 from dynamics.quasi_steady import steady_power
@@ -59,15 +59,15 @@ def decide_film(scene) -> FilmDecision:
     disk = scene.disk
     dissipation = scene.dissipation
     numerics = scene.numerics
-    if air.film == "auto" and (why := _known_without(disk, air, dissipation)):
+    if air.film == "auto" and (why := _film_free_reason(disk, air, dissipation)):
         return FilmDecision(None, why)
-    if rarefied := _rarefied(disk, air, scene.release):
+    if rarefied := _rarefaction_warning(disk, air, scene.release):
         if air.film == "acts":
             raise ValueError(
                 f"{rarefied}; take air.film = 'none', or a greater pressure or inclination"
             )
         return FilmDecision(None, rarefied)
-    time, inclination = _from_when(
+    time, inclination = _film_onset(
         disk, air, scene.friction, dissipation, scene.release, numerics.stopping_inclination(disk)
     )
     if air.film == "acts":
@@ -85,7 +85,7 @@ def decide_film(scene) -> FilmDecision:
     return FilmDecision(film_under(disk, air), forecast, time, inclination)
 
 
-def _rarefied(disk: Disk, air: Air, release: Release) -> str:
+def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
     """Return why the air under a disk is no film at its release already, nothing where it is
     one."""
     gap = disk.radius * sin(radians(release.inclination_deg))
@@ -120,13 +120,13 @@ def non_contact_loads(scene, own: OwnLaw | None = None):
     """Return the loads on the disk of a scene apart from its contact, or None: its film, and its
     dissipation or an `own` law.
     """
-    return together(
-        own or resistance(scene.dissipation, scene.disk),
+    return combined_loads(
+        own or resistance_of(scene.dissipation, scene.disk),
         decide_film(scene).film,
     )
 
 
-def _known_without(disk: Disk, air: Air, dissipation) -> str:
+def _film_free_reason(disk: Disk, air: Air, dissipation) -> str:
     """Return the reason why a scene has no film in the mode 'auto'; empty if there is none."""
     if not air.pressure:
         return "a vacuum has no film"
@@ -138,7 +138,7 @@ def _known_without(disk: Disk, air: Air, dissipation) -> str:
 
 
 @lru_cache(64)
-def _from_when(
+def _film_onset(
     disk: Disk,
     air: Air,
     friction,
@@ -193,9 +193,9 @@ def _decline(disk, air, friction, dissipation, end):
     These are the law, the film, the inclinations, omega_3, the energy, the power of the film and
     the total power.
     """
-    law = law_of(disk, friction)
+    law = disk_constants(disk, friction)
     film = film_under(disk, air)
-    others = resistance(dissipation, disk)
+    others = resistance_of(dissipation, disk)
     steepest = 0.9 * steepest_steady(law.h, law.K)
     beta = np.geomspace(steepest, min(end, steepest / 2), INCLINATION_COUNT)
     rate = np.array([steady_precession(b, law.h, law.K) * sin(b) for b in beta])

@@ -362,7 +362,7 @@ def film_mobility(height, inertia: complex):
     )
 
 
-def compressible_wedge(numbers: Sequence[float], mesh: FilmMesh, orders: int = 3):
+def compressible_wedge_response(numbers: Sequence[float], mesh: FilmMesh, orders: int = 3):
     """Return lift, power and rim flow of a turning wedge for ascending numbers Lam (l,).
 
     The dipole int V (x + i y) dA is i pi/4, so row[-1] of the flow, that of exp(i theta), is g1;

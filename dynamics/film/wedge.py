@@ -14,9 +14,9 @@ import numpy as np
 
 from dynamics.air import Air
 from dynamics.disk import Disk
-from dynamics.equations import Law, Loads
+from dynamics.equations import DiskConstants, Loads
 from dynamics.film.forces import BOUNDARY_LAYER_RATIO, SLIP_FACTOR, SQUEEZE_NUMBER, film_forces
-from dynamics.kinematics import arms, precession_rate
+from dynamics.kinematics import contact_arms, precession_rate
 
 TURNING_POWER = 0.1067607949
 """I: the power of the turning film is 12 mu R^3 I Omega^2/sin(beta).
@@ -44,13 +44,13 @@ class Film(NamedTuple):
     is_singular = False
     carries = True
 
-    def __call__(self, beta, omega, slip, law: Law, flow) -> Loads:
+    def __call__(self, beta, omega, slip, law: DiskConstants, flow) -> Loads:
         """Return the loads as `Resistance` does: a lift, and the moment that gives the lift the
         power of the film.
         """
         s = flow.sin(beta)
         drag, tip, lift = film_forces(s, omega[0], precession_rate(omega[2], s), *self)
-        return Loads(M1=-tip - arms(flow.cos(beta), s, law.h)[1] * lift, M3=-drag, G3=lift)
+        return Loads(M1=-tip - contact_arms(flow.cos(beta), s, law.h)[1] * lift, M3=-drag, G3=lift)
 
     def at(self, beta, omega) -> tuple:
         """Return the dimensionless moments of `film_forces` at inclinations and angular

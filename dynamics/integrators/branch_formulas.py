@@ -6,31 +6,35 @@ from itertools import count, islice
 
 import numpy as np
 
-from dynamics.equations import Law
-from dynamics.regime import Branch, Flow, Regime
+from dynamics.equations import DiskConstants
+from dynamics.regime import Branch, FlowFormulas, Regime
 
 
-def constants(regime: Regime, law: Law, loads, r_end: float) -> tuple[float, ...]:
-    """Return the run-time constants (n,) of a flow, in the order of their symbols in `formulas`."""
+def flow_constants(regime: Regime, law: DiskConstants, loads, r_end: float) -> tuple[float, ...]:
+    """Return the run-time constants (n,) of a flow, in the order of their symbols in `rates_and_guards`."""
     return *law, *regime.senses, r_end, *(loads.numbers if loads else ())
 
 
-def shape(regime: Regime, law: Law, loads) -> Branch:
-    """Return the branch to compile, which contains none of the `constants`."""
+def branch_to_compile(regime: Regime, law: DiskConstants, loads) -> Branch:
+    """Return the branch to compile, which contains none of the `flow_constants`."""
     return Branch.of(regime, law, loads and loads.shape)
 
 
 @lru_cache(64)
-def prepared(compiled: Callable, regime: Regime, law: Law, loads, r_end: float, *how):
-    """Return `compiled(shape, *how)` for a regime, and the constants (n,) of its flow."""
-    return compiled(shape(regime, law, loads), *how), np.array(constants(regime, law, loads, r_end))
+def compiled_flow(
+    compiled: Callable, regime: Regime, law: DiskConstants, loads, r_end: float, *how
+):
+    """Return `compiled(branch, *how)` for a regime, and the constants (n,) of its flow."""
+    return compiled(branch_to_compile(regime, law, loads), *how), np.array(
+        flow_constants(regime, law, loads, r_end)
+    )
 
 
-def formulas(flow: Flow, y, branch: Branch, symbol):
-    """Return the rates (k,) and the guards of a `shape`, for a state y (k,) and the symbol(i) of
+def rates_and_guards(flow: FlowFormulas, y, branch: Branch, symbol):
+    """Return the rates (k,) and the guards of a branch, for a state y (k,) and the symbol(i) of
     constant i."""
     following = map(symbol, count())
-    law = Law(*islice(following, len(Law._fields)))
+    law = DiskConstants(*islice(following, len(DiskConstants._fields)))
     senses = tuple(islice(following, 3))
     r_end = next(following)
     if branch.loads:

@@ -10,23 +10,23 @@ from typing import NamedTuple
 from numba import cfunc, njit, types
 
 from dynamics.guards import Guard
-from dynamics.integrators.branch_formulas import formulas
-from dynamics.regime import Branch, Flow
+from dynamics.integrators.branch_formulas import rates_and_guards
+from dynamics.regime import Branch, FlowFormulas
 
-ROW = types.float64[::1]
-FLOW = types.void(ROW, ROW, ROW, ROW)
+ARRAY_TYPE = types.float64[::1]
+FLOW_SIGNATURE = types.void(ARRAY_TYPE, ARRAY_TYPE, ARRAY_TYPE, ARRAY_TYPE)
 """Type of a compiled branch: state, constants, array for the rates, array for the guards."""
 
 
-class Program:
+class SourceProgram:
     """A straight-line program; each expression is computed only once."""
 
     def __init__(self):
         self.names = {}
 
-    def note(self, expression: str) -> "Scalar":
+    def note(self, expression: str) -> "SymbolicScalar":
         """Return the scalar with the value of `expression`."""
-        return Scalar(self, self.names.setdefault(expression, f"t{len(self.names)}"))
+        return SymbolicScalar(self, self.names.setdefault(expression, f"t{len(self.names)}"))
 
     def call(self, function: str):
         """Return a function of scalars that records a call of `function`."""
@@ -37,10 +37,10 @@ class Program:
         return [f"{name} = {expression}" for expression, name in self.names.items()]
 
 
-class Scalar:
+class SymbolicScalar:
     """A number in a program, represented by its name."""
 
-    def __init__(self, program: Program, name: str):
+    def __init__(self, program: SourceProgram, name: str):
         self.program = program
         self.name = name
 
@@ -51,7 +51,7 @@ class Scalar:
         return self.program.note(f"-{self}")
 
 
-def _operator(symbol):
+def _recording_operator(symbol):
     def forward(self, other):
         return self.program.note(f"{self} {symbol} {other}")
 
@@ -62,47 +62,49 @@ def _operator(symbol):
 
 
 for _name, _symbol in (("add", "+"), ("sub", "-"), ("mul", "*"), ("truediv", "/"), ("pow", "**")):
-    _forward, _backward = _operator(_symbol)
-    setattr(Scalar, f"__{_name}__", _forward)
-    setattr(Scalar, f"__r{_name}__", _backward)
+    _forward, _backward = _recording_operator(_symbol)
+    setattr(SymbolicScalar, f"__{_name}__", _forward)
+    setattr(SymbolicScalar, f"__r{_name}__", _backward)
 
 
-class Compiled(NamedTuple):
-    """A branch as an argument of the type FLOW, and its guards in order."""
+class CompiledFlow(NamedTuple):
+    """A branch as an argument of the type FLOW_SIGNATURE, and its guards in order."""
 
     flow: object
     guards: tuple[Guard, ...]
 
 
-machines: dict = {}
+compiled_functions: dict = {}
 
 
-def machine(function, signature):
+def machine_code(function, signature):
     """Compile a function on first use rather than on import; numba caches the result on disk."""
-    if function not in machines:  # numba's type dispatch takes longer than the call itself
-        machines[function] = njit(signature, cache=True, error_model="numpy")(
+    if (
+        function not in compiled_functions
+    ):  # numba's type dispatch takes longer than the call itself
+        compiled_functions[function] = njit(signature, cache=True, error_model="numpy")(
             function
         ).get_overload(signature)
-    return machines[function]
+    return compiled_functions[function]
 
 
 @functools.lru_cache(64)
-def compiled(branch: Branch, kind=Flow) -> Compiled:
-    """Compile the `shape` of a branch for a kind of flow; the constants of a scene are arguments.
+def compile_branch(branch: Branch, kind=FlowFormulas) -> CompiledFlow:
+    """Compile a branch for a kind of flow; the constants of a scene are arguments.
 
     Threads can share the result."""
-    source, names = program_of(branch, kind)
+    source, names = generated_source(branch, kind)
     scope = {name: getattr(math, name) for name in kind.FUNCTIONS}
     exec(source, scope)
-    return Compiled(cfunc(FLOW, error_model="numpy")(scope["flow"]), names)
+    return CompiledFlow(cfunc(FLOW_SIGNATURE, error_model="numpy")(scope["flow"]), names)
 
 
-def program_of(branch: Branch, kind=Flow) -> tuple[str, tuple[Guard, ...]]:
-    """Return the source of the function (FLOW) of one branch, and its guards."""
-    program = Program()
+def generated_source(branch: Branch, kind=FlowFormulas) -> tuple[str, tuple[Guard, ...]]:
+    """Return the source of the function (FLOW_SIGNATURE) of one branch, and its guards."""
+    program = SourceProgram()
     flow = kind(*(program.call(name) for name in kind.FUNCTIONS))
     y = [program.note(f"y[{i}]") for i in range(kind.SIZE)]
-    rates, guards = formulas(flow, y, branch, lambda i: program.note(f"p[{i}]"))
+    rates, guards = rates_and_guards(flow, y, branch, lambda i: program.note(f"p[{i}]"))
     ends = [f"rates[{i}] = {value}" for i, value in enumerate(rates)]
     ends += [f"guards[{i}] = {value}" for i, value in enumerate(guards.values())]
     return "\n    ".join(["def flow(y, p, rates, guards):", *program.lines(), *ends]), tuple(guards)

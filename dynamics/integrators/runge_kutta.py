@@ -8,35 +8,40 @@ import numpy as np
 from numba import njit, types
 from scipy.integrate import DOP853
 
-from dynamics.integrators.codegen import FLOW, ROW
+from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE
 from dynamics.regime import V1, V2, W1, W2, W3, R
 
-STAGES = np.zeros((16, 16))
+STAGE_WEIGHTS = np.zeros((16, 16))
 """Weights of the preceding rates: 12 stages, the end of the step, and three stages for the dense
 output."""
-STAGES[:12, :12], STAGES[12, :12], STAGES[13:] = DOP853.A, DOP853.B, DOP853.A_EXTRA
-ERRORS = np.zeros((2, 13))
-ERRORS[:] = DOP853.E5, DOP853.E3
-LOOKS, HALVINGS = 4, 54
-"""Number of places in a step at which the guards are evaluated, and number of bisections to locate
-a fall."""
-SAFETY, SHRINK, GROW = 0.9, 0.2, 10.0
-"""Length of the next step: fraction of the length that the error allows, and bounds of the ratio to
-the last step."""
-MOST_STEPS, SHORTEST = 1000, 1e-13
-"""Maximum number of steps per call, and length in units of r below which a step is abandoned."""
-GUARDS = 16
+STAGE_WEIGHTS[:12, :12], STAGE_WEIGHTS[12, :12], STAGE_WEIGHTS[13:] = (
+    DOP853.A,
+    DOP853.B,
+    DOP853.A_EXTRA,
+)
+ERROR_WEIGHTS = np.zeros((2, 13))
+ERROR_WEIGHTS[:] = DOP853.E5, DOP853.E3
+GUARD_EVALUATIONS_PER_STEP = 4
+BISECTIONS = 54  # to locate a guard crossing
+STEP_SAFETY = 0.9
+"""Length of the next step as a fraction of the length that the error allows."""
+MIN_STEP_RATIO = 0.2
+MAX_STEP_RATIO = 10.0
+MAX_STEPS_PER_CALL = 1000
+MIN_STEP = 1e-13
+"""Length in units of r below which a step is abandoned."""
+MAX_GUARDS = 16
 """Array size that suffices for the guards of any branch."""
 
 
-def powers_of_stages():
+def dense_output_coefficients():
     """Return the Taylor coefficients (8, 16) of the dense output, of degree 7 on [0, 1], from the
     rates of the stages.
 
     It is F_0 x + F_1 x (1 - x) + F_2 x^2 (1 - x) + F_3 x^2 (1 - x)^2 + ...
     """
     start = np.eye(16)[0]
-    mean = STAGES[12]
+    mean = STAGE_WEIGHTS[12]
     end = np.eye(16)[12]
     x = np.polynomial.Polynomial([0, 1])
     powers = np.zeros((8, 16))
@@ -47,17 +52,17 @@ def powers_of_stages():
     return powers
 
 
-POWERS = powers_of_stages()
+DENSE_OUTPUT = dense_output_coefficients()
 
 
 @njit(cache=True, error_model="numpy")
-def fastest_clock(y):
+def max_step(y):
     """Return the longest step that cannot hide two roots of a guard: 1/4 radian of rotation."""
     return 0.25 * y[R] / (1e-3 + max(abs(y[W1]), abs(y[W2]), abs(y[W3]), abs(y[V1]), abs(y[V2])))
 
 
 @njit(cache=True, error_model="numpy")
-def write(values, out):
+def copy_into(values, out):
     """Write values (k,) into out (k,). For `out[:] = values`, numba spends seconds on compiling an
     error message."""
     for a in range(len(out)):
@@ -65,48 +70,48 @@ def write(values, out):
 
 
 @njit(cache=True, error_model="numpy")
-def at(c, x, y):
+def evaluate_polynomial(c, x, y):
     """Evaluate the polynomials c (order + 1, k) at x into y (k,)."""
-    write(c[-1], y)
+    copy_into(c[-1], y)
     for j in range(len(c) - 2, -1, -1):
         for a in range(len(y)):
             y[a] = y[a] * x + c[j, a]
 
 
 @njit(cache=True, error_model="numpy")
-def error_of_step(flow, y, p, h, rates, y_end, guards):
+def step_and_error(flow, y, p, h, rates, y_end, guards):
     """Fill the rates (16, k) of a step of length h from y, and y_end (k,); return its error.
 
     The first row of the rates must be given. The error is that of scipy's DOP853 for relative and
     absolute tolerances of 1."""
     for i in range(1, 16):
-        state = y + h * (STAGES[i, :i] @ rates[:i])
+        state = y + h * (STAGE_WEIGHTS[i, :i] @ rates[:i])
         flow(state, p, rates[i], guards)
         if i == 12:
-            write(state, y_end)
+            copy_into(state, y_end)
     scale = 1 + np.maximum(np.abs(y), np.abs(y_end))
-    fifth = np.sum(((ERRORS[0] @ rates[:13]) / scale) ** 2)
-    third = np.sum(((ERRORS[1] @ rates[:13]) / scale) ** 2)
+    fifth = np.sum(((ERROR_WEIGHTS[0] @ rates[:13]) / scale) ** 2)
+    third = np.sum(((ERROR_WEIGHTS[1] @ rates[:13]) / scale) ** 2)
     return h * fifth / np.sqrt((fifth + 0.01 * third) * len(y)) if fifth > 0 else fifth
 
 
 @njit(cache=True, error_model="numpy")
-def root(flow, p, c, i, low, high):
+def guard_root(flow, p, c, i, low, high):
     """Return the place in [low, high] on the curve c (8, k) at which guard i falls, rounded to the
     far side."""
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
-    guards = np.empty(GUARDS)
-    for _ in range(HALVINGS):
+    guards = np.empty(MAX_GUARDS)
+    for _ in range(BISECTIONS):
         middle = (low + high) / 2
-        at(c, middle, y)
+        evaluate_polynomial(c, middle, y)
         flow(y, p, rates, guards)
         low, high = (middle, high) if guards[i] > 0 else (low, middle)
     return high
 
 
 @njit(cache=True, error_model="numpy")
-def fall_between(flow, p, c, count, before, now, low, high):
+def guard_crossing_between(flow, p, c, count, before, now, low, high):
     """Return the place of the first fall of one of `count` guards in [low, high] on the curve c,
     and its index.
 
@@ -115,7 +120,7 @@ def fall_between(flow, p, c, count, before, now, low, high):
     fired = -1
     for i in range(count):
         if before[i] > 0 >= now[i]:
-            fall = root(flow, p, c, i, low, high)
+            fall = guard_root(flow, p, c, i, low, high)
             if fired < 0 or fall < place:
                 place = fall
                 fired = i
@@ -123,7 +128,7 @@ def fall_between(flow, p, c, count, before, now, low, high):
 
 
 @njit(cache=True, error_model="numpy")
-def first_fall(flow, p, c, count, before):
+def first_guard_crossing(flow, p, c, count, before):
     """Return the place in [0, 1] of the first fall of one of `count` guards on the curve c (8, k),
     and its index.
 
@@ -131,62 +136,80 @@ def first_fall(flow, p, c, count, before):
     values. A guard that is not positive at 0 cannot fall."""
     y = np.empty(c.shape[1])
     rates = np.empty(c.shape[1])
-    now = np.empty(GUARDS)
+    now = np.empty(MAX_GUARDS)
     place = 1.0
     fired = -1
-    for look in range(1, LOOKS + 1):
-        at(c, look / LOOKS, y)
+    for look in range(1, GUARD_EVALUATIONS_PER_STEP + 1):
+        evaluate_polynomial(c, look / GUARD_EVALUATIONS_PER_STEP, y)
         flow(y, p, rates, now)
-        place, fired = fall_between(
-            flow, p, c, count, before, now, (look - 1) / LOOKS, look / LOOKS
+        place, fired = guard_crossing_between(
+            flow,
+            p,
+            c,
+            count,
+            before,
+            now,
+            (look - 1) / GUARD_EVALUATIONS_PER_STEP,
+            look / GUARD_EVALUATIONS_PER_STEP,
         )
-        write(now, before)
+        copy_into(now, before)
         if fired >= 0:
             break
     return place, fired
 
 
-FOUND = types.Tuple((ROW, types.float64[:, :, ::1], ROW, types.int64))
-STEPS = FOUND(types.FunctionType(FLOW), ROW, ROW, types.int64, types.float64, types.float64)
+RESULT_TYPE = types.Tuple((ARRAY_TYPE, types.float64[:, :, ::1], ARRAY_TYPE, types.int64))
+INTEGRATE_SIGNATURE = RESULT_TYPE(
+    types.FunctionType(FLOW_SIGNATURE),
+    ARRAY_TYPE,
+    ARRAY_TYPE,
+    types.int64,
+    types.float64,
+    types.float64,
+)
 """Signature of `integrate`."""
 
 
 def integrate(flow, y, p, count, span, tolerance):
-    """Integrate from y (k,) for `span`, for MOST_STEPS steps or until one of `count` guards falls.
+    """Integrate from y (k,) for `span`, for MAX_STEPS_PER_CALL steps or until one of `count` guards falls.
 
     Returns the ends of the steps (n,), their Taylor coefficients (n, 8, k), the last state (k,) and
     the index of the guard (-1 if none). If no step is short enough, it returns the steps before
     this point, possibly none."""
-    times = np.empty(MOST_STEPS)
-    coefficients = np.empty((MOST_STEPS, 8, len(y)))
+    times = np.empty(MAX_STEPS_PER_CALL)
+    coefficients = np.empty((MAX_STEPS_PER_CALL, 8, len(y)))
     rates = np.empty((16, len(y)))
     y_end = np.empty(len(y))
-    guards = np.empty(GUARDS)
-    spare = np.empty(GUARDS)
+    guards = np.empty(MAX_GUARDS)
+    spare = np.empty(MAX_GUARDS)
     flow(y, p, rates[0], guards)
     t = 0.0
-    h = fastest_clock(y)
+    h = max_step(y)
     n = 0
     fired = -1
-    while n < MOST_STEPS and t < span and fired < 0:
-        h = min(h, fastest_clock(y), span - t)
-        if not h > SHORTEST * y[R]:
+    while n < MAX_STEPS_PER_CALL and t < span and fired < 0:
+        h = min(h, max_step(y), span - t)
+        if not h > MIN_STEP * y[R]:
             break
-        error = error_of_step(flow, y, p, h, rates, y_end, spare) / tolerance
+        error = step_and_error(flow, y, p, h, rates, y_end, spare) / tolerance
         if not error < 1:  # NaN if the step leaves the domain of the formulas
-            h *= max(SHRINK, SAFETY * error ** (-1 / 8)) if error >= 1 else SHRINK
+            h *= (
+                max(MIN_STEP_RATIO, STEP_SAFETY * error ** (-1 / 8))
+                if error >= 1
+                else MIN_STEP_RATIO
+            )
             continue
-        c = h * (POWERS @ rates)
-        write(y, c[0])
-        place, fired = first_fall(flow, p, c, count, guards)
+        c = h * (DENSE_OUTPUT @ rates)
+        copy_into(y, c[0])
+        place, fired = first_guard_crossing(flow, p, c, count, guards)
         for j in range(8):
-            write(c[j] / h**j, coefficients[n, j])
+            copy_into(c[j] / h**j, coefficients[n, j])
         t = span if fired < 0 and h == span - t else t + place * h
         times[n] = t
         n += 1
         y = y_end.copy()
-        write(rates[12], rates[0])
+        copy_into(rates[12], rates[0])
         if fired >= 0:
-            at(c, place, y)
-        h *= min(GROW, SAFETY * error ** (-1 / 8)) if error > 0 else GROW
+            evaluate_polynomial(c, place, y)
+        h *= min(MAX_STEP_RATIO, STEP_SAFETY * error ** (-1 / 8)) if error > 0 else MAX_STEP_RATIO
     return times[:n].copy(), coefficients[:n].copy(), y, fired

@@ -4,7 +4,8 @@ import math
 
 from dynamics.regime import V1, V2
 
-SLOW, LAZY = 0.05, 0.05
+MAX_SLOW_SPEED = 0.05
+MAX_SLOW_ACCELERATION = 0.05
 """A slide is stiff while its speed over r, and the rate of this speed, are below these fractions of
 friction.
 
@@ -15,7 +16,10 @@ comes to rest."""
 def is_slow(speed, product, friction):
     """Return True if a slide of `speed` over r is slow and slow to change; `product` is the speed
     times its rate."""
-    return speed < SLOW * friction and abs(product) < LAZY * friction * speed
+    return (
+        speed < MAX_SLOW_SPEED * friction
+        and abs(product) < MAX_SLOW_ACCELERATION * friction * speed
+    )
 
 
 def is_stiff(y, contact, law) -> bool:

@@ -10,17 +10,22 @@ import math
 
 import numpy as np
 
-from dynamics.guards import GRIP, LIFT_OFF, guard_of
+from dynamics.guards import GRIP, LIFT_OFF, guard_named
 from dynamics.hybrid import Arc, StalledError
-from dynamics.integrators.branch_formulas import prepared
-from dynamics.integrators.codegen import compiled, machine
-from dynamics.integrators.gauss_collocation import MOST_STEPS, REST, STEPS, integrate
-from dynamics.regime import V1, V2, Flow, R, describe
+from dynamics.integrators.branch_formulas import compiled_flow
+from dynamics.integrators.codegen import compile_branch, machine_code
+from dynamics.integrators.gauss_collocation import (
+    INTEGRATE_SIGNATURE,
+    MAX_STEPS_PER_CALL,
+    REST_SLIP_SPEED,
+    integrate,
+)
+from dynamics.regime import V1, V2, FlowFormulas, R, describe_state
 
-REVERSAL = guard_of("nutation reverses")
+NUTATION_REVERSAL = guard_named("nutation reverses")
 
 
-class Polar(Flow):
+class PolarSlipFormulas(FlowFormulas):
     """The flow with the slip in polar coordinates: signed speed over r at V1, direction at V2.
 
     The rate at V2 is that of the direction times the speed, which is regular at rest."""
@@ -48,23 +53,23 @@ class Polar(Flow):
 
     def grip(self, y):
         """Return the guard of a slide that comes to rest slowly."""
-        return y[V1] - REST
+        return y[V1] - REST_SLIP_SPEED
 
 
-def polar(branch):
+def with_polar_slip(branch):
     """Return the compiled flow of a slow slide, its guards, and the indices of grip, lift-off and
     the reversal of nutation (-1 if absent)."""
-    flow, names = compiled(branch, Polar)
+    flow, names = compile_branch(branch, PolarSlipFormulas)
     return (
         flow,
         names,
         names.index(GRIP),
         names.index(LIFT_OFF),
-        names.index(REVERSAL) if REVERSAL in names else -1,
+        names.index(NUTATION_REVERSAL) if NUTATION_REVERSAL in names else -1,
     )
 
 
-def advance(y, regime, law, loads, r_end, span) -> Arc | None:
+def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
     """Integrate a slide until a guard falls, for `span`, while it is stiff, or for MOST_STEPS
     steps.
 
@@ -72,26 +77,26 @@ def advance(y, regime, law, loads, r_end, span) -> Arc | None:
     stiff, or if no step down to SHORTEST converges. Safe to call from several threads at once."""
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
-    arc = _integrated(y, speed, direction, regime, law, loads, r_end, span, MOST_STEPS)
+    arc = _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, MAX_STEPS_PER_CALL)
     return arc if len(arc.times) else None
 
 
-def graze(y, nu, regime, law, loads, r_end, most) -> Arc | None:
-    """Integrate a slide from rest along nu without a push, like `advance`, for at most `most`
+def advance_from_grazing(y, nu, regime, law, loads, r_end, most) -> Arc | None:
+    """Integrate a slide from rest along nu without a push, like `advance_slow_slide`, for at most `most`
     steps.
 
     Returns None if the slip speed returns to zero before it exceeds STOP_SPEED: then there is no
     slide to follow. Raises StalledError if no step down to SHORTEST converges."""
-    arc = _integrated(y, 0.0, nu, regime, law, loads, r_end, math.inf, most)
+    arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, most)
     if not len(arc.times) and arc.guard is None:
-        raise StalledError(f"{describe(y)}: the slide that starts here could not be followed")
+        raise StalledError(f"{describe_state(y)}: the slide that starts here could not be followed")
     return arc if len(arc.times) else None
 
 
-def _integrated(y, speed, direction, regime, law, loads, r_end, span, most):
-    (flow, names, *of), parameters = prepared(polar, regime, law, loads, r_end)
+def _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, most):
+    (flow, names, *of), parameters = compiled_flow(with_polar_slip, regime, law, loads, r_end)
     start = np.array([*y[:V1], speed, direction, *y[V2 + 1 :]])
-    times, powers, end, fired, turns = machine(integrate, STEPS)(
+    times, powers, end, fired, turns = machine_code(integrate, INTEGRATE_SIGNATURE)(
         flow, start, parameters, len(names), *of, law.mu_dynamic, span, most
     )
     guard = names[fired] if fired >= 0 else None
@@ -99,5 +104,5 @@ def _integrated(y, speed, direction, regime, law, loads, r_end, span, most):
     for steps in turns.tolist():
         sense, *others = regime.senses
         regime = regime._replace(senses=(-sense, *others))
-        passed.append((steps, REVERSAL, regime))
+        passed.append((steps, NUTATION_REVERSAL, regime))
     return Arc(times, powers, end.tolist(), guard, tuple(passed))

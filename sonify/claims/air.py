@@ -7,8 +7,8 @@ import numpy as np
 from scipy.integrate import cumulative_trapezoid
 
 from dynamics import Motion, Outcome
-from dynamics.dissipation import resistance
-from dynamics.equations import law_of
+from dynamics.dissipation import resistance_of
+from dynamics.equations import disk_constants
 from dynamics.film.activation import MIN_FILM_SHARE
 from dynamics.film.wedge import Film, closing_number, compressibility, film_powers, film_under
 from dynamics.observables import precession_rate
@@ -216,7 +216,9 @@ def steady_friction(scene: Scene, beta: float) -> float:
     film.
     """
     return steady_power(
-        beta, law_of(scene.disk, scene.friction), resistance(scene.dissipation, scene.disk)
+        beta,
+        disk_constants(scene.disk, scene.friction),
+        resistance_of(scene.dissipation, scene.disk),
     )
 
 

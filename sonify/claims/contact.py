@@ -7,7 +7,7 @@ from scipy.signal import welch
 from scipy.special import ndtr
 
 from dynamics import Motion
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linear_response import (
     predicted_power,
     predicted_rms,
@@ -487,4 +487,4 @@ def frequency(expected: Vibration) -> np.ndarray:
 
 def last_ellipse(motion: Motion) -> float:
     """Return the last time [s] at which the contact of a motion is one ellipse."""
-    return float(motion.t[np.flatnonzero(motion.state[:, 1] >= LEAST_INCLINATION)[-1]])
+    return float(motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]])

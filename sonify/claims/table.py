@@ -3,7 +3,7 @@
 import numpy as np
 
 from dynamics import Motion
-from dynamics.surface import ACTS
+from dynamics.surface import MIN_TWO_WAY_SHARE
 from sonify.claims import two_way
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.claims.sound import LAST, since_as_much
@@ -169,14 +169,14 @@ def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
 
 @finding(
     "The table may be left out of the motion until the last half second",
-    f"s before the end when the modes of the table first hold {ACTS:.0%} of the energy of the disk",
+    f"s before the end when the modes of the table first hold {MIN_TWO_WAY_SHARE:.0%} of the energy of the disk",
     "energy of a motion on a rigid table, and of the modes that its force drives",
     needs=("motion", "sound"),
     at_most=0.5,
 )
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
     """The time before the end [s] when the table modes first hold ACTS of the disk energy."""
-    return since_as_much(motion, sound.energy_time, sound.table_energy, error, ACTS)
+    return since_as_much(motion, sound.energy_time, sound.table_energy, error, MIN_TWO_WAY_SHARE)
 
 
 def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:

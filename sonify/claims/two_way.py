@@ -17,7 +17,7 @@ from dynamics.compliant.state_conversion import released_state
 from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION
 from dynamics.compliant.two_way_onset import table_reaction
 from dynamics.observables import precession_rate
-from dynamics.surface import ACTS
+from dynamics.surface import MIN_TWO_WAY_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.scene import Scene
 
@@ -158,7 +158,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
     below = max(part.rows[-1, 1], FLAT_INCLINATION)
     y = released_state(alone, part.at([start])[0], part.force([start])[0])
     *_, last = alone.run(y, EVERY, max(scene.numerics.time_limit - start, 1e-3), below)
-    return Measured(start + last.t[-1] - part.t[-1], ACTS * last.t[-1])
+    return Measured(start + last.t[-1] - part.t[-1], MIN_TWO_WAY_SHARE * last.t[-1])
 
 
 @finding(

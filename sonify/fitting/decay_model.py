@@ -17,8 +17,8 @@ from scipy.ndimage import convolve1d
 
 from dynamics import simulate
 from dynamics.disk import Friction, Release
-from dynamics.dissipation import Dissipation, resistance
-from dynamics.equations import law_of
+from dynamics.dissipation import Dissipation, resistance_of
+from dynamics.equations import disk_constants
 from dynamics.film.wedge import film_under
 from dynamics.kinematics import energy
 from dynamics.observables import nutation_peaks, nutations_per_turn
@@ -103,19 +103,19 @@ class Decline:
         self.disk = scene.disk
         self._known: dict[bytes, np.ndarray] = {}
         self._solved: dict[bytes, dict[str, Decline]] = {}
-        law = law_of(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
+        law = disk_constants(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
         steepest = 0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h)) if law.h else 1.2
         self.beta = np.geomspace(FLATTEST, min(steepest, 1.2), POINTS)
         rate = np.array([steady_precession(b, law.h, law.K) for b in self.beta])
         w3 = rate * np.sin(self.beta)
         self.energy = energy(self.beta, (0.0, law.h * w3, w3), (0.0, 0.0), law)
         self.rate = rate / self.disk.time_unit / (2 * np.pi)
-        contour = resistance(
+        contour = resistance_of(
             Dissipation(contour_moment=self.disk.weight * self.disk.radius), self.disk
         )
         film = film_under(self.disk, scene.air) if has_film(scene) else None
-        own = resistance(replace(scene.dissipation, contour_moment=0.0), self.disk)
-        own_law = law_of(self.disk, scene.friction)
+        own = resistance_of(replace(scene.dissipation, contour_moment=0.0), self.disk)
+        own_law = disk_constants(self.disk, scene.friction)
         self.powers = np.array(
             [
                 [steady_power(b, law, contour) for b in self.beta],

@@ -4,8 +4,8 @@ import numpy as np
 
 from dynamics import Motion, Outcome
 from dynamics.disk import Friction
-from dynamics.dissipation import Dissipation, resistance
-from dynamics.equations import law_of
+from dynamics.dissipation import Dissipation, resistance_of
+from dynamics.equations import disk_constants
 from dynamics.film.activation import MAX_KNUDSEN, decide_film, final_inclination
 from dynamics.film.wedge import closing_number, compressibility, film_under, layer_thickness
 from dynamics.observables import precession_rate
@@ -78,10 +78,10 @@ def papers_law(scene: Scene) -> list[str]:
         boundary_layer_viscosity=given.boundary_layer_viscosity,
         air_density=given.air_density,
     )
-    paper = resistance(law, disk)
+    paper = resistance_of(law, disk)
     if not paper or disk.shape != "solid" or not air.pressure or not air.density:
         return []
-    none = law_of(disk, Friction(mu_static=1.0, mu_dynamic=1.0))
+    none = disk_constants(disk, Friction(mu_static=1.0, mu_dynamic=1.0))
     film = film_under(disk, air)
     told = []
     steepest = steepest_steady(disk.aspect, disk.gyration)

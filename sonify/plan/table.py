@@ -8,12 +8,12 @@ import numpy as np
 from dynamics import Motion
 from dynamics.compliant.two_way_onset import (
     may_be_two_way,
+    needs_table_modes,
+    reason_against_contact_law,
+    reason_against_full_model,
+    reason_against_two_way,
     table_modes,
     table_reaction,
-    takes_modes,
-    why_no_contact_law,
-    why_not_full,
-    why_not_two_way,
 )
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan.plan import ENERGY_SHARE, Decision, Plan, counted
@@ -30,11 +30,13 @@ def check_table(scene: Scene):
     surface = scene.surface
     if scene.surface.action == "motion":
         what = "surface.action = 'motion'"
-        instead = why_not_two_way(scene) or why_not_full(scene)
+        instead = reason_against_two_way(scene) or reason_against_full_model(scene)
     else:
         what = "imperfection"
         wavy = scene.imperfection is not None
-        instead = (why_no_contact_law(scene) or why_not_full(scene)) if wavy else ""
+        instead = (
+            (reason_against_contact_law(scene) or reason_against_full_model(scene)) if wavy else ""
+        )
     if instead:
         raise SceneError(f"{what} with {instead}")
     if surface.kind == "mesh" and not Path(surface.file).is_file():
@@ -62,7 +64,7 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     except ValueError as error:
         raise SceneError(f"surface: {error}".replace("surface: surface", "surface")) from None
     modes = every.select(heard(every, scene))
-    moving_modes = table_modes(scene, modes if takes_modes(scene) else None)
+    moving_modes = table_modes(scene, modes if needs_table_modes(scene) else None)
     acts = action(scene, modes if moving_modes is None else moving_modes)
     which = Decision(
         subject="modes of the table",

@@ -5,7 +5,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from dynamics.compliant.two_way_onset import takes_modes
+from dynamics.compliant.two_way_onset import needs_table_modes
 from modal import Modes, as_json, eigenmodes
 from sonify.claims.air import air_scalars
 from sonify.claims.checks import mode_checks, motion_checks
@@ -67,7 +67,7 @@ def _row(scene, stages, keep, folder, watch):
 
 
 def _motion(scene, folder):
-    table = with_table(plan_of(scene), scene)[1] if takes_modes(scene) else None
+    table = with_table(plan_of(scene), scene)[1] if needs_table_modes(scene) else None
     motion = solve_motion(scene, table=table)
     if folder:
         write_motion(motion, folder / "motion.npz")

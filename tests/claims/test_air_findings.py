@@ -11,8 +11,8 @@ import pytest
 
 from dynamics import Outcome, simulate
 from dynamics.disk import Friction
-from dynamics.dissipation import Dissipation, resistance
-from dynamics.equations import law_of
+from dynamics.dissipation import Dissipation, resistance_of
+from dynamics.equations import disk_constants
 from dynamics.film.reynolds import FilmMesh
 from dynamics.film.wedge import film_powers, film_under, layer_thickness
 from dynamics.motion import CAUSES
@@ -182,9 +182,9 @@ def test_the_law_of_boundary_layers_crosses_the_friction_where_its_authors_say(t
     disk = thorne.disk
     air = thorne.air
     law = Dissipation(boundary_layer_viscosity=air.viscosity / air.density, air_density=air.density)
-    paper = resistance(law, disk)
-    contour = resistance(thorne.dissipation, disk)
-    none = law_of(disk, Friction(mu_static=1.0, mu_dynamic=1.0))
+    paper = resistance_of(law, disk)
+    contour = resistance_of(thorne.dissipation, disk)
+    none = disk_constants(disk, Friction(mu_static=1.0, mu_dynamic=1.0))
     beta = np.geomspace(0.005, 0.12, 400)
     more = [steady_power(b, none, paper) > steady_power(b, none, contour) for b in beta]
     assert beta[np.flatnonzero(more)[-1]] == pytest.approx(0.03, abs=0.01)

@@ -13,7 +13,7 @@ from contact_scenes import granite, steady_speed
 from scipy.signal import butter, sosfilt
 
 from dynamics import simulate
-from dynamics.compliant.law.height_profile import SMOOTH, mean_heights
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights
 from dynamics.compliant.law.linear_response import MotionBlock, contact_response, predicted_power
 from dynamics.compliant.law.roughness import table_profile
 from dynamics.compliant.law.sections import Roughness
@@ -137,7 +137,9 @@ def test_the_power_that_roughness_takes_is_force_times_rise():
     course = MotionBlock(
         t, beta * one, weight * one, one > 0, speed * t, speed * t, np.zeros((len(t), 2))
     )
-    force = np.concatenate(list(contact_response(TABLE, [course], rate, (profile, SMOOTH))))[:, 1]
+    force = np.concatenate(
+        list(contact_response(TABLE, [course], rate, (profile, SMOOTH_PROFILE)))
+    )[:, 1]
     path = speed * np.arange(len(force) + 1) / rate
     rise = (
         np.diff(

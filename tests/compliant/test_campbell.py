@@ -19,7 +19,7 @@ from benchmarks.charts.campbell_chart import (
     growth_by_steps,
     is_divergent,
 )
-from dynamics.compliant.campbell import campbell
+from dynamics.compliant.campbell import campbell_diagram
 from dynamics.surface import SurfaceMode
 from sonify.scene import load_scene
 
@@ -52,7 +52,7 @@ def test_on_a_heavy_table_disk_and_waves_go_their_ways(disk):
     n = 3
     zeta = 0.01
     x = np.array([0.4, 0.8, 1.2, 2.0])
-    seen = campbell(disk, mode(n, 1e9, zeta), x)
+    seen = campbell_diagram(disk, mode(n, 1e9, zeta), x)
     turning = nutation(disk)
     assert turning == pytest.approx(0.786, abs=5e-4)
     w = n / x  # over Omega
@@ -69,8 +69,8 @@ def test_on_a_heavy_table_disk_and_waves_go_their_ways(disk):
 def test_divergence_below_the_resonance_and_flutter_of_the_nutation_above(disk, n, mass, zeta):
     crossing = n / (n - nutation(disk))
     x = np.sort(np.append(np.linspace(0.5, 1.5 * crossing, 400), crossing))
-    undamped = campbell(disk, mode(n, mass, 0.0), x)
-    damped = campbell(disk, mode(n, mass, zeta), x)
+    undamped = campbell_diagram(disk, mode(n, mass, 0.0), x)
+    damped = campbell_diagram(disk, mode(n, mass, zeta), x)
     wide = x[is_divergent(undamped)]
     assert 0.85 < wide[0] < wide[-1] < 1
     assert np.diff(np.flatnonzero(is_divergent(undamped))).max() == 1
@@ -99,6 +99,6 @@ def test_its_picture_and_its_conclusion(tmp_path):
 def test_what_is_no_speed_or_no_wave_is_refused(disk):
     for wrong in ((mode(0, 1.0, 0.0), 1.0), (mode(2, 1.0, 0.0), 0.0), (mode(2, 1.0, 0.0), np.nan)):
         with pytest.raises(ValueError, match="campbell: needs"):
-            campbell(disk, *wrong)
-    light = campbell(disk, mode(4, 1e-3, 0.0), 0.9)
+            campbell_diagram(disk, *wrong)
+    light = campbell_diagram(disk, mode(4, 1e-3, 0.0), 0.9)
     assert np.isnan(light.eigenvalue).all() or (light.inclination > 0).all()

@@ -14,10 +14,10 @@ from psutil import Process
 from dynamics import Motion, simulate
 from dynamics.compliant.compliant_motion import FORCES_PER_ROW
 from dynamics.compliant.law.height_profile import mean_heights
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.row_store import INTERPOLATION_ROWS, RowStore, interpolate_rows
-from dynamics.compliant.stepping.time_loop import march
+from dynamics.compliant.stepping.time_loop import step_motion
 from dynamics.motion import CAUSES
 from dynamics.observables import precession_rate
 from modal import surface_modes
@@ -79,7 +79,9 @@ def test_scenes_of_other_numbers_compile_nothing_and_leave_nothing_behind(elasti
         motion = simulate(scene, surface_modes=surface_modes(scene) if i % 3 == 2 else None)
         ends.add(float(motion.state[-1, 10]))
         compiled.append(
-            sum(len(machine.signatures) for machine in (march, interpolate_rows, mean_heights))
+            sum(
+                len(machine.signatures) for machine in (step_motion, interpolate_rows, mean_heights)
+            )
         )
         used.append(Process().memory_info().rss)
     assert len(ends) == 51
@@ -194,7 +196,7 @@ def test_a_smooth_elastic_disk_moves_as_the_rigid_one(elastic):
 def test_it_ends_with_a_name(elastic, changes, outcome):
     motion = simulate(elastic.replace(*changes))
     assert motion.outcome.name == outcome
-    assert motion.rows[:, 1].min() >= LEAST_INCLINATION
+    assert motion.rows[:, 1].min() >= MIN_CONTACT_INCLINATION
     assert motion.t[-1] <= motion.t_end < motion.t[-1] + 0.1
     assert np.isfinite(motion.state).all()
 

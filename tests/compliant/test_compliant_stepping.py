@@ -14,7 +14,7 @@ from contact_scenes import granite, steady_rate, steady_speed
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq
 
-from dynamics.compliant.law.height_profile import SMOOTH, mean_heights
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights
 from dynamics.compliant.law.linear_response import MotionBlock, contact_response
 from dynamics.compliant.law.linearised import linear_contact, mobility
 from dynamics.compliant.law.roughness import edge_profile, ellipse_window, table_profile
@@ -46,7 +46,7 @@ SLIPPERY, FRICTIONLESS = (
     Friction(mu_static=0.3, mu_dynamic=0.2, arm_rolling=3e-5),
     Friction(mu_static=0, mu_dynamic=0),
 )
-BOTH_SMOOTH = SMOOTH, SMOOTH
+BOTH_SMOOTH = SMOOTH_PROFILE, SMOOTH_PROFILE
 ENERGY = 60
 """Operations on terms of the size of the energy, in one step and in the sum of the energy."""
 

@@ -13,7 +13,7 @@ from contact_scenes import REFERENCE, granite, prototype, steady_speed
 from scipy.integrate import solve_ivp, trapezoid
 from scipy.signal import welch
 
-from dynamics.compliant.law.height_profile import SMOOTH, mean_heights
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights
 from dynamics.compliant.law.linear_response import (
     KNOTS_PER_BLOCK,
     SAMPLES_PER_KNOT,
@@ -91,7 +91,7 @@ def test_a_wave_at_a_time(beta):
     rate = 384e3
     speed = steady_speed(LAW.disk, beta)
     force = np.concatenate(
-        list(contact_response(TABLE, steady(beta, rate, 0.15), rate, (SMOOTH, edge)))
+        list(contact_response(TABLE, steady(beta, rate, 0.15), rate, (SMOOTH_PROFILE, edge)))
     )[:, 1]
     springs, a, c = TABLE.springs(np.array([beta]), np.array([WEIGHT]))
     system = linear_contact(LAW.disk, beta, springs, np.array([speed]), c)
@@ -153,7 +153,7 @@ def test_along_a_motion_that_changes():
     expected = [-springs(s)[0].k2[0] * q for s, q in zip(t, found[4], strict=True)]
     errors = []
     for rate in (5e4, 2e5):
-        force = next(contact_response(TABLE, [motion(rate)], rate, (rough, SMOOTH)))[:, 0]
+        force = next(contact_response(TABLE, [motion(rate)], rate, (rough, SMOOTH_PROFILE)))[:, 0]
         errors.append(
             np.abs(force[np.rint(t * rate).astype(int) - 1] - expected).max() / np.ptp(force)
         )

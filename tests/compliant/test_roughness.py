@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from dynamics.compliant.law.height_profile import SMOOTH, mean_heights, profile_from_csv
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_heights, profile_from_csv
 from dynamics.compliant.law.roughness import (
     edge_profile,
     ellipse_window,
@@ -101,7 +101,7 @@ def test_seed_decides_and_block_size_does_not():
     assert (
         abs(np.corrcoef(whole, read(edge_profile(ROUGH, 0.03755), s, 3e-4))[0, 1]) < 5 / 1001**0.5
     )
-    assert not read(SMOOTH, s, 3e-4).any()
+    assert not read(SMOOTH_PROFILE, s, 3e-4).any()
 
 
 def test_a_measured_profile(tmp_path):

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from dynamics import MotionScene, OwnLaw, simulate
-from dynamics.compliant.modes_from_scene import HIGHEST_TABLE_MODE, modes_from_numbers
+from dynamics.compliant.modes_from_scene import MAX_TABLE_FREQUENCY, modes_from_numbers
 from dynamics.compliant.switched_motion import SwitchedMotion
 from modal import surface_modes
 from modal.solve import DEFAULT_HIGHEST_FREQUENCY
@@ -61,7 +61,7 @@ def test_modes_in_the_scene_are_those_of_modal(scene):
     on_table = scene.replace(THREE_MODES, "contact.law=elastic")
     ours = modes_from_numbers(on_table.surface, on_table.disk.radius)
     theirs = surface_modes(on_table)
-    assert HIGHEST_TABLE_MODE == DEFAULT_HIGHEST_FREQUENCY
+    assert MAX_TABLE_FREQUENCY == DEFAULT_HIGHEST_FREQUENCY
     assert ours.frequency.tolist() == [600.0, 900.0, 900.0]
     for name in ("frequency", "decay_rate", "order", "coefficients", "place"):
         assert np.array_equal(getattr(ours, name), getattr(theirs, name)), name

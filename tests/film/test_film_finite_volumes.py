@@ -12,7 +12,7 @@ import pytest
 from scipy.sparse import csr_array, diags_array
 from scipy.sparse.linalg import spsolve
 
-from dynamics.film.reynolds import FilmMesh, compressible_wedge
+from dynamics.film.reynolds import FilmMesh, compressible_wedge_response
 from dynamics.film.wedge import TURNING_POWER
 
 
@@ -91,7 +91,7 @@ def test_two_methods_have_one_compressible_film(Lam, power, lift):
     coarse, fine = (np.array(volumes(Lam, n)) for n in (30, 60))
     assert fine[2] > 0.5
     assert (4 * fine - coarse)[:2] / 3 == pytest.approx([power, lift], rel=5e-3)
-    lifts, powers, _ = compressible_wedge([Lam], FilmMesh(12, nearest=7.0))
+    lifts, powers, _ = compressible_wedge_response([Lam], FilmMesh(12, nearest=7.0))
     assert [powers[0], lifts[0]] == pytest.approx([power, lift], rel=0.01)
 
 
@@ -102,7 +102,7 @@ def test_the_compressible_film_is_solved_on_every_mesh(nearest):
     The part beyond a mesh that ends at exp(-4) of the radius contributes 4 % of the lift.
     """
     for cells in (6, 11):
-        lift, power, flow = compressible_wedge([100.0], FilmMesh(cells, nearest=nearest))
+        lift, power, flow = compressible_wedge_response([100.0], FilmMesh(cells, nearest=nearest))
         assert power[0] == pytest.approx(0.01346, rel=0.1)
         assert lift[0] == pytest.approx(1.204, rel=0.05 if nearest < 5 else 0.03)
         assert np.abs(flow[:, 0]).max() < 1e-9

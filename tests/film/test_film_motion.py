@@ -14,12 +14,12 @@ import pytest
 from scenes import scene, whirling
 
 from dynamics import Air, Outcome, OwnLaw, simulate
-from dynamics.equations import Law, Loads, law_of, solve
+from dynamics.equations import DiskConstants, Loads, disk_constants, solve_contact
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import film_under
 from dynamics.kinematics import energy
 from dynamics.observables import precession_rate
-from dynamics.regime import FLOAT
+from dynamics.regime import FLOAT_FORMULAS
 from dynamics.steady_motion import flat_square, steady_precession
 from sonify import SceneError, load_scene
 from sonify import solve as solve_scene
@@ -53,9 +53,9 @@ def test_the_loads_take_that_power_of_any_motion():
     disk = scene().disk
     beta = 0.02
     omega = (0.3, -0.2, 0.15)
-    law = Law(disk.aspect, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
+    law = DiskConstants(disk.aspect, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0)
     film = film_under(disk, STIFF)
-    loads = film(beta, omega, (0.0, 0.0), law, FLOAT)
+    loads = film(beta, omega, (0.0, 0.0), law, FLOAT_FORMULAS)
     rise = (disk.aspect * sin(beta) - cos(beta)) * omega[0]
     taken = -loads.M1 * omega[0] - loads.M2 * omega[1] - loads.M3 * omega[2] - loads.G3 * rise
     chi = disk.time_unit
@@ -67,15 +67,15 @@ def test_the_lift_only_moves_the_force_from_the_contact_to_the_air():
     """A lift away from the contact moves the disk like its moment about the contact alone."""
     disk = scene().disk
     beta = 0.02
-    law = Law(disk.aspect, 1.0, np.inf, np.inf, 0.0, 0.0, 0.0)
+    law = DiskConstants(disk.aspect, 1.0, np.inf, np.inf, 0.0, 0.0, 0.0)
     film = film_under(disk, STIFF)
     omega = (0.3, -0.2, 0.15)
-    loads = film(beta, omega, (0.0, 0.0), law, FLOAT)
+    loads = film(beta, omega, (0.0, 0.0), law, FLOAT_FORMULAS)
     about_contact = film.at(beta, omega)[1]
     assert about_contact == pytest.approx(film.falling * omega[0] / sin(beta) ** 3, rel=1e-6)
     roll = (False,) * 4, (1.0,) * 3
     one, other = (
-        solve(beta, *omega, 0.0, 0.0, 0.0, 0.0, *roll[0], *roll[1], law, applied)
+        solve_contact(beta, *omega, 0.0, 0.0, 0.0, 0.0, *roll[0], *roll[1], law, applied)
         for applied in (loads, Loads(M1=-about_contact, M3=loads.M3))
     )
     assert one.domega1 == pytest.approx(other.domega1, rel=1e-12)
@@ -247,7 +247,10 @@ def test_auto_takes_the_film_where_it_will_matter():
     motion = simulate(scene({"time_limit": 10.0}))
     rate = steady_precession(told.inclination, disk.aspect, disk.gyration) * sin(told.inclination)
     level = energy(
-        told.inclination, (0.0, disk.aspect * rate, rate), (0.0, 0.0), law_of(disk, long.friction)
+        told.inclination,
+        (0.0, disk.aspect * rate, rate),
+        (0.0, 0.0),
+        disk_constants(disk, long.friction),
     )
     left = motion.energy(motion.t) / (disk.mass * (disk.radius / disk.time_unit) ** 2)
     assert told.time == pytest.approx(np.interp(-level, -left, motion.t), rel=0.2)

@@ -5,11 +5,11 @@ import json
 import numpy as np
 from paths import REFERENCES
 
-from dynamics.compliant.law.hertz_mindlin import ContactLaw, Elastic
+from dynamics.compliant.law.hertz_mindlin import ContactLaw, ElasticConstants
 from dynamics.disk import GRAVITY, Disk
 from dynamics.theory.exact import steady_precession
 
-STEEL, GRANITE = Elastic(195e9, 0.28), Elastic(60e9, 0.2)
+STEEL, GRANITE = ElasticConstants(195e9, 0.28), ElasticConstants(60e9, 0.2)
 REFERENCE = json.loads((REFERENCES / "elastic_contact.json").read_text("utf-8"))
 
 

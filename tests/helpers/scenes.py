@@ -9,7 +9,7 @@ from dynamics import MotionScene, Outcome
 from dynamics.air import Air
 from dynamics.disk import Disk, Friction, Release
 from dynamics.dissipation import Dissipation
-from dynamics.regime import FALLING
+from dynamics.regime import MAX_FALL_RATE
 from dynamics.solver_settings import Numerics
 from dynamics.steady_motion import steady_precession
 
@@ -64,7 +64,7 @@ def proves_its_outcome(motion, limit) -> bool:
     return {
         Outcome.TIME_LIMIT: motion.t[-1] == pytest.approx(limit, rel=1e-12),
         Outcome.SETTLED: beta < 1e-8,
-        Outcome.FELL: nutation / sqrt(beta) == pytest.approx(FALLING, rel=1e-9),
+        Outcome.FELL: nutation / sqrt(beta) == pytest.approx(MAX_FALL_RATE, rel=1e-9),
         Outcome.LIFTED_OFF: motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-9),
         Outcome.AIRBORNE: motion.normal_load(motion.t[-1])[0] == pytest.approx(0, abs=1e-9),
         Outcome.UPRIGHT: beta == pytest.approx(pi / 2, rel=1e-9),

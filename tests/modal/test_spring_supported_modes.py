@@ -16,7 +16,7 @@ from contact_scenes import granite, on_springs, steady_speed
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from skfem import ElementHex2
 
-from dynamics.compliant.law.hertz_mindlin import Elastic
+from dynamics.compliant.law.hertz_mindlin import ElasticConstants
 from dynamics.compliant.law.linearised import (
     linear_contact,
     normal_damping,
@@ -89,7 +89,7 @@ def test_ever_stiffer_tables_have_a_limit():
     """The limit is the disk's own half of the contact; the table's flexibility is ~ 1/E."""
     found = []
     for young in (1e13, 1e14, 1e15, 1e16):
-        law = granite(table=Elastic(young, 0.2))
+        law = granite(table=ElasticConstants(young, 0.2))
         springs = suspension(law, 0.1)._replace(damping=np.zeros(3), forgets=np.zeros(3))
         found.append(modes_on(springs, 0.1).frequency)
     steps = np.diff(found, axis=0)

@@ -12,7 +12,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from dynamics.compliant.two_way_onset import may_be_two_way, takes_modes
+from dynamics.compliant.two_way_onset import may_be_two_way, needs_table_modes
 from modal import eigenmodes
 from sonify import SceneError, load_scene, run
 from sonify.plan.preflight import planned, solvable, solve_motion
@@ -179,7 +179,7 @@ def stages(scene):
     plan, modes = planned(scene, remembered)
     _, table = with_table(plan, scene)
     yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
-    motion = solve_motion(scene, table=table if takes_modes(scene) else None)
+    motion = solve_motion(scene, table=table if needs_table_modes(scene) else None)
     yield motion.t.tobytes() + motion.state.tobytes() + motion.force(motion.t).tobytes()
     renderer = Renderer(scene, motion, modes, plan.sounding, plan.calm, table)
     yield np.ascontiguousarray(next(iter(renderer.blocks()))).tobytes()

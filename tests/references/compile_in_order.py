@@ -10,7 +10,7 @@ from hashlib import sha256
 import numpy as np
 
 from dynamics import Motion, simulate
-from dynamics.compliant.stepping.time_loop import march
+from dynamics.compliant.stepping.time_loop import step_motion
 from modal import eigenmodes
 from sonify import load_scene
 from sonify.sound.render import Renderer
@@ -55,14 +55,14 @@ def main(names: list[str]) -> None:
     """Print name, end and hashes of each result in alphabetical order.
 
     Then print the numbers of multiplications and of fused operations in the machine code of
-    `march`.
+    `step_motion`.
     """
     cases = {"table": table, "rough": rough, "portable": portable}
     found = {name: cases[name]() for name in names}
     for name, (motion, more) in sorted(found.items()):
         hashes = [sha256(array.tobytes()).hexdigest() for array in (motion.t, motion.state, more)]
         print(name, float(motion.t[-1]), *hashes)
-    (assembly,) = march.inspect_asm().values()
+    (assembly,) = step_motion.inspect_asm().values()
     instructions = [words[0] for line in assembly.splitlines() if (words := line.split())]
     print(
         "march",

@@ -15,10 +15,10 @@ from arithmetic import gamma, walk
 from scenes import conservative, scene, whirling
 
 from dynamics import Outcome, simulate
-from dynamics.hybrid import drive
+from dynamics.hybrid import run_events
 from dynamics.regime import PRECESSION, X
 from dynamics.rolling import RollingDisk
-from dynamics.simulation import chosen_integrator, law_of, released
+from dynamics.simulation import chosen_integrator, disk_constants, released
 from dynamics.steady_motion import flat_square, steady_precession
 from dynamics.theory import exact as theory
 
@@ -178,10 +178,10 @@ def test_the_self_similar_end():
 @pytest.mark.parametrize("turn", [0.5, -2.0])
 def test_turning_the_release_about_the_vertical_turns_the_path(turn):
     start = scene()
-    straight, _ = drive(system_of(start), released(start.disk, start.release), 20.0)
+    straight, _ = run_events(system_of(start), released(start.disk, start.release), 20.0)
     y = released(start.disk, start.release)
     y[PRECESSION] = turn
-    turned, _ = drive(system_of(start), y, 20.0)
+    turned, _ = run_events(system_of(start), y, 20.0)
     a, b = (
         np.concatenate([block[:, 0] for block in path.coefficients]) for path in (straight, turned)
     )
@@ -194,7 +194,7 @@ def test_turning_the_release_about_the_vertical_turns_the_path(turn):
 def system_of(wanted):
     """Return the hybrid system of a scene, as built by `simulate`."""
     integrate = chosen_integrator("auto")[1]
-    return RollingDisk(law_of(wanted.disk, wanted.friction), None, 1e-5, integrate, 1e-16)
+    return RollingDisk(disk_constants(wanted.disk, wanted.friction), None, 1e-5, integrate, 1e-16)
 
 
 def test_the_mirror_image_of_a_motion_is_a_motion():

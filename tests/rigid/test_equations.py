@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from dynamics.equations import Law, Loads, solve
+from dynamics.equations import DiskConstants, Loads, solve_contact
 
 MU, ARMS = 0.3, (0.01, 0.02, 0.03)
 
@@ -33,10 +33,10 @@ def random_states(n=6):
 
 
 def contact(h, K, beta, w, u, senses, sliding, loads=(0.0,) * 5):
-    law = Law(h, K, 1.0, MU, *ARMS)
+    law = DiskConstants(h, K, 1.0, MU, *ARMS)
     direction = u / np.hypot(*u)
     slip = u if sliding else np.zeros(2)
-    return solve(
+    return solve_contact(
         beta, *w, *slip, *direction, sliding, False, False, False, *senses, law, Loads(*loads)
     )
 

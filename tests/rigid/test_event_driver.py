@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad, solve_ivp
 
-from dynamics.hybrid import CASCADE, Arc, Switch, drive
+from dynamics.hybrid import EVENT_CASCADE, Arc, Switch, run_events
 
 HEIGHT, RESTITUTION = 1.0, 0.5
 
@@ -42,7 +42,7 @@ def impacts(n):
 
 
 def test_impacts_and_energy_are_those_of_the_closed_form():
-    path, ended = drive(Ball(), [HEIGHT, 0.0], 4.0)
+    path, ended = run_events(Ball(), [HEIGHT, 0.0], 4.0)
     exact = impacts(10)[impacts(10) < 4.0]
     assert ended is None
     assert path.t == 4.0
@@ -57,8 +57,8 @@ def test_impacts_and_energy_are_those_of_the_closed_form():
 
 
 def test_where_impacts_pile_up_time_stands_still_and_the_end_has_a_name():
-    path, ended = drive(Ball(), [HEIGHT, 0.0], 10.0)
-    assert ended == CASCADE
+    path, ended = run_events(Ball(), [HEIGHT, 0.0], 10.0)
+    assert ended == EVENT_CASCADE
     assert path.t == pytest.approx(
         np.sqrt(2 * HEIGHT) * (1 + RESTITUTION) / (1 - RESTITUTION), rel=1e-14
     )
@@ -81,8 +81,8 @@ class AheadBall(Ball):
 
 @pytest.mark.parametrize("span", [2.0, 3.0, 4.0, 4.2])
 def test_what_is_integrated_ahead_is_the_path_that_is_integrated_in_turn(span):
-    path, ended = drive(AheadBall(), [HEIGHT, 0.0], span)
-    plain, _ = drive(Ball(), [HEIGHT, 0.0], span)
+    path, ended = run_events(AheadBall(), [HEIGHT, 0.0], span)
+    plain, _ = run_events(Ball(), [HEIGHT, 0.0], span)
     assert ended is None
     assert path.t == span
     assert np.concatenate(path.times) == pytest.approx(np.concatenate(plain.times), rel=1e-14)
@@ -153,7 +153,7 @@ def stance(rate):
 def test_a_rimless_wheel_steps_as_its_map_says_and_reaches_the_cycle():
     start = 0.9
     n = 30
-    path, ended = drive(Wheel(), [SLOPE - HALF_ANGLE, start], 40.0)
+    path, ended = run_events(Wheel(), [SLOPE - HALF_ANGLE, start], 40.0)
     assert ended is None
     assert len(path.crossings) >= n
     after = [block[0, 0, 1] for block in path.coefficients[1:]]

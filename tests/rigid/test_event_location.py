@@ -18,7 +18,7 @@ from scenes import scene
 from dynamics import Outcome, simulate
 from dynamics.disk import Release
 from dynamics.monotonicity import largest_fall
-from dynamics.regime import ARRAY, STOP_SPEED, V1, V2, Branch
+from dynamics.regime import ARRAY_FORMULAS, STOP_SPEED, V1, V2, Branch
 from sonify import load_scene
 from sonify.claims.checks import dissipation_never_falls
 
@@ -42,8 +42,8 @@ def lowest_guards(motion):
     for kind, regime in enumerate(motion.regimes):
         of_kind = y[:, motion.regime_of_piece == kind].T
         branch = Branch.of(regime, motion.law, motion.loads)
-        contact = ARRAY.contact(of_kind, branch, regime.senses, motion.law)
-        guards = ARRAY.guards(of_kind, contact, branch, regime.senses, motion.law, 0.0)
+        contact = ARRAY_FORMULAS.contact(of_kind, branch, regime.senses, motion.law)
+        guards = ARRAY_FORMULAS.guards(of_kind, contact, branch, regime.senses, motion.law, 0.0)
         if "grip" in guards:
             speed = guards.pop("grip") + STOP_SPEED
             slip = (of_kind[V1 : V2 + 1] / speed)[:, speed.max(axis=1) > STOP_SPEED]

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from dynamics.dissipation import Resistance
-from dynamics.equations import Law
+from dynamics.equations import DiskConstants
 from dynamics.incipient_slip import slip_push
-from dynamics.regime import FLOAT, Branch, Regime
+from dynamics.regime import FLOAT_FORMULAS, Branch, Regime
 
 LOADS = Resistance(((0.01, 1.0),), 0.02, 0.03, False)
 
@@ -29,7 +29,7 @@ def cases():
             *draw.normal(size=2) * (i % 3),
             *[0.0] * 5,
         ]
-        law = Law(
+        law = DiskConstants(
             draw.uniform(0, 1),
             draw.choice([1.0, 2.0]),
             0.5,
@@ -43,7 +43,7 @@ def cases():
 def accelerations(y, regime, branch, law, angles):
     slip = y[0] * y[4], y[0] * y[5]
     for angle in angles:
-        yield FLOAT.contact_along(
+        yield FLOAT_FORMULAS.contact_along(
             y, slip, (math.cos(angle), math.sin(angle)), branch, regime.senses, law
         )
 

@@ -15,8 +15,8 @@ from arithmetic import gamma
 from scenes import conservative, proves_its_outcome, scene, whirling
 
 from dynamics import ImpossibleContactError, Outcome, regime, simulate, switching
-from dynamics.equations import Law
-from dynamics.integrators.codegen import compiled
+from dynamics.equations import DiskConstants
+from dynamics.integrators.codegen import compile_branch
 from dynamics.observables import nutation_frequency
 from dynamics.rolling import RollingDisk
 from dynamics.simulation import chosen_integrator
@@ -31,7 +31,7 @@ def total_energy_spread(motion):
 
 
 @pytest.mark.parametrize(
-    ("name", "module", "factor"), [("START", switching, 0.3), ("STOP_SPEED", regime, 10.0)]
+    ("name", "module", "factor"), [("FIRST_STEP", switching, 0.3), ("STOP_SPEED", regime, 10.0)]
 )
 def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
     span = {"time_limit": 50 * scene().disk.time_unit, "integrator": "dop853"}
@@ -45,7 +45,7 @@ def test_no_start_up_or_stopping_speed_shows(monkeypatch, name, module, factor):
                 getattr(module, name) * factor if owner is module else getattr(module, name),
             )
     monkeypatch.setattr(
-        "dynamics.integrators.dop853.compiled", cache(compiled.__wrapped__)
+        "dynamics.integrators.dop853.compile_branch", cache(compile_branch.__wrapped__)
     )  # the compiled flow holds STOP_SPEED
     after = simulate(scene(span)).at(t)
     np.testing.assert_allclose(after, before, rtol=1e-9, atol=1e-9)
@@ -93,13 +93,15 @@ def test_a_release_that_leaves_the_plane_at_once_is_refused():
 def test_a_contact_that_jams_is_named():
     """A long rod slides towards its far end with e mu f > f^2 + J: no force lifts it (Painleve)."""
     beta = 1.047
-    law = Law(3.0, 1.0, 2.0, 2.0, 0.0, 0.0, 0.0)
+    law = DiskConstants(3.0, 1.0, 2.0, 2.0, 0.0, 0.0, 0.0)
     y = [beta**0.5, 0.0, 0.0, 0.0, 0.0, -1.0, *[0.0] * 5]
     slide = regime.Regime(True, (False,) * 3, (1.0,) * 3)
-    contact = regime.FLOAT.contact(y, regime.Branch.of(slide, law, None), slide.senses, law)
+    contact = regime.FLOAT_FORMULAS.contact(
+        y, regime.Branch.of(slide, law, None), slide.senses, law
+    )
     assert contact.inertia < 0
     with pytest.raises(ImpossibleContactError, match=r"inclination 1\.047 rad.*slip \(-?0, -1\.02"):
-        switching.follow(y, law, None, frozenset(), frozenset(), (1.0,) * 3, None)
+        switching.next_regime(y, law, None, frozenset(), frozenset(), (1.0,) * 3, None)
     system = RollingDisk(law, None, 1e-5, chosen_integrator("dop853")[1], 1e-12)
     with pytest.raises(ImpossibleContactError, match="jams"):
         system.switch(y, slide, "jams")
@@ -162,7 +164,7 @@ def test_a_rate_is_not_judged_where_the_tone_is_not_heard():
 
 SPAN = 5 * scene().disk.time_unit
 STIFF = [
-    ("integrators.slow_slides.MOST_STEPS", 0, {"mu_dynamic": 0.5}),
+    ("integrators.slow_slides.MAX_STEPS_PER_CALL", 0, {"mu_dynamic": 0.5}),
     ("incipient_slip.SlipPush.aligned_direction_near", lambda *_: None, {}),
 ]
 

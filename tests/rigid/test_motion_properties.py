@@ -17,7 +17,7 @@ from hypothesis import strategies as st
 from scenes import proves_its_outcome, scene
 
 from dynamics import ImpossibleContactError, simulate
-from dynamics.switching import START
+from dynamics.switching import FIRST_STEP
 
 needs_heyoka = pytest.mark.skipif(not find_spec("heyoka"), reason="heyoka is not installed")
 arms = st.one_of(st.just(0.0), st.floats(1e-5, 0.05))
@@ -56,7 +56,7 @@ def test_energy_load_and_cone(wanted):
     motion = solved(wanted)
     assert proves_its_outcome(motion, wanted.numerics.time_limit)
     energy = motion.energy(motion.t)
-    bar = gamma(50) + 50 * START**3  # round-off, and the first step of a slide from rest
+    bar = gamma(50) + 50 * FIRST_STEP**3  # round-off, and the first step of a slide from rest
     assert np.diff(energy).max(initial=0.0) <= bar * energy[0]
     assert np.ptp(energy + motion.state[:, 10]) <= 1e-10 * energy[0]
     force = motion.force((motion.t[1:] + motion.t[:-1]) / 2)

@@ -7,7 +7,7 @@ Source: `RigidMotion.at`. Oracle: scipy's PPoly, which adds the same terms in th
 import numpy as np
 from scipy.interpolate import PPoly
 
-from dynamics.piecewise_polynomial import MIN_COMPILED_TIMES, Pieces
+from dynamics.piecewise_polynomial import MIN_COMPILED_TIMES, PiecewisePolynomials
 
 
 def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
@@ -18,7 +18,7 @@ def test_polynomials_are_those_of_scipy_to_the_rounding_of_their_terms():
     c = random.standard_normal((21, 30, 11))
     at = np.concatenate([x[:-1], random.uniform(x[0], x[-1], 2 * MIN_COMPILED_TIMES)])
     piece = np.searchsorted(x[:-1], at, side="right") - 1
-    path = Pieces(c, x)
+    path = PiecewisePolynomials(c, x)
     bar = 2 * 2 * 21 * np.finfo(float).eps * PPoly(np.abs(c), x)(at)
     some = range(0, len(at), MIN_COMPILED_TIMES // 2)
     few = np.hstack(

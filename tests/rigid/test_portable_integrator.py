@@ -17,19 +17,25 @@ from scipy.integrate import DOP853
 from scipy.optimize import brentq
 
 from dynamics.dissipation import Resistance
-from dynamics.equations import Law
-from dynamics.integrators.branch_formulas import constants, shape
-from dynamics.integrators.codegen import FLOW, ROW, compiled, machine
-from dynamics.integrators.runge_kutta import POWERS, STAGES, STEPS, at, integrate
-from dynamics.regime import FLOAT, Branch, Flow, Regime
+from dynamics.equations import DiskConstants
+from dynamics.integrators.branch_formulas import branch_to_compile, flow_constants
+from dynamics.integrators.codegen import ARRAY_TYPE, FLOW_SIGNATURE, compile_branch, machine_code
+from dynamics.integrators.runge_kutta import (
+    DENSE_OUTPUT,
+    INTEGRATE_SIGNATURE,
+    STAGE_WEIGHTS,
+    evaluate_polynomial,
+    integrate,
+)
+from dynamics.regime import FLOAT_FORMULAS, Branch, FlowFormulas, Regime
 
-LAW = Law(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
+LAW = DiskConstants(0.17, 1.0, 0.5, 0.3, 1e-4, 8e-4, 8e-3)
 STATE = np.array([0.7, 0.1, 0.2, -1.2, 0.3, -0.2, 0.4, 0.5, 0.0, 0.0, 0.0])
 LOADS = [None, Resistance(((1e-3, 0.25), (1e-3, 1.0)), 1e-3, 2e-3, False)]
 SENSES, END = (1.0, -1.0, 1.0), 1e-5
-EXACT = {"flow": Flow(mp.sin, mp.cos, mp.sqrt, mp.power), "number": mp.mpf}
+EXACT = {"flow": FlowFormulas(mp.sin, mp.cos, mp.sqrt, mp.power), "number": mp.mpf}
 BOUNDED = {
-    "flow": Flow(arithmetic.sin, arithmetic.cos, arithmetic.sqrt, Rounded.__pow__),
+    "flow": FlowFormulas(arithmetic.sin, arithmetic.cos, arithmetic.sqrt, Rounded.__pow__),
     "number": rounded,
 }
 
@@ -37,13 +43,15 @@ BOUNDED = {
 def flow_of(sliding, stuck=(False,) * 3, loads=None):
     """Return a compiled flow, the names of its guards, and its constants."""
     regime = Regime(sliding, stuck, SENSES)
-    return *compiled(shape(regime, LAW, loads)), np.array(constants(regime, LAW, loads, END))
+    return *compile_branch(branch_to_compile(regime, LAW, loads)), np.array(
+        flow_constants(regime, LAW, loads, END)
+    )
 
 
-def by_formula(y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT, number=float):
+def by_formula(y, sliding, stuck=(False,) * 3, loads=None, flow=FLOAT_FORMULAS, number=float):
     """Return rates (11,) and guards by name at y (11,), for a number type and its flow."""
     y = [number(x) for x in y]
-    law = Law(*map(number, LAW))
+    law = DiskConstants(*map(number, LAW))
     senses = [number(sense) for sense in SENSES]
     branch = Branch.of(Regime(sliding, stuck, SENSES), LAW, loads)
     contact = flow.contact(y, branch, senses, law)
@@ -61,8 +69,8 @@ def bounded_step(y, h, sliding):
     rates = np.empty((16, len(y)), dtype=object)
     for i in range(16):
         rates[i] = by_formula(states[i], sliding, **BOUNDED)[0]
-        states.append(states[0] + h * (STAGES[min(i + 1, 15), : i + 1] @ rates[: i + 1]))
-    c = h * (POWERS @ rates)
+        states.append(states[0] + h * (STAGE_WEIGHTS[min(i + 1, 15), : i + 1] @ rates[: i + 1]))
+    c = h * (DENSE_OUTPUT @ rates)
     c[0] = states[0]
     return states[12], c
 
@@ -76,7 +84,9 @@ def by_code(y, *case):
     flow, names, numbers = flow_of(*case)
     rates = np.empty(11)
     guards = np.empty(16)
-    machine(ask, VOID(FunctionType(FLOW), *[ROW] * 4))(flow, y, numbers, rates, guards)
+    machine_code(ask, VOID(FunctionType(FLOW_SIGNATURE), *[ARRAY_TYPE] * 4))(
+        flow, y, numbers, rates, guards
+    )
     return rates, dict(zip(names, guards, strict=False))
 
 
@@ -100,7 +110,9 @@ def test_rates_and_guards_are_those_of_the_formulas(stuck, loads):
 
 def test_a_step_and_its_dense_output_are_those_of_scipy():
     flow, _, numbers = flow_of(sliding=True)
-    times, c, end, fired = machine(integrate, STEPS)(flow, STATE, numbers, 0, 0.1, 1.0)
+    times, c, end, fired = machine_code(integrate, INTEGRATE_SIGNATURE)(
+        flow, STATE, numbers, 0, 0.1, 1.0
+    )
     assert (times.tolist(), fired) == ([0.1], -1)
     scipys = DOP853(
         lambda _, y: by_formula(y, True)[0], 0.0, STATE, 0.1, rtol=1.0, atol=1.0, first_step=0.1
@@ -111,7 +123,7 @@ def test_a_step_and_its_dense_output_are_those_of_scipy():
     (bounded_end, bounded) = bounded_step(STATE, 0.1, sliding=True)
     assert (np.abs(end - scipys.y) <= 2 * errors(bounded_end)).all()
     for t in np.linspace(0, 0.1, 9):
-        at(c[0], t, y)
+        evaluate_polynomial(c[0], t, y)
         bar = 2 * errors(np.polynomial.polynomial.polyval(t / 0.1, bounded))
         assert (np.abs(y - curve(t)) <= bar).all()
         assert bar.max() < 1e-8, (
@@ -126,7 +138,9 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
     def end(steps):
         y = STATE
         for _ in range(steps):
-            y = machine(integrate, STEPS)(flow, y, numbers, 0, span / steps, 1.0)[2]
+            y = machine_code(integrate, INTEGRATE_SIGNATURE)(
+                flow, y, numbers, 0, span / steps, 1.0
+            )[2]
         return y
 
     exact = end(256)
@@ -138,18 +152,18 @@ def test_the_error_falls_with_the_eighth_power_of_the_step():
 def test_it_stops_where_a_guard_falls_through_zero():
     """The nutation reverses: its guard is omega_1, which is zero where the integration stops."""
     flow, names, numbers = flow_of(sliding=False)
-    times, coefficients, end, fired = machine(integrate, STEPS)(
+    times, coefficients, end, fired = machine_code(integrate, INTEGRATE_SIGNATURE)(
         flow, STATE, numbers, len(names), 10.0, 1e-13
     )
     assert names[fired] == "nutation reverses"
     assert abs(end[1]) <= gamma(20) * np.abs(coefficients[-1][:, 1]).max()
-    free = machine(integrate, STEPS)(flow, STATE, numbers, 0, 10.0, 1e-13)
+    free = machine_code(integrate, INTEGRATE_SIGNATURE)(flow, STATE, numbers, 0, 10.0, 1e-13)
     piece = np.searchsorted(free[0], times[-1])
     start = free[0][piece - 1]
     y = np.empty(11)
 
     def swing(t):
-        at(free[1][piece], t - start, y)
+        evaluate_polynomial(free[1][piece], t - start, y)
         return y[1]
 
     assert times[-1] == pytest.approx(brentq(swing, start, free[0][piece], xtol=1e-15), abs=1e-12)

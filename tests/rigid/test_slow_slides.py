@@ -11,12 +11,12 @@ import pytest
 
 from dynamics import simulate
 from dynamics.integrators.gauss_collocation import (
-    ACCURACY,
-    INTEGRAL,
-    NODES,
+    CHEBYSHEV_TO_POWERS,
+    COLLOCATION_NODES,
+    INTEGRAL_SERIES,
+    INTEGRAL_WEIGHTS,
     ORDER,
-    SERIES,
-    TO_POWERS,
+    STEP_TOLERANCE,
 )
 from dynamics.rolling import RollingDisk
 from sonify import load_scene
@@ -39,7 +39,7 @@ def test_implicit_steps_follow_what_explicit_steps_follow(monkeypatch, name, spa
     assert sum(e.guard == "slip" for e in ours.transitions) > 0
     assert [e[1:] for e in ours.transitions] == [e[1:] for e in explicit.transitions]
     t = np.linspace(0, span, 200)
-    bar = ACCURACY * len(ours.t) * np.maximum(1, np.abs(explicit.at(t)))
+    bar = STEP_TOLERANCE * len(ours.t) * np.maximum(1, np.abs(explicit.at(t)))
     assert (np.abs(ours.at(t) - explicit.at(t)) <= bar).all()
     assert len(ours.t) < len(explicit.t)
 
@@ -73,10 +73,10 @@ def test_the_weights_integrate_polynomials_exactly():
     """The weights are exact for degrees below ORDER, from 0 to the nodes; the powers represent the
     same integral."""
     for degree in range(ORDER):
-        values = NODES**degree
-        wanted = NODES ** (degree + 1) / (degree + 1)
-        np.testing.assert_allclose(INTEGRAL @ values, wanted, atol=1e-14)
-        powers = TO_POWERS @ (SERIES @ values)
+        values = COLLOCATION_NODES**degree
+        wanted = COLLOCATION_NODES ** (degree + 1) / (degree + 1)
+        np.testing.assert_allclose(INTEGRAL_WEIGHTS @ values, wanted, atol=1e-14)
+        powers = CHEBYSHEV_TO_POWERS @ (INTEGRAL_SERIES @ values)
         np.testing.assert_allclose(
-            np.polynomial.polynomial.polyval(NODES, powers), wanted, atol=1e-13
+            np.polynomial.polynomial.polyval(COLLOCATION_NODES, powers), wanted, atol=1e-13
         )

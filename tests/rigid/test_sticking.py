@@ -13,7 +13,7 @@ from arithmetic import gamma
 from scenes import scene
 
 from dynamics import Outcome, simulate
-from dynamics.regime import ARRAY, Branch, projections
+from dynamics.regime import ARRAY_FORMULAS, Branch, projections
 
 CASES = {
     "k1 = 0.01": ({"k1": 0.01}, "nutation sticks", 27.5595, 28.3098),
@@ -54,7 +54,9 @@ def test_what_sticks_stays_at_zero_with_a_multiplier_in_range(case):
         if not any(regime.stuck):
             continue
         y = motion.path(motion.path.x[piece : piece + 2].mean(keepdims=True), [piece])[:, 0]
-        contact = ARRAY.contact(y, Branch.of(regime, motion.law, None), regime.senses, motion.law)
+        contact = ARRAY_FORMULAS.contact(
+            y, Branch.of(regime, motion.law, None), regime.senses, motion.law
+        )
         turns = projections(y[0] ** 2, *y[1:4], np.sin, np.cos)
         for i in np.flatnonzero(regime.stuck):
             seen += 1

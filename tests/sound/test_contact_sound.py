@@ -17,7 +17,7 @@ from scipy.signal import welch
 from scipy.special import jv
 
 from dynamics import Outcome, simulate
-from dynamics.compliant.law.height_profile import SMOOTH
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE
 from dynamics.compliant.law.linear_response import predicted_spectrum
 from dynamics.compliant.model_inputs import law_table
 from dynamics.motion import Jumps
@@ -218,7 +218,9 @@ def test_memory_does_not_grow_with_the_length(rough):
         tracemalloc.start()
         frames = sum(
             len(block)
-            for block in ContactFilter(motion, table, (SMOOTH, SMOOTH), RATE, 0.0).blocks()
+            for block in ContactFilter(
+                motion, table, (SMOOTH_PROFILE, SMOOTH_PROFILE), RATE, 0.0
+            ).blocks()
         )
         peaks.append(tracemalloc.get_traced_memory()[1])
         tracemalloc.stop()

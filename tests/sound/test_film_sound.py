@@ -15,7 +15,7 @@ from scipy.linalg import solve_banded
 
 from dynamics import Outcome
 from dynamics.air import HEAT_RATIO, PRANDTL
-from dynamics.film.reynolds import FilmMesh, compressible_wedge
+from dynamics.film.reynolds import FilmMesh, compressible_wedge_response
 from dynamics.film.wedge import compressibility
 from dynamics.observables import precession_rate
 from modal import eigenmodes
@@ -75,7 +75,7 @@ def test_the_share_of_the_tilt_is_tabled_and_goes_on():
 @pytest.mark.slow
 def test_the_table_is_that_of_the_solver():
     numbers = [0.3, 3, 30]
-    flow = compressible_wedge(numbers, FilmMesh(14, nearest=5.0))[2]
+    flow = compressible_wedge_response(numbers, FilmMesh(14, nearest=5.0))[2]
     assert rim_flow_shares(np.array(numbers)) == pytest.approx(flow[:, [-1, -2]].T, abs=0.003)
 
 
@@ -385,7 +385,7 @@ def test_heave_and_tilt_of_the_published_motion(scene):
     assert [tone(t) for t in times] == pytest.approx([-13, -13, -13, -19, 0, 0, 0, 0, 0], abs=1.5)
     assert below("heave", 2) == pytest.approx(-25, abs=1.5)
     numbers = np.array([0.1, 0.3, 1, 3, 10, 30, 100])
-    share = compressible_wedge(numbers, FilmMesh(14, nearest=5.0))[2][:, -1]
+    share = compressible_wedge_response(numbers, FilmMesh(14, nearest=5.0))[2][:, -1]
     _, _, a1, b1 = height_factors(scene.disk.thickness, scene.disk.radius)
     for left in (4, 3, 2, 1.6, 1.4, 1.2, 1.0, 0.8):
         rate = np.abs(precession_rate(state(left)))

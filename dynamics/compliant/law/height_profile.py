@@ -31,7 +31,7 @@ class Profile(NamedTuple):
         return (len(self.coefficients) - 5) / self.cells_per_metre
 
 
-SMOOTH = Profile(np.zeros(6), 1.0)
+SMOOTH_PROFILE = Profile(np.zeros(6), 1.0)
 """Profile of a smooth surface."""
 RELATIVE_SLOPE_STEP = 1 / 32
 """Step of the height differences for slopes, over the half-length of the ellipse; accurate to 1
@@ -81,7 +81,7 @@ def height_integrals(profile, s):
 def mean_height(profile, s, a):
     """Return the height [m] at path length s [m] averaged over an ellipse of half-length a [m].
 
-    It is the mean of z with the weight 3 (1 - x^2/a^2)/4a over (s - a, s + a). The profile SMOOTH,
+    It is the mean of z with the weight 3 (1 - x^2/a^2)/4a over (s - a, s + a). The profile SMOOTH_PROFILE,
     of one cell, gives 0.
     """
     if profile.coefficients.size == 6:

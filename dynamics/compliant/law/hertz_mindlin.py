@@ -20,11 +20,11 @@ from dynamics.disk import Disk
 
 MAX_WIDTH_RATIO = 1 / 3
 """Largest half-width of the ellipse over the fillet; beyond, neither body is a half space."""
-LEAST_INCLINATION = 5e-8
+MIN_CONTACT_INCLINATION = 5e-8
 """Inclination below which the contact is not one ellipse [rad]."""
 
 
-class Elastic(NamedTuple):
+class ElasticConstants(NamedTuple):
     """Isotropic half space: Young's modulus [Pa] and Poisson's ratio."""
 
     young: float
@@ -36,7 +36,7 @@ class Elastic(NamedTuple):
         return self.young / (2 * (1 + self.poisson))
 
 
-class Springs(NamedTuple):
+class ContactSprings(NamedTuple):
     """Linearised contact: stiffness [N/m] and relaxation length [m] along 1 and 2, stiffness along
     the normal [N/m].
     """
@@ -58,7 +58,7 @@ class ContactLaw:
         The disk.
     fillet : float
         Radius of the fillet of its edge [m].
-    body, table : Elastic
+    body, table : ElasticConstants
         Materials of disk and table.
     loss_factor : float
         Loss factor of the normal contact resonance.
@@ -71,8 +71,8 @@ class ContactLaw:
 
     disk: Disk
     fillet: float
-    body: Elastic
-    table: Elastic
+    body: ElasticConstants
+    table: ElasticConstants
     loss_factor: float = 0.02
 
     def __post_init__(self):
@@ -109,13 +109,13 @@ class ContactLaw:
         return 1 / sum((1 - m.poisson**2) / m.young for m in (self.body, self.table))
 
     @cached_property
-    def mixed(self) -> Elastic:
+    def mixed(self) -> ElasticConstants:
         """Material that gives, on both sides, the tangential compliance of the two bodies: Kalker
         (1990), (1.44).
         """
         G = 2 / sum(1 / m.shear for m in (self.body, self.table))
         poisson = G / 2 * sum(m.poisson / m.shear for m in (self.body, self.table))
-        return Elastic(2 * G * (1 + poisson), poisson)
+        return ElasticConstants(2 * G * (1 + poisson), poisson)
 
     def ellipse(self, inclination):
         """Return q = b/a, D = R_D(0, q^2, 1) and F = R_F(0, q^2, 1) of the contact at inclinations
@@ -150,7 +150,7 @@ class ContactLaw:
         a = (load * D / (2 * np.pi * self.modulus * self.curvature(inclination))) ** (1 / 3)
         return a, q * a
 
-    def springs(self, inclination, load) -> Springs:
+    def springs(self, inclination, load) -> ContactSprings:
         """Return the linearised contact under load [N] at inclinations (k,) [rad].
 
         dN/d(delta) = 1.5 N/delta. A tangential force F displaces an ellipse without slip by F/(2 pi
@@ -169,7 +169,7 @@ class ContactLaw:
         )
         C = creep_coefficients(q, self.mixed.poisson)
         length = [self.mixed.shear * a * b * c / k for c, k in zip(C, (k1, k2), strict=True)]
-        return Springs(k1, k2, 1.5 * load / self.approach(inclination, load), *length)
+        return ContactSprings(k1, k2, 1.5 * load / self.approach(inclination, load), *length)
 
 
 def _ellipse(radii):

@@ -11,8 +11,8 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from dynamics.compliant.law import height_profile
-from dynamics.compliant.law.height_profile import SMOOTH, mean_height
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, mean_height
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.roughness import ellipse_window, spectral_density
 from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.law.tabulated import LawTable
@@ -64,7 +64,7 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
     `rate` [1/s] is that of the samples. The contact advances by R d(spin) of the edge and the slip.
     The motion ends at LEAST_INCLINATION, where the contact is no longer an ellipse.
     """
-    valid = motion.t[np.flatnonzero(motion.state[:, 1] >= LEAST_INCLINATION)[-1]]
+    valid = motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
     knots = int(
         np.floor(
             (
@@ -97,7 +97,9 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
         path -= slid[-1]
 
 
-def contact_response(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMOOTH)):
+def contact_response(
+    table: LawTable, blocks, rate: float, profiles=(SMOOTH_PROFILE, SMOOTH_PROFILE)
+):
     """Yield the force added by the elastic, rough contact, (n, 2) [N] along a_2 and a_3, block by
     block.
 
@@ -130,12 +132,12 @@ def contact_response(table: LawTable, blocks, rate: float, profiles=(SMOOTH, SMO
                     strict=True,
                 )
             )
-        out, x, z = _march(x, z, knots, A, B, drive, 1 / rate, *profiles)
+        out, x, z = _compiled_filter(x, z, knots, A, B, drive, 1 / rate, *profiles)
         yield out
 
 
 def _coefficients(table, block, rate):
-    """Return the coefficients of `_march`.
+    """Return the coefficients of `_compiled_filter`.
 
     Those at the knots (k, 13) are a, path, edge, and C and D of the force along a_2 and a_3. Those
     between knots are A (k - 1, 4, 4), B and the deflections by jumps of the force.
@@ -278,7 +280,7 @@ def _propagator(A, B, h):
 
 
 @kernel
-def _steps(x, z, knots, A, B, drive, h, table, rim):
+def _filter_steps(x, z, knots, A, B, drive, h, table, rim):
     """Step through a block; return the force (n, 2), the last state and the last height.
 
     A NaN in `drive` along a_2 marks a sliding contact without a tangential spring.
@@ -319,14 +321,14 @@ def _steps(x, z, knots, A, B, drive, h, table, rim):
 
 
 def _compiled(version):
-    """Compile `march` with the fingerprint of its sources as a part of the cache key."""
+    """Compile the filter with the fingerprint of its sources as a part of the cache key."""
 
     @outermost
     def march(x, z, knots, A, B, drive, h, table, rim):
         version  # noqa: B018 -- a part of the key under which the machine code is kept
-        return _steps(x, z, knots, A, B, drive, h, table, rim)
+        return _filter_steps(x, z, knots, A, B, drive, h, table, rim)
 
     return march
 
 
-_march = _compiled(fingerprint(height_profile))
+_compiled_filter = _compiled(fingerprint(height_profile))

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.law.hertz_mindlin import ContactLaw, Springs
+from dynamics.compliant.law.hertz_mindlin import ContactLaw, ContactSprings
 from dynamics.disk import Disk
 from dynamics.steady_motion import steady_precession
 
@@ -80,7 +80,7 @@ def mobility(disk: Disk, inclination) -> np.ndarray:
     return shapes @ shapes.swapaxes(1, 2)
 
 
-def stiffness_matrix(springs: Springs) -> np.ndarray:
+def stiffness_matrix(springs: ContactSprings) -> np.ndarray:
     """Return diag(k1, k2, kn) (k, 3, 3) [N/m]."""
     return np.stack(
         np.broadcast_arrays(springs.k1, springs.k2, springs.kn),
@@ -106,7 +106,7 @@ def required_step_rate(law: ContactLaw, inclination):
 def linear_contact(
     disk: Disk,
     inclination,
-    springs: Springs,
+    springs: ContactSprings,
     speed=0.0,
     damping=0.0,
     impedance=np.inf,

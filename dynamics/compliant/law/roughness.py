@@ -11,7 +11,7 @@ from scipy.fft import next_fast_len
 from scipy.integrate import trapezoid
 
 from dynamics.compliant.law.height_profile import (
-    SMOOTH,
+    SMOOTH_PROFILE,
     Profile,
     mean_heights,
     profile_from_csv,
@@ -32,7 +32,7 @@ def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profi
     Raises ValueError if a file is not a valid profile, or if no wave fits the edge.
     """
     if roughness is None:
-        return SMOOTH, SMOOTH
+        return SMOOTH_PROFILE, SMOOTH_PROFILE
     table = (
         table_profile(roughness)
         if roughness.profile is None
@@ -40,7 +40,7 @@ def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profi
     )
     if roughness.profile_edge is not None:
         return table, profile_from_csv(roughness.profile_edge, 2 * pi * radius)
-    return table, edge_profile(roughness, radius) if roughness.edge_rms > 0 else SMOOTH
+    return table, edge_profile(roughness, radius) if roughness.edge_rms > 0 else SMOOTH_PROFILE
 
 
 def check_roughness(roughness: Roughness, radius: float) -> None:

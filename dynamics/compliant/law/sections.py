@@ -45,14 +45,14 @@ class Contact:
         """
         from dynamics.compliant.law.hertz_mindlin import (  # SciPy, which a section does not need
             ContactLaw,
-            Elastic,
+            ElasticConstants,
         )
 
         return ContactLaw(
             disk=disk,
             fillet=self.fillet or min(DEFAULT_FILLET_RATIO * disk.thickness, disk.radius),
-            body=Elastic(body.young, body.poisson),
-            table=Elastic(self.young, self.poisson),
+            body=ElasticConstants(body.young, body.poisson),
+            table=ElasticConstants(self.young, self.poisson),
             loss_factor=self.loss_factor,
         )
 

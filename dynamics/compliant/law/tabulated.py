@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline, PchipInterpolator, PPoly
 
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION, ContactLaw, Springs
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION, ContactLaw, ContactSprings
 from dynamics.compliant.law.linearised import (
     RIGID_FLEXIBILITY,
     LinearContact,
@@ -73,7 +73,7 @@ class LawTable:
     @cached_property
     def grid(self) -> np.ndarray:
         """Nodes (n,) of x, from below LEAST_INCLINATION to upright."""
-        return GRID_STEP * np.arange(np.floor(np.log(LEAST_INCLINATION / 2) / GRID_STEP), 1)
+        return GRID_STEP * np.arange(np.floor(np.log(MIN_CONTACT_INCLINATION / 2) / GRID_STEP), 1)
 
     @property
     def inclinations(self) -> np.ndarray:
@@ -124,7 +124,7 @@ class LawTable:
         value = self.columns(inclination).T
         root = np.cbrt(load / self.law.disk.weight)
         kn = 1.5 * value[HERTZ_STIFFNESS] ** (2 / 3) * np.cbrt(load)
-        springs = Springs(
+        springs = ContactSprings(
             value[STIFFNESS_1] * root,
             value[STIFFNESS_2] * root,
             kn,

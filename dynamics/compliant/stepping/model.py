@@ -14,8 +14,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.law.height_profile import SMOOTH, Profile
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.height_profile import SMOOTH_PROFILE, Profile
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias, required_step_rate
 from dynamics.compliant.law.sections import Imperfection
 from dynamics.compliant.law.tabulated import GRID_STEP, LawTable
@@ -28,7 +28,7 @@ from dynamics.compliant.stepping.time_loop import (
     LIES_FLAT,
     STANDS_UPRIGHT,
     UNSOLVED,
-    march,
+    step_motion,
 )
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film
@@ -145,7 +145,7 @@ class CompliantModel:
     friction: Friction
     powers: tuple[tuple[float, float], ...] = ()
     viscous: tuple[float, float] = (0.0, 0.0)
-    profiles: tuple[Profile, Profile] = (SMOOTH, SMOOTH)
+    profiles: tuple[Profile, Profile] = (SMOOTH_PROFILE, SMOOTH_PROFILE)
     impedance: float = np.inf
     modes: Any = None
     bending: RimModes = NO_RIM_MODES
@@ -204,7 +204,9 @@ class CompliantModel:
         law = self.table.law
         body, table = (side._replace(young=2 * side.young) for side in (law.body, law.table))
         law = replace(law, body=body, table=table)
-        rate = max(self.rate, float(required_step_rate(law, np.array([LEAST_INCLINATION]))[0]))
+        rate = max(
+            self.rate, float(required_step_rate(law, np.array([MIN_CONTACT_INCLINATION]))[0])
+        )
         return replace(self, table=replace(self.table, law=law), rate=rate)
 
     def run(
@@ -212,7 +214,7 @@ class CompliantModel:
         y,
         every: int,
         stop: float,
-        last: float = LEAST_INCLINATION,
+        last: float = MIN_CONTACT_INCLINATION,
         parts: int = 1,
         waves=None,
     ) -> Iterator[MotionPiece]:
@@ -247,7 +249,7 @@ class CompliantModel:
         """
         law = self.constants, np.reshape(np.array(self.powers, dtype=float), (-1, 2))
         table = (self.table.grid[0], 1 / GRID_STEP, self.cubics, *self.profiles)
-        sine = np.sin(max(last, LEAST_INCLINATION))
+        sine = np.sin(max(last, MIN_CONTACT_INCLINATION))
         waves = waves or self.waves(y)
         count = 0
         left = int(np.ceil(stop * self.rate / every - 1e-9))
@@ -262,7 +264,7 @@ class CompliantModel:
             flights[0] = flying
             slips[0] = slipping
             report = rows, forces, (flights, slips)
-            why, n, flown, slid = march(
+            why, n, flown, slid = step_motion(
                 y,
                 count,
                 *law,

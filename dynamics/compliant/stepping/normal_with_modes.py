@@ -20,7 +20,7 @@ table, which would do a little work on the centre.
 
 import numpy as np
 
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.tabulated import HALF_LENGTH, HERTZ_STIFFNESS, LOSS_COEFFICIENT
 from dynamics.compliant.stepping import state_layout as at
 from dynamics.compliant.stepping.contact_energy import (
@@ -223,7 +223,10 @@ def step_normal_with_modes(
     add_kinetic_energy(y, law, modes, N * T)
     y[at.SIN_INCLINATION] = np.sqrt(a0 * a0 + a1 * a1)
     y[at.LAW_INTERVAL], y[at.LAW_FRACTION] = law_interval(
-        max(y[at.SIN_INCLINATION], LEAST_INCLINATION), grid_start, intervals_per_unit, len(cubics)
+        max(y[at.SIN_INCLINATION], MIN_CONTACT_INCLINATION),
+        grid_start,
+        intervals_per_unit,
+        len(cubics),
     )
     return True
 

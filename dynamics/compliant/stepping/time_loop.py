@@ -59,7 +59,7 @@ AIRBORNE_DURATION = 2e-3
 AIRBORNE_LIFT_SHARE = 0.5
 """The air film carries the disk if its mean lift exceeds this fraction of the weight."""
 
-# Reasons for the return of `march`.
+# Reasons for the return of `step_motion`.
 CONTINUES = 0
 LIES_FLAT = 1
 STANDS_UPRIGHT = 2
@@ -87,7 +87,7 @@ def _step_rows(
     forces,
     events,
 ):
-    """Fill the rows step by step; see `march`."""
+    """Fill the rows step by step; see `step_motion`."""
     flights, slips = events
     flying = flights[0, 0] == flights[0, 0]
     sliding = slips[0, 0] == slips[0, 0]
@@ -210,7 +210,7 @@ def record_flight(flights, flight, flying, gap_before, gap, t, h):
 
 
 def _compiled(version):
-    """Compile `march` with the fingerprint of its sources as a part of the cache key."""
+    """Compile `step_motion` with the fingerprint of its sources as a part of the cache key."""
 
     @outermost
     def march(
@@ -293,7 +293,7 @@ def _compiled(version):
     return march
 
 
-march = _compiled(
+step_motion = _compiled(
     fingerprint(
         rim_modes,
         forces,

@@ -11,7 +11,7 @@ from scipy.signal import oaconvolve, upfirdn
 
 from dynamics import Motion
 from dynamics.compliant.law.height_profile import Profile
-from dynamics.compliant.law.hertz_mindlin import LEAST_INCLINATION
+from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linear_response import MAX_STEP_TURN, contact_response, motion_blocks
 from dynamics.compliant.law.linearised import required_step_rate
 from dynamics.compliant.law.roughness import profiles
@@ -57,7 +57,8 @@ class ContactFilter:
     def oversampling(self) -> int:
         """Number of steps per sample: enough for the stiffest contact, and for MIN_PROFILE_RATE."""
         needed = (
-            required_step_rate(self.table.law, np.array([LEAST_INCLINATION]))[0] / MAX_STEP_TURN
+            required_step_rate(self.table.law, np.array([MIN_CONTACT_INCLINATION]))[0]
+            / MAX_STEP_TURN
         )
         return ceil(max(needed, MIN_PROFILE_RATE) / self.sample_rate)
 
@@ -70,7 +71,7 @@ class ContactFilter:
     def end(self) -> float:
         """Time [s] at which the contact ceases to be an ellipse, or the motion ends."""
         return float(
-            self.motion.t[np.flatnonzero(self.motion.state[:, 1] >= LEAST_INCLINATION)[-1]]
+            self.motion.t[np.flatnonzero(self.motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
         )
 
     def blocks(self, fade=0.002) -> Iterator[np.ndarray]:

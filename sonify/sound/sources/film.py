@@ -12,11 +12,11 @@ from functools import cached_property
 import numpy as np
 from numba import njit
 
-from dynamics.equations import Law
+from dynamics.equations import DiskConstants
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import compressibility
 from dynamics.observables import precession_rate
-from dynamics.regime import ARRAY
+from dynamics.regime import ARRAY_FORMULAS
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import GapTunedOscillators, fluid_loaded_modes, height_factors
 from sonify.sound.modal_forcing import in_patch_frame, inertia, listener_azimuth, rigid_acceleration
@@ -49,7 +49,7 @@ RIM_FLOW_COMPRESSIBILITY = _RIM_FLOW[0].real
 """Compressibility numbers Lam at which the rim flow of the turning wedge is tabulated."""
 RIM_FLOW_SHARES = _RIM_FLOW[1:]
 """First and second harmonic g1, g2 of the rim flow over the dipole of the face, by
-`reynolds.compressible_wedge`.
+`reynolds.compressible_wedge_response`.
 
 Above the last Lam both decrease as 1/sqrt(Lam)."""
 HEAVE_RELAXATION_TIMES = 10.0 ** np.arange(-4, 0.1, 0.5)
@@ -220,8 +220,8 @@ class RigidDiskOverFilm(RigidDisk):
             return np.zeros((3, len(state)))
         disk = self._disk
         chi = disk.time_unit
-        law = Law(disk.aspect, disk.gyration, *[0.0] * 5)
-        loads = self._film(state[:, 1], state[:, 5:8].T * chi, None, law, ARRAY)
+        law = DiskConstants(disk.aspect, disk.gyration, *[0.0] * 5)
+        loads = self._film(state[:, 1], state[:, 5:8].T * chi, None, law, ARRAY_FORMULAS)
         force = disk.mass * disk.radius / chi**2
         return np.array([loads.G3, disk.radius * loads.M1, disk.radius * loads.M3]) * force
 
