@@ -15,7 +15,7 @@ from statistics import median
 from time import process_time
 from typing import Any, NamedTuple
 
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 from sonify.scene_errors import InputError
 
 MAX_TIMINGS = 5
@@ -200,7 +200,7 @@ def distance_from_one(values) -> float:
 
 def write_csv(records: list[Record], path: Path):
     """Write the records as a CSV file, one line per record."""
-    with whole(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+    with atomic_write(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         writer = csv.DictWriter(file, [f.name for f in fields(Record)])
         writer.writeheader()
         writer.writerows(asdict(record) for record in records)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from dynamics.disk import Disk
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
     from pandas import DataFrame
 
     from dynamics.film.wedge import Film
@@ -221,6 +222,10 @@ class Motion(Protocol):
     def spin(self, t: ArrayLike) -> np.ndarray:
         """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
 
+    def plot(self) -> "Figure":
+        """Return a matplotlib figure of inclination, precession rate and normal force over time."""
+        ...
+
     def to_frame(self, t: ArrayLike | None = None) -> "DataFrame":
         """Return the motion at times t as a pandas data frame.
 
@@ -309,6 +314,12 @@ class MotionBase:
     def spin(self: Motion, t: ArrayLike) -> np.ndarray:
         """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
         return self.at(t)[:, COLUMNS.index("spin")]
+
+    def plot(self: Motion) -> "Figure":
+        """Return a matplotlib figure of inclination, precession rate and normal force."""
+        from dynamics.plotting import plot_motion  # matplotlib is slow to import
+
+        return plot_motion(self)
 
     def to_frame(self: Motion, t: ArrayLike | None = None) -> "DataFrame":
         """Return the motion at times t (k,) [s] as a pandas data frame, by default at `self.t`."""

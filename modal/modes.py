@@ -8,12 +8,15 @@ patch, x, y, z = -e3, -e1, e2. The bottom face, z = -thickness/2, meets the tabl
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import log, pi
-from typing import Annotated, Literal
+from typing import TYPE_CHECKING, Annotated, Literal
 
 import numpy as np
 from annotated_types import Ge, Gt, Le, Lt
 from numpy.polynomial.legendre import legvander
 from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 
 class UnsolvableError(ArithmeticError, ValueError):
@@ -225,6 +228,18 @@ class Modes(ModeList):
         """Effective mass participation^2 (m, 6) [kg, kg m^2]; the sums over all modes of a held
         disk are its mass and inertia."""
         return self.participation**2
+
+    def plot(self) -> "Figure":
+        """Return a matplotlib figure of frequency over order and decay time over frequency.
+
+        Examples
+        --------
+        >>> figure = modes.plot()  # doctest: +SKIP
+        >>> figure.savefig("modes.png")  # doctest: +SKIP
+        """
+        from modal.plotting import plot_modes  # matplotlib is slow to import
+
+        return plot_modes(self)
 
     def select(self, indices: Sequence[int] | np.ndarray) -> "Modes":
         """Return some of the modes.

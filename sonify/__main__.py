@@ -12,7 +12,7 @@ import click
 
 from sonify import __version__
 from sonify.chart_command import CHART_NAMES, load_chart_files
-from sonify.runtime.signals import BrokenOffError, well_behaved
+from sonify.runtime.signals import AbortedError, orderly_exit
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # for small matrices more threads are slower
 
@@ -55,7 +55,7 @@ class OneLineErrorGroup(FullSummaryGroup):
 
         A reader that exits early, such as `head`, changes neither the files nor the exit status.
         """
-        with well_behaved():
+        with orderly_exit():
             return super().main(*arguments, **options)
 
     def invoke(self, context):
@@ -72,7 +72,7 @@ class OneLineErrorGroup(FullSummaryGroup):
             _exit_with_message(error, 2)
         except click.UsageError as error:
             _exit_with_message(error.format_message(), error.exit_code)
-        except BrokenOffError as error:
+        except AbortedError as error:
             _exit_with_message(error, 1)
         except KeyboardInterrupt as signal:
             _exit_with_message("interrupted", 128 + (signal.args or [SIGINT])[0])
@@ -184,11 +184,11 @@ def run(scene, out, accuracy, assignments, animation):
         if animation:
             with stages.stage("animation") as watch:
                 animate(result, watch)
-    from sonify.claims.surface_summary import ANSWERS, in_short
+    from sonify.claims.surface_summary import ANSWERS, answers_in_short
 
     for name in ("sound.wav", "spectrogram.png", "report.html"):
         click.echo(str(result.out / name))
-    answers = in_short(result.findings)
+    answers = answers_in_short(result.findings)
     for question in ANSWERS:
         click.echo(f"{question}: {answers.get(question, 'not evaluated in this run')}")
     sys.exit(0 if result.passed else 1)
@@ -368,18 +368,18 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     SWEEP is the name of a shipped sweep or a TOML file.
     """
     from sonify.console import Console
-    from sonify.sweeps.command import plan, says
+    from sonify.sweeps.command import plan_sweep, summary_lines
     from sonify.sweeps.command import sweep as run_all
 
     if planned:
         with Console() as stages:
-            lines = plan(sweep, processes, stages)
+            lines = plan_sweep(sweep, processes, stages)
         click.echo("\n".join(lines))
         return
     with Console() as stages:
         table = run_all(sweep, scheduler, out, processes, yes, retry, stages)
     click.echo(str(table))
-    lines, passed = says(table)
+    lines, passed = summary_lines(table)
     for line in lines:
         click.echo(line)
     sys.exit(0 if passed else 1)

@@ -44,14 +44,14 @@ def run(
     OutputError
         If `out` cannot be written.
     """
-    scene = begun(scene, accuracy)
+    scene = begin_run(scene, accuracy)
     painter()
     from sonify import pipeline  # slow to import
 
     return pipeline.run(scene, out, stages=stages)
 
 
-def begun(scene: Scene | str | Path, accuracy: str | None) -> Scene:
+def begin_run(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     """Return the scene with that accuracy and start to compile its flows.
 
     A ValueError of the compilation is ignored here; the pipeline reports the fault.

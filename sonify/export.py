@@ -4,8 +4,8 @@ from math import isfinite, radians
 from pathlib import Path
 
 from modal import Modes, as_faust, write_uff, write_vtu
-from sonify.pipeline import planned, solvable
-from sonify.runtime.files import whole
+from sonify.pipeline import check_solvable_scene, plan_with_modes
+from sonify.runtime.files import atomic_write
 from sonify.scene import Scene
 from sonify.scene_errors import InputError
 
@@ -46,12 +46,12 @@ def export_modes(
         If the scene cannot be solved or has no modes, if the format needs a missing package, or if
         the disk cannot be struck at this angle.
     """
-    scene = solvable(scene, None)
+    scene = check_solvable_scene(scene, None)
     _check_strike(scene, form, strike_deg)
-    _, modes = planned(scene)
+    _, modes = plan_with_modes(scene)
     path = Path(out or f"{scene.name}.{SUFFIXES[form]}")
     try:
-        with whole(path) as temporary:
+        with atomic_write(path) as temporary:
             _write(modes, form, temporary, OPPOSITE_DEG if strike_deg is None else strike_deg)
     except (ValueError, ModuleNotFoundError) as error:
         raise InputError(str(error)) from None

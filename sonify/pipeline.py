@@ -17,14 +17,13 @@ from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Findings
 from sonify.claims.literature import literature_findings
 from sonify.claims.rigid_motion import all_findings
-from sonify.claims.sound import all_verdicts, hear
+from sonify.claims.sound import all_sound_findings, analyse_sound
 from sonify.claims.table import table_findings
 from sonify.claims.two_way import motion_findings as halt_findings
-from sonify.plan.air import beyond_the_film, with_air
+from sonify.plan.air import limits_of_film_law, with_air
 from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import Plan, with_end
-from sonify.plan.predictions import SOUND
-from sonify.plan.preflight import planned, solvable, solve_motion
+from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
 from sonify.plan.table import with_table
 from sonify.plan.unused import unused_keys
 from sonify.report.pictures import Pictures
@@ -32,8 +31,8 @@ from sonify.report.render_worker import painter
 from sonify.report.replaced import replaced_results
 from sonify.report.write import page_content, run_record, write_record
 from sonify.result import Result, SolvedMotion
-from sonify.runtime.files import claimed
-from sonify.runtime.progress import Stages, beside
+from sonify.runtime.files import claimed_folder
+from sonify.runtime.progress import Stages, in_background
 from sonify.scene import Scene
 from sonify.sound.oscillators import compile_oscillators
 from sonify.sound.radiation import listener_of
@@ -41,9 +40,9 @@ from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import sound_of
 from sonify.sound.wav import write_sound
 
-MOST_KEPT = 2
+MAX_CACHED_MODES = 2
 """Number of disks with cached modes; the modes may take 100 MB."""
-RECORDS = ("run.json", "report.html")
+LAST_FILES = ("run.json", "report.html")
 """Files that describe the other files; those of an earlier run are deleted before any file is
 replaced."""
 
@@ -81,10 +80,10 @@ def solve(
     SceneError
         If the scene is invalid or cannot be solved.
     """
-    scene = solvable(scene, accuracy)
+    scene = check_solvable_scene(scene, accuracy)
     stages = stages or Stages()
     compile_in_background(scene)
-    elastic = beside(_elastic, scene, eigenmodes, stages)
+    elastic = in_background(_elastic, scene, eigenmodes, stages)
     with stages.stage("motion") as watch:
         progress = MotionProgress(scene)
 
@@ -100,19 +99,24 @@ def solve(
         plan, modes, table = elastic.result()
     solved = SolvedMotion(scene=scene, plan=plan, modes=modes, table=table, motion=motion)
     begin(solved)
-    halt = beside(halt_findings, scene, motion)  # may repeat the two-way motion
+    halt = in_background(halt_findings, scene, motion)  # may repeat the two-way motion
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
     begin(replace(solved, sound=sound))
     with stages.stage("findings"):
-        hearing = beside(hear, sound)
+        hearing = in_background(analyse_sound, sound)
         checks = all_checks(scene, motion, modes, sound)
         findings = all_findings(motion, modes)
         heard, silence = hearing.result()
-        findings += all_verdicts(heard, motion, modes, sound, plan.error(SOUND))
+        findings += all_sound_findings(heard, motion, modes, sound, plan.error("sound"))
         findings += halt.result()
         findings += table_findings(
-            scene, motion, sound, listener_of(scene), heard and heard.tone, plan.error(SOUND)
+            scene,
+            motion,
+            sound,
+            listener_of(scene),
+            heard and heard.tone,
+            plan.error("sound"),
         )
         on_contact, several = contact_findings(scene, motion, sound, heard)
         findings += (
@@ -123,7 +127,7 @@ def solve(
     return Result(
         scene=scene,
         plan=with_end(
-            plan, motion, sound.ringing, [*beyond_the_film(scene, motion), *silence, *several]
+            plan, motion, sound.ringing, [*limits_of_film_law(scene, motion), *silence, *several]
         ),
         motion=motion,
         modes=modes,
@@ -143,7 +147,7 @@ def _elastic(
     of_the_disk = 1.0 if scene.surface.kind == "rigid" else 0.5
     with stages.stage("modes") as watch, watched(watch):
         with portion(0.0, of_the_disk):
-            plan, modes = planned(scene, eigenmodes)
+            plan, modes = plan_with_modes(scene, eigenmodes)
         with portion(of_the_disk, 1.0):
             found = with_table(with_air(plan, scene), scene)
     compile_oscillators()
@@ -184,13 +188,13 @@ def write(
         If the disk is full.
     """
     stages = stages or Stages(dict(result.seconds))
-    with claimed(out or Path("outputs") / result.scene.name) as folder:
-        for stale in RECORDS:
+    with claimed_folder(out or Path("outputs") / result.scene.name) as folder:
+        for stale in LAST_FILES:
             (folder / stale).unlink(missing_ok=True)
         result = replace(result, out=folder, seconds=stages.seconds)
         pictures = pictures or Pictures()
         pictures.begin(result)
-        futures = beside(run_record, result), beside(page_content, result, pictures)
+        futures = in_background(run_record, result), in_background(page_content, result, pictures)
         with stages.stage("sound files") as watch:
             write_sound(result.sound, folder, watch)
         write_record(result, stages, pictures, *futures)
@@ -233,9 +237,9 @@ def run(
     OSError
         If the disk is full.
     """
-    scene = solvable(scene, accuracy)
+    scene = check_solvable_scene(scene, accuracy)
     stages = stages or Stages()
-    with claimed(out or Path("outputs") / scene.name) as folder:
+    with claimed_folder(out or Path("outputs") / scene.name) as folder:
         if notice := replaced_results(scene, folder):
             stages.notice(notice)
         if unused := unused_keys(scene):
@@ -251,6 +255,6 @@ def _known_modes(scene: Scene, below: float) -> Modes:
     return _modes_of(body_scene(scene), below)
 
 
-@lru_cache(MOST_KEPT)
+@lru_cache(MAX_CACHED_MODES)
 def _modes_of(body: BodyScene, below: float) -> Modes:
     return painter().call(eigenmodes, body, below=below)

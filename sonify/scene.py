@@ -16,11 +16,11 @@ from dynamics.air import Air, dry_air_density
 from dynamics.sections import MotionScene
 from dynamics.surface import AnySurface, PlateSurface, Surface
 from modal.modes import Material, Support
-from sonify.runtime.toml_files import named, read, shipped
+from sonify.runtime.toml_files import find_file, read_toml, shipped_names
 from sonify.scene_errors import (
     ContradictionError,
     SceneError,
-    explain,
+    error_sentence,
     is_contradiction,
     with_whole_numbers,
 )
@@ -170,8 +170,8 @@ class Scene(MotionScene):
         >>> scene.diff(scene.replace("disk.radius=0.04"))
         {'disk.radius': (0.03755, 0.04)}
         """
-        here = _flat(asdict(self))
-        there = _flat(asdict(other))
+        here = _flat_keys(asdict(self))
+        there = _flat_keys(asdict(other))
         keys = dict.fromkeys([*here, *there])
         return {
             key: (here.get(key), there.get(key)) for key in keys if here.get(key) != there.get(key)
@@ -179,7 +179,7 @@ class Scene(MotionScene):
 
 
 @cache
-def adapter() -> TypeAdapter:
+def scene_adapter() -> TypeAdapter:
     """Return the pydantic adapter that validates a scene and generates its schema."""
     return TypeAdapter(Scene)
 
@@ -192,13 +192,13 @@ def from_document(document: dict) -> Scene:
     """
     _refuse_non_finite(document)
     try:
-        scene = adapter().validate_json(json.dumps(document, default=str))
+        scene = scene_adapter().validate_json(json.dumps(document, default=str))
     except ValidationError as error:
         corrected = with_whole_numbers(document, error, Scene)
         if corrected is not None:
             return from_document(corrected)
         kind = ContradictionError if is_contradiction(error) else SceneError
-        raise kind(explain(error, Scene)) from None
+        raise kind(error_sentence(error, Scene)) from None
     object.__setattr__(scene, "_document", deepcopy(document))
     return scene
 
@@ -222,11 +222,11 @@ def load_scene(source: str | Path = "published") -> Scene:
         If there is no such scene, if the file cannot be read or parsed, or if a key is unknown,
         missing or has an invalid value.
     """
-    file = named(source, SCENES, "scene", SceneError)
-    document = read(file, SceneError)
+    file = find_file(source, SCENES, "scene", SceneError)
+    document = read_toml(file, SceneError)
     if file.suffix == ".json":
         try:
-            document = _recorded(document)
+            document = _scene_of_record(document)
         except (LookupError, TypeError, AttributeError):
             raise SceneError(f"{source}: not the run.json of a run: it holds no scene") from None
     return from_document(_with_mesh(document, file.parent))
@@ -249,13 +249,13 @@ def scene_of(scene: Scene | str | Path, accuracy: str | None = None) -> Scene:
 
 def shipped_scenes() -> dict[str, str]:
     """Return the name and first comment line of every shipped scene."""
-    texts = {name: (SCENES / f"{name}.toml").read_text("utf-8") for name in shipped(SCENES)}
+    texts = {name: (SCENES / f"{name}.toml").read_text("utf-8") for name in shipped_names(SCENES)}
     return {name: text.splitlines()[0].removeprefix("#").strip() for name, text in texts.items()}
 
 
 def _document(sections):
     """Return the document of a scene from its sections, without the keys that are None."""
-    document = _given(sections)
+    document = _set_values(sections)
     if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
     air = document.get("air", {})
@@ -264,7 +264,7 @@ def _document(sections):
     return document
 
 
-def _recorded(record):
+def _scene_of_record(record):
     """Return the document of the scene in a run.json, which stores infinity as a string."""
     document = _document(record["scene"])
     for section, key in (path.split(".") for path in MAY_BE_INFINITE):
@@ -273,26 +273,26 @@ def _recorded(record):
     return document
 
 
-def _given(section):
+def _set_values(section):
     """Return a section without the keys that are None and with tuples as lists."""
-    return {key: _plain(value) for key, value in section.items() if value is not None}
+    return {key: _plain_value(value) for key, value in section.items() if value is not None}
 
 
-def _flat(section, path=""):
+def _flat_keys(section, path=""):
     """Return the values of nested sections by their key paths."""
     flat: dict[str, Any] = {}
     for key, value in section.items():
         if isinstance(value, dict):
-            flat |= _flat(value, f"{path}{key}.")
+            flat |= _flat_keys(value, f"{path}{key}.")
         else:
             flat[path + key] = value
     return flat
 
 
-def _plain(value):
+def _plain_value(value):
     if isinstance(value, tuple):
-        return list(map(_plain, value))
-    return _given(value) if isinstance(value, dict) else value
+        return list(map(_plain_value, value))
+    return _set_values(value) if isinstance(value, dict) else value
 
 
 def _assign(document, assignment):
@@ -304,10 +304,10 @@ def _assign(document, assignment):
         document = document.setdefault(section, {})
         if not isinstance(document, dict):
             raise SceneError(f"{path.strip()}: {section} is a value, not a section")
-    document[key] = _value(path.strip(), text.strip())
+    document[key] = _parsed_value(path.strip(), text.strip())
 
 
-def _value(path, text):
+def _parsed_value(path, text):
     """Return the value of a TOML text; other text is a bare word, unless it looks like TOML."""
     try:
         value, *more = tomllib.loads(f"value = {text}").values()

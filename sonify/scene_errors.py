@@ -6,10 +6,10 @@ from difflib import get_close_matches
 from types import UnionType
 from typing import Annotated, get_args, get_origin
 
-from sonify.suggestions import did_you_mean, question
+from sonify.suggestions import did_you_mean, did_you_mean_question
 
-UNKNOWN = {"unexpected_keyword_argument", "extra_forbidden"}
-SENTENCES = {
+UNKNOWN_KEY_ERRORS = {"unexpected_keyword_argument", "extra_forbidden"}
+ERROR_SENTENCES = {
     "missing": "missing",
     "value_error": "{error}",
     "dataclass_type": "must be a section, with keys of its own",
@@ -62,7 +62,7 @@ def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
         value = fault["input"]
         whole = isinstance(value, float) and value.is_integer() and abs(value) <= exact
         if fault["type"] == "int_type" and whole:
-            *sections, key = _walked(schema, fault["loc"])[0]
+            *sections, key = _key_at_location(schema, fault["loc"])[0]
             section = given
             for step in sections:
                 section = section[step]
@@ -71,26 +71,28 @@ def with_whole_numbers(document: dict, error, schema: type) -> dict | None:
     return given if changed else None
 
 
-def explain(error, schema: type) -> str:
+def error_sentence(error, schema: type) -> str:
     """Return one line on the first fault of a pydantic ValidationError.
 
     Unknown keys come first, because they may cause the other faults.
     """
-    faults = sorted(error.errors(include_url=False), key=lambda fault: fault["type"] not in UNKNOWN)
+    faults = sorted(
+        error.errors(include_url=False), key=lambda fault: fault["type"] not in UNKNOWN_KEY_ERRORS
+    )
     fault = faults[0]
     context = faults[0].get("ctx", {})
-    steps, sections = _walked(schema, fault["loc"])
+    steps, sections = _key_at_location(schema, fault["loc"])
     value = fault["input"]
     kind = "discriminator" in context
     if kind:
         steps = [*steps, context["discriminator"].strip("'")]
         value = context.get("tag")
     path = ".".join(map(str, steps))
-    if fault["type"] in UNKNOWN:
+    if fault["type"] in UNKNOWN_KEY_ERRORS:
         siblings = [f.name for f in fields(sections_of(sections[-2])[0])]
         known = ", ".join(siblings)
         return f"{path}: unknown key; known: {known}{_meant_key(path, siblings, schema)}"
-    sentence = SENTENCES.get(fault["type"], fault["msg"]).format(**context)
+    sentence = ERROR_SENTENCES.get(fault["type"], fault["msg"]).format(**context)
     if fault["type"] in {"missing", "value_error", "union_tag_not_found"}:
         return f"{path}: {sentence}".removeprefix(": ")
     return f"{path} = {value!r}: {sentence}"
@@ -103,7 +105,7 @@ def _meant_key(path, siblings, schema):
     if path in keys:  # valid in a section of another kind
         return ""
     if namesakes := [key for key in keys if key.rpartition(".")[2] == name]:
-        return question(namesakes[:3])
+        return did_you_mean_question(namesakes[:3])
     own = [f"{section}.{sibling}" if section else sibling for sibling in siblings]
     return did_you_mean(path, own) or did_you_mean(path, keys) or _meant_name(name, keys)
 
@@ -112,7 +114,7 @@ def _meant_name(name, keys):
     """Return a question that suggests a key with a similar last word in any section."""
     by_name = {key.rpartition(".")[2]: key for key in reversed(keys)}
     closest = get_close_matches(name, by_name, n=1)
-    return question([by_name[found] for found in closest])
+    return did_you_mean_question([by_name[found] for found in closest])
 
 
 def key_paths(schema: type) -> list[str]:
@@ -128,7 +130,7 @@ def key_paths(schema: type) -> list[str]:
     return list(dict.fromkeys(paths))
 
 
-def _walked(schema, location):
+def _key_at_location(schema, location):
     """Return the steps of an error location without union tags, and the type at each step."""
     steps = []
     kinds = [schema]

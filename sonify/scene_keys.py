@@ -5,14 +5,19 @@ import re
 from textwrap import wrap
 from typing import NamedTuple
 
-from sonify.scene import adapter
+from sonify.scene import scene_adapter
 
 DIALECT = "https://json-schema.org/draft/2020-12/schema"
-BOUNDS = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}
-KINDS = {"number": "number", "integer": "whole number", "string": "text", "boolean": "true, false"}
+BOUND_SYMBOLS = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}
+KIND_NAMES = {
+    "number": "number",
+    "integer": "whole number",
+    "string": "text",
+    "boolean": "true, false",
+}
 
 
-class Key(NamedTuple):
+class SceneKey(NamedTuple):
     """Description of one key of a scene file."""
 
     name: str
@@ -24,13 +29,13 @@ class Key(NamedTuple):
 
 def schema() -> dict:
     """Return the JSON schema of a scene; editors use it to complete and check scene files."""
-    whole = {"$schema": DIALECT} | adapter().json_schema()
+    whole = {"$schema": DIALECT} | scene_adapter().json_schema()
     for section in (whole, *whole["$defs"].values()):
         section["additionalProperties"] = False
     return whole
 
 
-def keys() -> list[Key]:
+def keys() -> list[SceneKey]:
     """Return every key of a scene, section by section."""
     whole = schema()
     return list(_keys(whole, whole["$defs"], ""))
@@ -43,7 +48,7 @@ def as_json() -> str:
 
 def as_table() -> str:
     """Return the keys as a text table with a header and one line per key."""
-    rows = [Key._fields, *keys()]
+    rows = [SceneKey._fields, *keys()]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
 
@@ -70,16 +75,16 @@ def _keys(section, sections, path):
             sections[option["$ref"].rpartition("/")[2]] for option in options if "$ref" in option
         ]
         if inner:
-            yield from _of_all_kinds(
+            yield from _merged_sections(
                 [list(_keys(own, sections, f"{path}{name}.")) for own in inner]
             )
         else:
-            meaning, unit = _apart(" ".join(key["description"].split()))
+            meaning, unit = _unit_and_meaning(" ".join(key["description"].split()))
             span = " or ".join(map(_range, options))
-            yield Key(f"{path}{name}", unit, span, _default(name, key, section), meaning)
+            yield SceneKey(f"{path}{name}", unit, span, _default(name, key, section), meaning)
 
 
-def _of_all_kinds(sections):
+def _merged_sections(sections):
     """Return the keys of all kinds of a section, each once and with the kinds that have it."""
     if len(sections) == 1:
         return sections[0]
@@ -99,7 +104,7 @@ def _of_all_kinds(sections):
     ]
 
 
-def _apart(description):
+def _unit_and_meaning(description):
     """Return the meaning and the unit of a description with the unit in brackets."""
     unit = re.search(r" \[([^]]*)\]", description)
     return (description.replace(unit[0], "", 1), unit[1]) if unit else (description, "-")
@@ -116,8 +121,8 @@ def _range(key):
         most = key.get("maxItems")
         length = len(parts) if "prefixItems" in key else f"at most {most}" if most else "any length"
         return f"list of {length}: {_range(parts[0])}"
-    bounds = [f"{sign} {key[name]:g}" for name, sign in BOUNDS.items() if name in key]
-    return ", ".join(bounds) or KINDS[key["type"]]
+    bounds = [f"{sign} {key[name]:g}" for name, sign in BOUND_SYMBOLS.items() if name in key]
+    return ", ".join(bounds) or KIND_NAMES[key["type"]]
 
 
 def _default(name, key, section):

@@ -40,9 +40,11 @@ HEADERS = {
     "Referrer-Policy": "no-referrer",
 }
 """HTTP headers of every response."""
-RUN = re.compile(r'<script type="application/json" class="run">(.*?)</script>', re.DOTALL)
+RUN_DATA_PATTERN = re.compile(
+    r'<script type="application/json" class="run">(.*?)</script>', re.DOTALL
+)
 """Pattern for the JSON data that the page of a run embeds."""
-DEEPEST = 4
+MAX_DEPTH = 4
 """Number of folder levels that are searched for runs."""
 
 
@@ -85,10 +87,12 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
     root = Path(folder).resolve()
 
     def index(request: Request) -> Response:
-        return _page("index.html", runs=found(root), root=root.name, style=page_assets()["style"])
+        return _page(
+            "index.html", runs=finished_runs(root), root=root.name, style=page_assets()["style"]
+        )
 
     def file(request: Request) -> Response:
-        path = inside(root, request.path_params["path"])
+        path = path_inside(root, request.path_params["path"])
         if path.is_dir() and not request.url.path.endswith("/"):
             return RedirectResponse(f"{request.url.path}/")
         path = path / "report.html" if path.is_dir() else path
@@ -99,8 +103,8 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
 
     def compare(request: Request) -> Response:
         names = [request.query_params.get(which, "") for which in "ab"]
-        pages = [inside(root, name) / "report.html" for name in names]
-        data = [numbers(page) for page in pages]
+        pages = [path_inside(root, name) / "report.html" for name in names]
+        data = [run_data(page) for page in pages]
         return _page("compare.html", names=names, data=data, **page_assets())
 
     names = [*LOOPBACK, "[::1]"] if host in LOOPBACK else ["*"]
@@ -110,7 +114,7 @@ def application(folder: str | Path, host: str = "127.0.0.1") -> Starlette:
     )
 
 
-def inside(root: Path, name: str) -> Path:
+def path_inside(root: Path, name: str) -> Path:
     """Return the path of `name` in `root`.
 
     Hidden files, and paths that leave `root` through dots or links, give status 404.
@@ -125,14 +129,14 @@ def inside(root: Path, name: str) -> Path:
     raise HTTPException(404, "no such file")
 
 
-def found(root: Path) -> list[dict]:
+def finished_runs(root: Path) -> list[dict]:
     """Return the list entry of every finished run in `root`, newest first."""
-    records = [path for depth in range(DEEPEST) for path in root.glob("*/" * depth + "run.json")]
+    records = [path for depth in range(MAX_DEPTH) for path in root.glob("*/" * depth + "run.json")]
     records = sorted(records, key=lambda path: path.stat().st_mtime, reverse=True)
-    return [run for run in (_told(root, path) for path in records) if run]
+    return [run for run in (_run_entry(root, path) for path in records) if run]
 
 
-def _told(root, path):
+def _run_entry(root, path):
     """Return the list entry of a run.json, or None if it is unreadable or of another program."""
     try:
         record = json.loads(path.read_text(encoding="utf-8"))
@@ -162,12 +166,12 @@ def _failed(checks):
     return failed
 
 
-def numbers(page: Path) -> str:
+def run_data(page: Path) -> str:
     """Return the JSON data embedded in the page of a run.
 
     The status is 404 if the page does not exist or contains no data.
     """
-    held = RUN.search(page.read_text(encoding="utf-8")) if page.is_file() else None
+    held = RUN_DATA_PATTERN.search(page.read_text(encoding="utf-8")) if page.is_file() else None
     if not held:
         raise HTTPException(404, "no such run, or one whose sound is too long for a page")
     return held[1]

@@ -11,10 +11,10 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     """
     spelt = {_plain(name): name for name in known}
     closest = get_close_matches(_plain(word), spelt, n=1)
-    return question([spelt[name] for name in closest])
+    return did_you_mean_question([spelt[name] for name in closest])
 
 
-def question(names: list[str]) -> str:
+def did_you_mean_question(names: list[str]) -> str:
     """Return "; did you mean a or b?", or "" if `names` is empty."""
     return f"; did you mean {' or '.join(names)}?" if names else ""
 

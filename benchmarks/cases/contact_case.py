@@ -29,7 +29,7 @@ from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, GAP, WEIGHT
 from dynamics.compliant.stepping.time_loop import CONTINUES
 from dynamics.disk import Friction
-from sonify.claims.halt import steady
+from sonify.claims.halt import steady_state
 from sonify.scene import load_scene
 
 IMPACT_SPEED = 0.02
@@ -161,7 +161,7 @@ def full_model_rms(
     model = CompliantModel(
         table=contact_table(), friction=ROLLING_FRICTION, profiles=height_profiles(rms), rate=rate
     )
-    y = released_state(model, steady(contact_table().law.disk, beta))
+    y = released_state(model, steady_state(contact_table().law.disk, beta))
     steps_per_force = max(1, round(rate / FORCE_RATE))
     pieces = list(model.run(y, steps_per_force, ROLLING_DURATION))
     if pieces[-1].why != CONTINUES:
@@ -179,7 +179,7 @@ def filter_rms(
     knots = int(ROLLING_DURATION * rate / SAMPLES_PER_KNOT)
     t = SAMPLES_PER_KNOT / rate * np.arange(knots + 1)
     one = np.ones(knots + 1)
-    w2, w3 = steady(contact_table().law.disk, beta)[6:8]
+    w2, w3 = steady_state(contact_table().law.disk, beta)[6:8]
     path = disk.radius * abs(w2 - w3 / np.tan(beta)) * t
     course = MotionBlock(
         t, beta * one, disk.weight * one, one > 0, path, path, np.zeros((knots + 1, 2))
@@ -233,7 +233,7 @@ def relative_inclination(loss_factor: float, creeps: bool) -> Answer:
 def relative_energy(beta: float, rate: float = 4e5) -> Answer:
     """Return final energy plus losses over initial energy of a smooth steady motion of 0.01 s."""
     model = CompliantModel(table=contact_table(), friction=ROLLING_FRICTION, rate=rate)
-    y = released_state(model, steady(contact_table().law.disk, beta))
+    y = released_state(model, steady_state(contact_table().law.disk, beta))
     first = energy(model, y[None])[0]
     *_, last = model.run(y, 1, 0.01, beta / 2)
     if last.why != CONTINUES:

@@ -22,7 +22,7 @@ from dynamics.disk import Friction
 from dynamics.observables import precession_rate
 from dynamics.surface import ModesSurface, SurfaceMode
 from modal.tabletop.solve import table_modes_from_numbers
-from sonify.claims.halt import steady
+from sonify.claims.halt import steady_state
 from sonify.scene import load_scene
 from sonify.sound.oscillators import OscillatorBank
 
@@ -160,7 +160,7 @@ def two_way_disk(rate: float, inclination: float = 5e-4, heavier: float = 1e5) -
     so that the mode hardly slows it. `rate` is the number of steps per ten periods of the mode."""
     scene = load_scene("published").replace("contact.law=elastic")
     disk = scene.disk
-    start = steady(disk, inclination)
+    start = steady_state(disk, inclination)
     w = start[7] / np.sin(inclination) / SPEED_RATIO
     mode = SurfaceMode(
         order=1,

@@ -7,7 +7,7 @@ from benchmarks.charts import CHARTS
 from benchmarks.charts.chart_page import environment, known_environment, write_page
 from benchmarks.charts.error_time_picture import draw
 from benchmarks.timed_runs import read_csv, write_csv
-from sonify.runtime.files import claim
+from sonify.runtime.files import create_folder
 from sonify.runtime.progress import Stages
 from sonify.scene_errors import InputError
 
@@ -22,7 +22,7 @@ def write_chart(
     InputError if `out` has no records of this chart."""
     chart = CHARTS[name]
     module = import_module(f"benchmarks.charts.{name}_chart")
-    folder = Path(out) if redraw else claim(out)
+    folder = Path(out) if redraw else create_folder(out)
     table = folder / f"{name}.csv"
     picture = folder / f"{name}.png"
     page = folder / f"{name}.md"

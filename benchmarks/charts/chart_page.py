@@ -7,7 +7,7 @@ from pathlib import Path
 
 from benchmarks.timed_runs import Record, most_accurate
 from sonify.report.write import git_output, version_of
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 
 PACKAGES = (
     "heyoka",
@@ -55,7 +55,7 @@ def write_page(
         f"Made by `{command}` in a checkout; with `--redraw` it makes picture and page from "
         f"`{name}.csv` again.",
     ]
-    with whole(path) as temporary:
+    with atomic_write(path) as temporary:
         temporary.write_text("\n\n".join(sections) + "\n", encoding="utf-8")
 
 

@@ -19,7 +19,7 @@ from benchmarks.timed_runs import (
     works_over,
 )
 from dynamics import simulate
-from sonify.claims.halt import steady
+from sonify.claims.halt import steady_state
 from sonify.scene import load_scene
 
 PROBLEM = r"""
@@ -119,7 +119,7 @@ def hazard_works(quick: bool) -> list[Work]:
 
 def _rigid() -> Answer:
     """Solve the event-driven motion of the same disk; its force has no part above AUDIBLE."""
-    start = steady(case.contact_table().law.disk, case.ROLLING_INCLINATION)
+    start = steady_state(case.contact_table().law.disk, case.ROLLING_INCLINATION)
     scene = load_scene("granite").replace(
         "contact.law=rigid",
         f"release.inclination_deg={degrees(start[1])}",

@@ -17,8 +17,8 @@ from benchmarks.charts.error_time_picture import DPI, MARKERS, family_colours, s
 from benchmarks.timed_runs import Answer, Record, Work, measured
 from dynamics import simulate
 from dynamics.solver_settings import ACCURACY_LEVELS
-from sonify.plan.predictions import SOUND, audible_error, level_error
-from sonify.plan.preflight import planned
+from sonify.plan.predictions import audible_error, level_error
+from sonify.plan.preflight import plan_with_modes
 from sonify.scene import load_scene
 from sonify.sound.render import Renderer
 
@@ -86,9 +86,9 @@ class JumpsOnGrid:
 
 def render(scene, choice) -> Answer:
     """Return the pressure of a scene, rendered with one coarse choice or with none (None)."""
-    plan, modes = planned(scene)
+    plan, modes = plan_with_modes(scene)
     if choice:
-        draft_plan, draft_modes = planned(scene.replace("numerics.accuracy=draft"))
+        draft_plan, draft_modes = plan_with_modes(scene.replace("numerics.accuracy=draft"))
         plan = replace(plan, **CHOICES[choice](draft_plan, draft_modes))
         if choice == DRAFT_MODES:
             modes = draft_modes
@@ -158,8 +158,8 @@ def within(watch, support_index: int, fraction: float, note: str):
 def predicted(work: Work, timed: Record, case: str) -> list[Record]:
     """Return the record of the error that the plan predicts for an accuracy; an empty list for a
     coarse choice."""
-    plan, _ = planned(work.call.args[0])
-    errors = [p.error for p in plan.predictions if p.name == SOUND]
+    plan, _ = plan_with_modes(work.call.args[0])
+    errors = [p.error for p in plan.predictions if p.key == "sound"]
     return [
         replace(timed, family=PREDICTED, case=case, error=error)
         for error in errors

@@ -7,7 +7,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogFormatter
 
 from benchmarks.timed_runs import Record
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 
 MARKERS = ("o", "s", "^", "D", "v", "P", "*", "<", ">", "p", "h", "d", "8", "H")
 LINE_STYLES = ("-", "--", ":", "-.")
@@ -34,7 +34,7 @@ def draw(records: list[Record], title: str, error_label: str, path):
 def save(figure: Figure, path):
     """Write a picture without the metadata that names the program, so that its bytes depend on the
     records alone."""
-    with whole(path) as temporary:
+    with atomic_write(path) as temporary:
         figure.savefig(temporary, metadata={"Software": None})
 
 

@@ -19,7 +19,7 @@ from dynamics.compliant.law.tabulated import LawTable, SeriesLawTable
 from dynamics.compliant.model_inputs import law_table
 from dynamics.compliant.model_selection import CONTACT_LOSS_RMS
 from dynamics.film.activation import decide_film
-from sonify.claims.finding import Finding, Measured, finding, median, registered
+from sonify.claims.finding import Finding, Measured, finding, median_with_margin, register_judge
 from sonify.hearing.noise_band import NoiseBand, middle, noise_band
 from sonify.hearing.recording import Heard
 from sonify.scene import Scene
@@ -27,38 +27,40 @@ from sonify.sound.pressure import Sound
 from sonify.sound.radiation import listener_of
 from sonify.sound.sources.contact_vibration import VibratingDisk
 
-PLACES = 96
+VIBRATION_TIMES = 96
 """Number of instants at which the vibration of a motion is predicted."""
-SOFTENED = 12
+SOFTENING_TIMES = 12
 """Number of instants at which the effective load factor of the contact is computed."""
-FINE = 800
+SPECTRUM_FREQUENCIES = 800
 """Number of points of the plotted resonance, which oscillates with the nutation early on."""
-STRETCH, READINGS = 0.5, 12
-"""Length [s] of the intervals in which the noise band is measured, and number of instants per
-interval at which it is predicted.
-"""
+NOISE_BAND_INTERVAL = 0.5
+"""Length of the intervals in which the noise band is measured [s]."""
+PREDICTIONS_PER_INTERVAL = 12
 
-RATE, WELCH = 96e3, 4096
-"""Sample rate [1/s] and segment length [samples] of the spectrum of a solved contact force."""
-MOVED = 1.1
+FORCE_SAMPLE_RATE = 96e3
+"""Sample rate of the spectrum of a solved contact force [1/s]."""
+WELCH_SEGMENT = 4096
+"""Length of the segments of this spectrum [samples]."""
+MIN_AIR_SHIFT = 1.1
 """Ratio of measured to contact-force frequency above which the air sets the noise band."""
 
-STEADY = 5.0
+MAX_PEAK_CHANGE = 5.0
 """Greatest spread of a steady spectral line [cents]."""
-LASTING = 0.2
+MIN_LOSS_DURATION = 0.2
 """Least duration of a steady spectral line, as a share of the sound."""
-RECORDED, CONSTANT = (1840.0, 2280.0), (5040.0, 8230.0)
-"""Recorded peaks [Hz] of the toy on granite: limits of the rising peak, and two constant peaks."""
-TOO_LOW = 1.1, 1.9
+RECORDED_RISING_PEAK = (1840.0, 2280.0)
+"""Recorded limits of the rising peak of the toy on granite [Hz]."""
+RECORDED_CONSTANT_PEAKS = (5040.0, 8230.0)  # Hz
+RMS_ERROR_FACTORS = 1.1, 1.9
 """Factor by which the linear filter may underestimate the rms of N', in rolling and in sliding."""
-CERTAIN = 0.4
+CERTAIN_LOSS_RMS = 0.4
 """Rms of N' over the weight above which every motion loses contact.
 
 Between CONTACT_LOSS_RMS and this value some motions lose it.
 """
-SCATTER = 0.2
+LOSS_RMS_SCATTER = 0.2
 """Relative uncertainty of the power lost to roughness, from its prediction and between surfaces."""
-LEAST_LOSS = 1e-4
+MIN_OPEN_SHARE = 1e-4
 """Least share of time without contact that is attributed to vibrations instead of a slip."""
 
 
@@ -101,15 +103,15 @@ class Vibration(NamedTuple):
 def vibration(scene: Scene, motion: Motion) -> Vibration:
     """Return the vibration predicted along a motion while the contact is one ellipse."""
     table = table_of(scene, motion)
-    t = last_ellipse(motion) * (np.arange(PLACES) + 0.5) / PLACES
-    inclination, load, speed, rolls = course(motion, t)
-    rms, power, shift = np.zeros((3, PLACES))
+    t = last_elliptic_inclination(motion) * (np.arange(VIBRATION_TIMES) + 0.5) / VIBRATION_TIMES
+    inclination, load, speed, rolls = nominal_motion(motion, t)
+    rms, power, shift = np.zeros((3, VIBRATION_TIMES))
     if scene.roughness is not None:
         rms = predicted_rms(table, scene.roughness, inclination, load, speed)
         power = predicted_power(table, scene.roughness, inclination, load, speed)
         half = table.law.semi_axes(inclination, load)[0]
         shift = shift_of_contact(scene.roughness, inclination, half, scene.disk.radius)
-    softer = softness(scene, motion, t)
+    softer = softening(scene, motion, t)
     return Vibration(table, t, inclination, load, speed, rolls, rms, power, shift, softer)
 
 
@@ -118,14 +120,14 @@ def table_of(scene: Scene, motion: Motion) -> LawTable:
     return law_table(scene, SeriesLawTable if motion.solves_contact else LawTable)
 
 
-def softness(scene: Scene, motion: Motion, t) -> np.ndarray:
+def softening(scene: Scene, motion: Motion, t) -> np.ndarray:
     """Return the load factors (k,) at ascending times t (k,) [s] that give the linear contact the
     mean stiffness of the vibrating one; 1 along a rigid motion.
     """
     if scene.roughness is None or not motion.solves_contact:
         return np.ones(len(t))
-    some = np.linspace(t[0], t[-1], SOFTENED)
-    inclination, load, speed, _ = course(motion, some)
+    some = np.linspace(t[0], t[-1], SOFTENING_TIMES)
+    inclination, load, speed, _ = nominal_motion(motion, some)
     return np.interp(
         t,
         some,
@@ -133,7 +135,7 @@ def softness(scene: Scene, motion: Motion, t) -> np.ndarray:
     )
 
 
-def course(motion: Motion, t):
+def nominal_motion(motion: Motion, t):
     """Return inclination [rad], normal force [N], speed of the contact on the table [m/s], and True
     for rolling, each (k,), at times t (k,) [s].
     """
@@ -160,7 +162,7 @@ def contact_findings(
     if scene.contact.law == "rigid":
         return [], []
     expected = vibration(scene, motion)
-    marked = several_contacts(expected.t, expected.shift)
+    marked = second_contact_times(expected.t, expected.shift)
     broken = [
         contact_is_lost(motion, expected),
         *([micro_flights(motion)] if motion.contact_losses else []),
@@ -168,9 +170,11 @@ def contact_findings(
     if scene.roughness is None:
         return broken, marked
     lasting = (
-        [c for c in known.lines if c.end - c.begin > LASTING * known.duration] if known else []
+        [c for c in known.lines if c.end - c.begin > MIN_LOSS_DURATION * known.duration]
+        if known
+        else []
     )
-    lines = [c.frequency for c in lasting if c.spread < STEADY]
+    lines = [c.frequency for c in lasting if c.spread < MAX_PEAK_CHANGE]
     heard = carrier_heard(sound, motion, expected, lines)
     found = (
         carrier_findings(scene, motion, expected, heard)
@@ -190,7 +194,7 @@ def contact_findings(
 def carrier_findings(scene, motion, expected: Vibration, heard: NoiseBand) -> list[Finding]:
     """Return the findings on the noise band."""
     recorded = [carrier_passes_recorded_peaks(expected), constant_peaks_are_the_contact(expected)]
-    found = bands(scene, motion, expected, heard)
+    found = radiated_bands(scene, motion, expected, heard)
     by_air = [air_moves_carrier(found)] if decide_film(scene).film else []
     return [carrier_rises(heard), carrier_is_contact(found), *by_air, *recorded]
 
@@ -200,7 +204,7 @@ def carrier_heard(sound: Sound, motion: Motion, expected: Vibration, lines=()) -
     ellipse.
     """
     delay = sound.source_end - motion.t[-1]
-    heard = noise_band(sound.pressure, delay, delay + expected.t[-1], STRETCH, lines)
+    heard = noise_band(sound.pressure, delay, delay + expected.t[-1], NOISE_BAND_INTERVAL, lines)
     return heard._replace(time=heard.time - delay)
 
 
@@ -217,14 +221,14 @@ def carrier_rises(heard: NoiseBand):
     """
     found = heard.frequency[np.isfinite(heard.frequency)]
     tenth = max(len(found) // 10, 1)
-    first = median(found[:tenth])
-    last = median(found[-tenth:])
+    first = median_with_margin(found[:tenth])
+    last = median_with_margin(found[-tenth:])
     ratio = last.value / first.value
     margin = ratio * np.hypot(first.margin / first.value, last.margin / last.value)
     return Measured(ratio, margin, {"from": first.value, "to": last.value})
 
 
-class Bands(NamedTuple):
+class RadiatedBands(NamedTuple):
     """Centre frequencies (s,) [Hz] of the noise band in selected intervals.
 
     Attributes
@@ -245,17 +249,19 @@ class Bands(NamedTuple):
     radiated: np.ndarray
 
 
-def bands(scene, motion, expected: Vibration, heard: NoiseBand) -> Bands:
+def radiated_bands(scene, motion, expected: Vibration, heard: NoiseBand) -> RadiatedBands:
     """Return the measured and predicted centre frequencies of the noise band."""
     f = np.arange(500.0, 20e3, 10.0)
     disk = VibratingDisk(scene, listener_of(scene)) if decide_film(scene).film else None
     shown = np.flatnonzero(np.isfinite(heard.frequency))[
-        :: max(np.isfinite(heard.frequency).sum() // READINGS, 1)
+        :: max(np.isfinite(heard.frequency).sum() // PREDICTIONS_PER_INTERVAL, 1)
     ]
     found = []
     for i in shown:
-        t = heard.time[i] + STRETCH * ((np.arange(READINGS) + 0.5) / READINGS - 0.5)
-        inclination, load, *rest = course(motion, np.minimum(t, expected.t[-1]))
+        t = heard.time[i] + NOISE_BAND_INTERVAL * (
+            (np.arange(PREDICTIONS_PER_INTERVAL) + 0.5) / PREDICTIONS_PER_INTERVAL - 0.5
+        )
+        inclination, load, *rest = nominal_motion(motion, np.minimum(t, expected.t[-1]))
         places = zip(
             inclination, load * np.interp(t, expected.t, expected.softer), *rest, strict=True
         )
@@ -275,15 +281,17 @@ def bands(scene, motion, expected: Vibration, heard: NoiseBand) -> Bands:
         found.append(
             [heard.frequency[i], *(middle(f, power, f[power.argmax()]) for power in powers)]
         )
-    return Bands(*np.array(found).T)
+    return RadiatedBands(*np.array(found).T)
 
 
 def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
     """Return the power spectral density (f,) [N^2/Hz] of the normal force in a time span [s], at
     frequencies f (f,) [Hz].
     """
-    t = np.arange(span[0], min(span[1], motion.t[-1]), 1 / RATE)
-    return np.interp(f, *welch(motion.force(t)[:, 2], RATE, nperseg=min(WELCH, len(t))))
+    t = np.arange(span[0], min(span[1], motion.t[-1]), 1 / FORCE_SAMPLE_RATE)
+    return np.interp(
+        f, *welch(motion.force(t)[:, 2], FORCE_SAMPLE_RATE, nperseg=min(WELCH_SEGMENT, len(t)))
+    )
 
 
 @finding(
@@ -294,12 +302,12 @@ def solved_spectrum(motion: Motion, span, f) -> np.ndarray:
     at_least=0.98,
     at_most=1.02,
 )
-def carrier_is_contact(found: Bands):
+def carrier_is_contact(found: RadiatedBands):
     """The median of the measured over the predicted frequency of the noise band.
 
     With a film under the disk, the prediction includes its effect on the radiation.
     """
-    ratio = median(found.heard / found.expected)
+    ratio = median_with_margin(found.heard / found.expected)
     return ratio._replace(details={"force_alone": np.median(found.force / found.expected)})
 
 
@@ -309,11 +317,11 @@ def carrier_is_contact(found: Bands):
     "the force of the contact, and what a disk over its film radiates; the carrier from the sound "
     "alone",
     needs=("motion", "contact law", "sound"),
-    at_least=MOVED,
+    at_least=MIN_AIR_SHIFT,
 )
-def air_moves_carrier(found: Bands):
+def air_moves_carrier(found: RadiatedBands):
     """The median of the measured frequency of the noise band over that of the contact force."""
-    ratio = median(found.heard / found.force)
+    ratio = median_with_margin(found.heard / found.force)
     return ratio._replace(details={"force_as_radiated": np.median(found.heard / found.radiated)})
 
 
@@ -326,9 +334,14 @@ def air_moves_carrier(found: Bands):
 )
 def carrier_passes_recorded_peaks(expected: Vibration):
     """The time [s] during which the contact resonance is between the recorded peaks."""
-    when = expected.t[(frequency(expected) > RECORDED[0]) & (frequency(expected) < RECORDED[1])]
+    when = expected.t[
+        (contact_frequency(expected) > RECORDED_RISING_PEAK[0])
+        & (contact_frequency(expected) < RECORDED_RISING_PEAK[1])
+    ]
     span = {"from": when[0], "to": when[-1]} if len(when) else {}
-    return Measured(len(when) * expected.t[-1] / PLACES, 2 * expected.t[-1] / PLACES, span)
+    return Measured(
+        len(when) * expected.t[-1] / VIBRATION_TIMES, 2 * expected.t[-1] / VIBRATION_TIMES, span
+    )
 
 
 @finding(
@@ -346,9 +359,10 @@ def constant_peaks_are_the_contact(expected: Vibration):
     """
     step = expected.t[1] - expected.t[0]
     stays = [
-        float(np.sum(np.abs(frequency(expected) / peak - 1) < 0.02) * step) for peak in CONSTANT
+        float(np.sum(np.abs(contact_frequency(expected) / peak - 1) < 0.02) * step)
+        for peak in RECORDED_CONSTANT_PEAKS
     ]
-    return Measured(max(stays) / expected.t[-1], 2 / PLACES)
+    return Measured(max(stays) / expected.t[-1], 2 / VIBRATION_TIMES)
 
 
 @finding(
@@ -356,7 +370,7 @@ def constant_peaks_are_the_contact(expected: Vibration):
     "of the time without contact",
     "abstract: the vibrations will result in a loss of contact",
     needs=("motion", "contact law"),
-    at_least=LEAST_LOSS,
+    at_least=MIN_OPEN_SHARE,
 )
 def contact_is_lost(motion: Motion, expected: Vibration):
     """The share of the time without contact.
@@ -372,15 +386,18 @@ def contact_is_lost(motion: Motion, expected: Vibration):
         first = flights[0].t if flights else np.inf
         margin = 2 * np.sqrt(np.sum(lasts**2)) / motion.t[-1]  # flights as independent events
     else:
-        lost = without_contact(expected, 1.0)
+        lost = open_contact_share(expected, 1.0)
         share = lost.mean()
-        first = expected.t[lost > LEAST_LOSS].min(initial=np.inf)
-        margin = without_contact(expected, np.where(expected.rolls, *TOO_LOW)).mean() - share
+        first = expected.t[lost > MIN_OPEN_SHARE].min(initial=np.inf)
+        margin = (
+            open_contact_share(expected, np.where(expected.rolls, *RMS_ERROR_FACTORS)).mean()
+            - share
+        )
     details = {"solved": float(solved)} | ({"first": first} if np.isfinite(first) else {})
     return Measured(share, margin, details)
 
 
-def without_contact(expected: Vibration, factor) -> np.ndarray:
+def open_contact_share(expected: Vibration, factor) -> np.ndarray:
     """Return the share of the time (k,) without contact, for a Gaussian vibration with `factor`
     times the predicted rms.
     """
@@ -416,10 +433,12 @@ def loss_begins_at(rms: float, expected: Vibration):
     proportion.
     """
     most = expected.rms.max() / expected.table.law.disk.weight
-    return Measured(rms * CONTACT_LOSS_RMS / most, rms * (CERTAIN - CONTACT_LOSS_RMS) / most)
+    return Measured(
+        rms * CONTACT_LOSS_RMS / most, rms * (CERTAIN_LOSS_RMS - CONTACT_LOSS_RMS) / most
+    )
 
 
-@registered(needs=("motion", "contact law"))
+@register_judge(needs=("motion", "contact law"))
 def roughness_ends_it(loss: str, motion: Motion, expected: Vibration) -> Finding:
     """The share of roughness in the energy loss: the solved losses in contact and creep, or the
     predicted power.
@@ -444,13 +463,13 @@ def roughness_ends_it(loss: str, motion: Motion, expected: Vibration) -> Finding
         value=float(share),
         unit=f"of the energy lost, {where}",
         at_least=0.5,
-        margin=float(SCATTER * share),
+        margin=float(LOSS_RMS_SCATTER * share),
         needs=("motion", "contact law"),
         source=f"the power of N' at the rate at which the heights rise; roughness.loss = '{loss}'",
     )
 
 
-def several_contacts(t, shift) -> list[str]:
+def second_contact_times(t, shift) -> list[str]:
     """Return a note on the time from which the disk touches at several points, or an empty list.
 
     The criterion is a `shift` rms(z'') R/beta (k,) above 1 at times t (k,) [s].
@@ -472,19 +491,23 @@ def carrier_line(
     """
     if scene.contact.law == "rigid":
         return None
-    t = last_ellipse(motion) * (np.arange(FINE) + 0.5) / FINE
-    inclination, load, speed, _ = course(motion, t)
-    soft = softness(scene, motion, t) * load
+    t = (
+        last_elliptic_inclination(motion)
+        * (np.arange(SPECTRUM_FREQUENCIES) + 0.5)
+        / SPECTRUM_FREQUENCIES
+    )
+    inclination, load, speed, _ = nominal_motion(motion, t)
+    soft = softening(scene, motion, t) * load
     return t + delay, table_of(scene, motion).carrier(inclination, soft, speed).frequency
 
 
-def frequency(expected: Vibration) -> np.ndarray:
+def contact_frequency(expected: Vibration) -> np.ndarray:
     """Return the frequency of the contact resonance (k,) [Hz] along a motion."""
     return expected.table.carrier(
         expected.inclination, expected.softer * expected.load, expected.speed
     ).frequency
 
 
-def last_ellipse(motion: Motion) -> float:
+def last_elliptic_inclination(motion: Motion) -> float:
     """Return the last time [s] at which the contact of a motion is one ellipse."""
     return float(motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]])

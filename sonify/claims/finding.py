@@ -186,12 +186,12 @@ def finding(
                 tolerance=tolerance,
             )
 
-        return registered(needs)(judge)
+        return register_judge(needs)(judge)
 
     return decorator
 
 
-def registered(needs: tuple[Need, ...]):
+def register_judge(needs: tuple[Need, ...]):
     """Register a function that returns the `Finding` with its own name as key."""
 
     def decorator(function: Callable[..., Finding]) -> Callable[..., Finding]:
@@ -201,7 +201,7 @@ def registered(needs: tuple[Need, ...]):
     return decorator
 
 
-def median(values, independent: float = 1.0) -> Measured:
+def median_with_margin(values, independent: float = 1.0) -> Measured:
     """Return the median of values (n,) with a margin of two standard errors, 2.5 sigma/sqrt(m).
 
     sigma follows from the quartiles. m = `independent` * n is the number of independent values.

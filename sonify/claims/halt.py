@@ -17,9 +17,9 @@ from dynamics.surface import ModesSurface, SurfaceMode
 from modal.tabletop.solve import table_modes_from_numbers
 from sonify.scene import Scene, load_scene
 
-BEFORE = 0.7
+START_INCLINATION_RATIO = 0.7
 """Precession rate of the initial steady motion, over the rate w/n of resonance with the mode."""
-RATE = 2e5
+DEFAULT_STEP_RATE = 2e5
 """Time steps per second."""
 
 
@@ -38,19 +38,19 @@ class Halt(NamedTuple):
     advanced: float
 
 
-def steady(disk: Disk, beta: float) -> np.ndarray:
+def steady_state(disk: Disk, beta: float) -> np.ndarray:
     """Return the state (11,) of steady motion with a fixed centre at inclination `beta` [rad]."""
     w3 = steady_precession(beta, disk.aspect, disk.gyration) / disk.time_unit * np.sin(beta)
     return np.array([0.0, beta, 0, 0, 0, 0, disk.aspect * w3, w3, 0, 0, 0])
 
 
-def halt(
+def simulate_halt(
     modal_mass_ratio: float,
     damping: float,
     w_over_n: float,
     order: int,
     scene: Scene | None = None,
-    rate: float = RATE,
+    rate: float = DEFAULT_STEP_RATE,
 ) -> Halt:
     """Return the loss of contact and the earlier halt of a disk on a table with one mode.
 
@@ -80,7 +80,7 @@ def halt(
     if not (modal_mass_ratio > 0 and w_over_n > 0 and 0 <= damping < 1 and order >= 1):
         raise ValueError("halt: mass and w/n must be positive, damping in [0, 1), order at least 1")
     disk = scene.disk
-    beta = inclination_at(scene.disk, BEFORE * w_over_n / (2 * np.pi))
+    beta = inclination_at(scene.disk, START_INCLINATION_RATIO * w_over_n / (2 * np.pi))
     if not 10 * FLAT_INCLINATION < beta < 0.3:
         raise ValueError(
             f"w_over_n = {w_over_n:g}: the disk passes these waves at {beta:.2g} rad, outside "
@@ -96,7 +96,7 @@ def halt(
     model = CompliantModel(
         table=LawTable(law=contact_law(scene)), friction=scene.friction, modes=known, rate=rate
     )
-    y = released_state(model, steady(disk, beta))
+    y = released_state(model, steady_state(disk, beta))
     rigid = time_left(beta, disk, scene.friction, None) - time_left(
         FLAT_INCLINATION, disk, scene.friction, None
     )

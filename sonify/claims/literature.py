@@ -12,9 +12,9 @@ from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 
-ENVELOPE, FROM = 0.01, 700.0
-"""Window [s] and lowest frequency [Hz] of the envelope of the sound."""
-SLOW = 101
+ENVELOPE_WINDOW = 0.01  # s
+ENVELOPE_MIN_FREQUENCY = 700.0  # Hz
+SMOOTHING_SAMPLES = 101
 """Length of the median filter that removes slow variations of the envelope [samples]."""
 
 
@@ -97,18 +97,20 @@ def energy_taken(motion: Motion) -> dict[str, float]:
 def force_peaks_sound(motion: Motion, sound: Sound):
     """The correlation of the sound level with the normal force, both without slow variations."""
     delay = sound.source_end - motion.t[-1]
-    seen = spectrogram(sound.pressure, ENVELOPE, columns=1 << 20, span=(delay, sound.source_end))
-    power = seen.power[seen.frequency > FROM].sum(axis=0)
+    seen = spectrogram(
+        sound.pressure, ENVELOPE_WINDOW, columns=1 << 20, span=(delay, sound.source_end)
+    )
+    power = seen.power[seen.frequency > ENVELOPE_MIN_FREQUENCY].sum(axis=0)
     sounds = power > 0
     level = np.log(power[sounds])
     t = np.clip(seen.time[sounds] - delay, 0.0, motion.t[-1])
     load = motion.steady_load(t)
-    if len(t) < SLOW:
+    if len(t) < SMOOTHING_SAMPLES:
         return Measured(0.0, 1.0, undecided_because="the sound is too short")
-    swings = [row - median_filter(row, SLOW) for row in (level, load)]
+    swings = [row - median_filter(row, SMOOTHING_SAMPLES) for row in (level, load)]
     if min(np.ptp(swing) for swing in swings) == 0:
         return Measured(0.0, 1.0, undecided_because="the level or the force does not vary")
-    return Measured(np.corrcoef(swings)[0, 1], 2 / np.sqrt(len(t) / SLOW))
+    return Measured(np.corrcoef(swings)[0, 1], 2 / np.sqrt(len(t) / SMOOTHING_SAMPLES))
 
 
 @finding(

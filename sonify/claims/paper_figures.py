@@ -10,9 +10,9 @@ from sonify.claims.finding import Finding
 from sonify.claims.rigid_motion import FORCING_FREQUENCY_NAMED
 from sonify.scene import Scene, load_scene
 
-SECTIONS = ("disk", "friction", "dissipation", "release", "surface", "contact", "air")
+PAPER_SECTIONS = ("disk", "friction", "dissipation", "release", "surface", "contact", "air")
 """Sections of a scene that determine the motion of the paper."""
-SHOWN = (
+SHOWN_FINDINGS = (
     "energy_falls",
     "sliding_costs_more",
     "contact_kept",
@@ -24,22 +24,22 @@ SHOWN = (
 """Keys of the findings on a figure of the paper or on a number in its text."""
 
 
-def of_the_paper(scene: Scene) -> bool:
+def is_paper_scene(scene: Scene) -> bool:
     """Return True if a scene has the values of (7.1), (7.3) and (7.4)."""
     paper = load_scene("published")
-    return all(vars(scene)[name] == vars(paper)[name] for name in SECTIONS)
+    return all(vars(scene)[name] == vars(paper)[name] for name in PAPER_SECTIONS)
 
 
 def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
     """Return the numbers of section 7 and of the figures as findings, followed by the given
-    findings that are in SHOWN.
+    findings that are in SHOWN_FINDINGS.
     """
     disk = motion.disk
     rate = np.abs(precession_rate(motion.at(motion.t[-1] * np.array([0.0, 0.5, 0.99]))))
     alpha = np.pi / 2 - motion.at(motion.t[[0, -1]])[:, 1]
     shown = {finding.key: finding for finding in findings}
     own = [
-        _number(
+        _paper_number(
             "unit_of_time",
             "The unit of time is χ = 0.0691712 s",
             disk.time_unit,
@@ -48,7 +48,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             5e-8,
             "(7.2)",
         ),
-        _number(
+        _paper_number(
             "half_height",
             "H/R = 1.28/7.51, printed upside down",
             disk.aspect,
@@ -57,7 +57,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             1e-9,
             "(7.2)",
         ),
-        _number(
+        _paper_number(
             "density",
             "The density is 7737.27",
             disk.mass / disk.volume,
@@ -66,7 +66,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             5e-3,
             "footnote 4",
         ),
-        _number(
+        _paper_number(
             "named_rate",
             "f = 2.5 is 36 Hz",
             FORCING_FREQUENCY_NAMED / disk.time_unit,
@@ -75,8 +75,12 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             0.5,
             "figure 4, caption",
         ),
-        _number("begins_at", "α begins at 1.0", alpha[0], "rad", 1.0, 1e-9, "figure 3 (a), (7.4)"),
-        _number("ends_at", "α tends to π/2", alpha[1], "rad", np.pi / 2, 1e-6, "figure 3 (a)"),
+        _paper_number(
+            "begins_at", "α begins at 1.0", alpha[0], "rad", 1.0, 1e-9, "figure 3 (a), (7.4)"
+        ),
+        _paper_number(
+            "ends_at", "α tends to π/2", alpha[1], "rad", np.pi / 2, 1e-6, "figure 3 (a)"
+        ),
         *_rates_are_alike(motion),
         Finding(
             key="precession_grows",
@@ -90,7 +94,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             source="figure 6",
         ),
     ]
-    return own + [shown[key] for key in SHOWN if key in shown]
+    return own + [shown[key] for key in SHOWN_FINDINGS if key in shown]
 
 
 def _rates_are_alike(motion):
@@ -113,7 +117,7 @@ def _rates_are_alike(motion):
     ]
 
 
-def _number(
+def _paper_number(
     key: str, claim: str, value: float, unit: str, paper: float, digits: float, source: str
 ) -> Finding:
     """Return the row of a number printed in the paper, with the tolerance `digits`."""

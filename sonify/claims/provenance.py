@@ -16,7 +16,7 @@ NEED_IN_WORDS = {
 
 
 @cache
-def modules() -> tuple[ModuleType, ...]:
+def finding_modules() -> tuple[ModuleType, ...]:
     """Return the modules of the claims."""
     return tuple(
         import_module(f"{claims.__name__}.{module.name}")
@@ -25,12 +25,14 @@ def modules() -> tuple[ModuleType, ...]:
 
 
 @cache
-def judges() -> dict[str, Judge]:
+def registered_judges() -> dict[str, Judge]:
     """Return the function and the inputs of every finding, by key."""
-    modules()
+    finding_modules()
     return dict(sorted(JUDGES.items()))
 
 
 def depends_on(key: str) -> str:
     """Return the inputs of the finding with this key, in words."""
-    return ", ".join(NEED_IN_WORDS.get(need, f"the {need}") for need in judges()[key].needs)
+    return ", ".join(
+        NEED_IN_WORDS.get(need, f"the {need}") for need in registered_judges()[key].needs
+    )

@@ -14,7 +14,7 @@ from dynamics.observables import (
 )
 from dynamics.solver_settings import MAX_AUDIBLE_FREQUENCY
 from modal import Modes
-from sonify.claims.finding import Finding, Measured, finding, median
+from sonify.claims.finding import Finding, Measured, finding, median_with_margin
 
 AUDIBLE_RANGE = (20.0, MAX_AUDIBLE_FREQUENCY)  # Hz
 FORCING_FREQUENCY_NAMED = 2.5  # over chi: the frequency of the normal force named in figure 4
@@ -58,8 +58,8 @@ def load_frequency_rises(motion: Motion):
     """The frequency of the normal force in the last tenth of the peaks over that in the first."""
     frequency = nutation_frequency(motion)[1]
     tenth = max(len(frequency) // 10, 1)
-    early = median(frequency[:tenth])
-    late = median(frequency[-tenth:])
+    early = median_with_margin(frequency[:tenth])
+    late = median_with_margin(frequency[-tenth:])
     ratio = late.value / early.value
     margin = ratio * float(np.hypot(early.margin / early.value, late.margin / late.value))
     return Measured(ratio, margin, nutation_details(motion))
@@ -115,7 +115,7 @@ def sliding_costs_more(motion: Motion):
     """
     power, slides = stretch_powers(motion)
     around = np.maximum(power[slides - 1], power[slides + 1])
-    return median(power[slides] / around)
+    return median_with_margin(power[slides] / around)
 
 
 def stretch_powers(motion: Motion) -> tuple[np.ndarray, np.ndarray]:

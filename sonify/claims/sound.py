@@ -6,7 +6,7 @@ from scipy.signal import sosfilt
 from dynamics import Motion
 from dynamics.observables import nutation_frequency, precession_frequency
 from modal import Modes
-from sonify.claims.finding import Finding, Measured, finding, median
+from sonify.claims.finding import Finding, Measured, finding, median_with_margin
 from sonify.hearing.loudness import (
     ISO_226,
     THRESHOLD_DB,
@@ -20,13 +20,13 @@ from sonify.hearing.spectrogram import spectrogram
 from sonify.sound.playback import a_weighting
 from sonify.sound.pressure import STEMS, Sound, Track
 
-LAST = 1.0
+LAST_SECONDS = 1.0
 """Length of the final interval of the motion, in which the pitch is claimed to rise sharply [s]."""
-INDEPENDENT = 0.05
+INDEPENDENT_TIME = 0.05
 """Share of independent, non-overlapping frames among the frames of a tone."""
 
 
-def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
+def analyse_sound(sound: Sound) -> tuple[Heard | None, list[str]]:
     """Return the analysis of the rendered sound, or None, and notes on claims without a verdict."""
     try:
         heard = listen(sound.pressure, beats=False)  # no claim needs the envelope
@@ -36,7 +36,7 @@ def hear(sound: Sound) -> tuple[Heard | None, list[str]]:
     return heard, [*unheard(), *silent]
 
 
-def all_verdicts(
+def all_sound_findings(
     heard: Heard | None, motion: Motion, modes: Modes, sound: Sound, error: float = 0.0
 ) -> list[Finding]:
     """Return the findings on the sound that this run can judge.
@@ -72,9 +72,9 @@ def rates_heard(tone, motion: Motion, sound: Sound) -> list[Finding]:
     nutates = nutation_frequency(motion)[0]
     if not len(nutates):
         return []
-    last = tone.time > sound.source_end - LAST
+    last = tone.time > sound.source_end - LAST_SECONDS
     delay = sound.source_end - motion.t[-1]
-    early = (tone.time < sound.source_end - 4 * LAST) & (tone.time - delay <= nutates[-1])
+    early = (tone.time < sound.source_end - 4 * LAST_SECONDS) & (tone.time - delay <= nutates[-1])
     found = [tone_is_precession(tone, last, motion, sound)] if last.any() else []
     return found + ([tone_was_nutation(tone, early, motion, sound)] if early.any() else [])
 
@@ -103,7 +103,7 @@ def pitch_rises(tone):
 )
 def tone_is_precession(tone, last, motion: Motion, sound: Sound):
     """The median of the tone frequency over the solved precession, in the frames `last` (r,)."""
-    return _ratio(tone, last, motion, sound, precession_frequency(motion))
+    return _tone_ratio(tone, last, motion, sound, precession_frequency(motion))
 
 
 @finding(
@@ -116,7 +116,7 @@ def tone_is_precession(tone, last, motion: Motion, sound: Sound):
 )
 def tone_was_nutation(tone, early, motion: Motion, sound: Sound):
     """The median of the tone frequency over the solved nutation, in the frames `early` (r,)."""
-    return _ratio(tone, early, motion, sound, nutation_frequency(motion))
+    return _tone_ratio(tone, early, motion, sound, nutation_frequency(motion))
 
 
 @finding(
@@ -189,10 +189,10 @@ def modes_take_little(motion: Motion, sound: Sound, error: float = 0.0):
     One-way coupling is valid before it. The energy of the modes is known within a factor of (1 +
     error)^2, as in `modes_carry_the_end`.
     """
-    return since_as_much(motion, sound.energy_time, sound.energy, error)
+    return time_of_energy_share(motion, sound.energy_time, sound.energy, error)
 
 
-def since_as_much(motion: Motion, t, energy, error: float, share: float = 1.0) -> Measured:
+def time_of_energy_share(motion: Motion, t, energy, error: float, share: float = 1.0) -> Measured:
     """Return the time before the end [s] when an energy first exceeds a share of that of the disk.
 
     The energy (e,) [J] is given at times t (e,) [s] and is known within a factor of (1 + error)^2.
@@ -244,18 +244,18 @@ def carriers_are_modes(heard: Heard, modes: Modes):
     return Measured(away, 2 * 1200 / np.log(2) * strongest.error / strongest.frequency)
 
 
-def _ratio(tone, here, motion, sound, solved):
+def _tone_ratio(tone, here, motion, sound, solved):
     """Return the median of the tone frequency over a solved rate, in the frames `here` (r,)."""
     delay = sound.source_end - motion.t[-1]
     rate = np.interp(tone.time[here] - delay, *solved)
-    return median(tone.frequency[here] / rate, INDEPENDENT)
+    return median_with_margin(tone.frequency[here] / rate, INDEPENDENT_TIME)
 
 
 def weighted_power(sound: Sound, stem: Track) -> float:
     """Return the A-weighted mean square [Pa^2] of a stem over the last second of the motion."""
     rate = sound.sample_rate
     end = int(sound.source_end * rate)
-    begin = max(end - int(LAST * rate), 0)
+    begin = max(end - int(LAST_SECONDS * rate), 0)
     settled = max(begin - rate // 2, 0)  # lets the filter transient decay
     weighted = sosfilt(a_weighting(rate), stem.read(settled, end).astype(float))
     return float(np.mean(weighted[begin - settled :] ** 2))

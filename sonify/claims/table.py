@@ -6,7 +6,7 @@ from dynamics import Motion
 from dynamics.surface import MIN_TWO_WAY_SHARE
 from sonify.claims import two_way
 from sonify.claims.finding import Finding, Measured, finding
-from sonify.claims.sound import LAST, since_as_much
+from sonify.claims.sound import LAST_SECONDS, time_of_energy_share
 from sonify.hearing.loudness import HANN_BANDWIDTH, a_weighting_db, level_db
 from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.spectrogram import spectrogram
@@ -14,13 +14,13 @@ from sonify.scene import Scene
 from sonify.sound.pressure import Sound
 from sonify.sound.radiation import Listener
 
-WINDOW, SECOND = 0.1, 40
-"""Window of the levels [s], and number of these overlapping windows per second."""
-TAIL = 10.0
+LEVEL_WINDOW = 0.1  # s
+LEVELS_PER_SECOND = 40
+RADIATED_POWER_TIME = 10.0
 """Time before the end [s] over which the radiated power of the table is computed."""
-THIRD = 2 ** (1 / 6)
+THIRD_OCTAVE_EDGE = 2 ** (1 / 6)
 """Frequency ratio between the centre and an edge of a third octave."""
-ENDS = ("SETTLED", "FELL")
+ENDING_OUTCOMES = ("SETTLED", "FELL")
 """Outcomes in which the disk lies flat."""
 
 
@@ -45,13 +45,13 @@ def table_findings(
     )  # otherwise the contact stem includes sound of the table
     found += [table_is_louder(motion, sound, error)] if apart else []
     found += [radiation_takes_little(motion, sound, listener, error)]
-    found += [waves_become_heat(motion, sound, listener)] if two_way.two_way(motion) else []
+    found += [waves_become_heat(motion, sound, listener)] if two_way.two_way_part(motion) else []
     if sound.table_energy is not None:  # an infinite plate stores no energy
         found += [
             table_takes_little(motion, sound, error),
             table_takes_a_hundredth(motion, sound, error),
         ]
-    if motion.outcome.name not in ENDS:
+    if motion.outcome.name not in ENDING_OUTCOMES:
         return found
     carries = [table_carries_the_tone(sound, tone, error)] if tone is not None and apart else []
     return [*found, table_tone_rises(sound), *carries]
@@ -90,10 +90,10 @@ def stem_levels(sound: Sound, begin: float, end: float) -> dict[str, np.ndarray]
     """
     found = {}
     for name, stem in sound.stems.items():
-        seen = spectrogram(stem, WINDOW, span=(begin, end))
+        seen = spectrogram(stem, LEVEL_WINDOW, span=(begin, end))
         power = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power / HANN_BANDWIDTH
         found[name] = np.array(
-            [part.mean() for part in np.array_split(power, max(len(power) // SECOND, 1))]
+            [part.mean() for part in np.array_split(power, max(len(power) // LEVELS_PER_SECOND, 1))]
         )
     return found
 
@@ -145,9 +145,13 @@ def table_carries_the_tone(sound: Sound, tone, error: float = 0.0) -> Measured:
     """
     table = rest = 0.0
     for name, stem in sound.stems.items():
-        seen = spectrogram(stem, WINDOW, span=(max(sound.source_end - LAST, 0.0), sound.source_end))
-        pitch = tone.at(np.minimum(seen.time, tone.end - WINDOW / 2))
-        near = np.abs(np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)) < np.log(THIRD)
+        seen = spectrogram(
+            stem, LEVEL_WINDOW, span=(max(sound.source_end - LAST_SECONDS, 0.0), sound.source_end)
+        )
+        pitch = tone.at(np.minimum(seen.time, tone.end - LEVEL_WINDOW / 2))
+        near = np.abs(np.log(np.maximum(seen.frequency[:, None], 1e-9) / pitch)) < np.log(
+            THIRD_OCTAVE_EDGE
+        )
         power = float((seen.power * near).sum())
         table, rest = (table + power, rest) if name == "table" else (table, rest + power)
     return Measured(float(level_db(table) - level_db(rest)), 20 * np.log10(1 + error))
@@ -164,7 +168,7 @@ def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
     """The time before the end [s] when the energy of the table modes first exceeds that of the
     disk, with one-way coupling.
     """
-    return since_as_much(motion, sound.energy_time, sound.table_energy, error)
+    return time_of_energy_share(motion, sound.energy_time, sound.table_energy, error)
 
 
 @finding(
@@ -176,18 +180,20 @@ def table_takes_little(motion: Motion, sound: Sound, error: float = 0.0):
 )
 def table_takes_a_hundredth(motion: Motion, sound: Sound, error: float = 0.0):
     """The time before the end [s] when the table modes first hold ACTS of the disk energy."""
-    return since_as_much(motion, sound.energy_time, sound.table_energy, error, MIN_TWO_WAY_SHARE)
+    return time_of_energy_share(
+        motion, sound.energy_time, sound.table_energy, error, MIN_TWO_WAY_SHARE
+    )
 
 
 def radiated_power(sound: Sound, listener: Listener) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (e,) [s] in the last TAIL seconds of a motion and the power (e,) [W] radiated by
+    """Return times (e,) [s] in the last RADIATED_POWER_TIME seconds of a motion and the power (e,) [W] radiated by
     the table.
 
     The power is 2 pi r^2 p^2/(rho c), with the pressure at the listener in all directions.
     """
     air = listener.air
     rate = sound.sample_rate
-    first = int(max(sound.source_end - TAIL, 0.0) * rate)
+    first = int(max(sound.source_end - RADIATED_POWER_TIME, 0.0) * rate)
     pressure = sound.track("table").read(first).astype(float)
     impedance = air.density * air.sound_speed
     per_square = (
@@ -210,7 +216,7 @@ def waves_become_heat(motion: Motion, sound: Sound, listener: Listener) -> Measu
     The radiation is assumed equal in all directions, which is accurate to a factor of two.
     """
     heard = radiated_power(sound, listener)
-    begin = max(heard[0][0], two_way.two_way(motion)[1])
+    begin = max(heard[0][0], two_way.two_way_part(motion)[1])
     budget = two_way.energy_budget(motion, np.array([begin, motion.t[-1]]), heard)
     lost = budget.lost["table"][-1]
     share = float(budget.sound[-1] / lost) if lost > 0 else 0.0
@@ -232,4 +238,4 @@ def radiation_takes_little(
     """
     t, power = radiated_power(sound, listener)
     still = np.cumsum(power[::-1])[::-1] / sound.sample_rate
-    return since_as_much(motion, t, still, error)
+    return time_of_energy_share(motion, t, still, error)

@@ -21,20 +21,22 @@ from dynamics.surface import MIN_TWO_WAY_SHARE
 from sonify.claims.finding import Finding, Measured, finding
 from sonify.scene import Scene
 
-ALL_BUT_FLAT = 2 * FLAT_INCLINATION
+ALMOST_FLAT_INCLINATION = 2 * FLAT_INCLINATION
 """Inclination [rad] below which losses of contact depend on the time step and are not counted."""
-LAST = 0.1
+LAST_ENERGY_SHARE = 0.1
 """Remaining share of the energy at which the halt begins."""
 LEFT = "that was left when the table began to act back"
-HALF_STEP, TWICE_STIFF = "half_step", "twice_stiff"
-"""Names of the reruns with half the time step and with twice the contact stiffness."""
-EVERY = 20
+HALF_STEP = "half_step"
+"""Name of the rerun with half the time step."""
+TWICE_STIFF = "twice_stiff"
+"""Name of the rerun with twice the contact stiffness."""
+STEPS_PER_ROW = 20
 """Time steps between the stored rows of the reference motion."""
-NEAR = 0.2
+RESONANCE_WIDTH = 0.2
 """Largest distance of n Omega/w from 1 at which a loss of contact counts as resonant."""
 
 
-class Budget(NamedTuple):
+class EnergyBudget(NamedTuple):
     """Energies (k,) [J] at times t (k,) [s] after the release.
 
     `disk` is the energy of the disk and includes that of its `bending` modes; `table` is the energy
@@ -50,20 +52,20 @@ class Budget(NamedTuple):
     sound: np.ndarray
 
 
-def two_way(motion: Motion):
+def two_way_part(motion: Motion):
     """Return the part of a motion with two-way coupling and its start [s], or None."""
     return next(
         ((part.motion, part.begin) for part in motion.parts if part.motion.moves_table), None
     )
 
 
-def energy_budget(motion: Motion, t, heard=None) -> Budget:
-    """Return the `Budget` at times t (k,) [s] with two-way coupling.
+def energy_budget(motion: Motion, t, heard=None) -> EnergyBudget:
+    """Return the `EnergyBudget` at times t (k,) [s] with two-way coupling.
 
     `heard` is the result of `sonify.claims.table.radiated_power`: times (e,) [s] and power (e,)
     [W]. Without it, the sound is 0. Raises ValueError for a motion without two-way coupling.
     """
-    found = two_way(motion)
+    found = two_way_part(motion)
     if found is None:
         raise ValueError("energy_budget: the table of this motion does not act back")
     part, begin = found
@@ -73,7 +75,7 @@ def energy_budget(motion: Motion, t, heard=None) -> Budget:
     if heard is not None:
         sound = np.interp(t, heard[0], np.cumsum(heard[1]) * np.gradient(heard[0]))
     causes = {cause: lost - lost[0] for cause, lost in part.energy_lost(now).items()}
-    return Budget(
+    return EnergyBudget(
         t, part.energy(now) - table, part.bending_energy(now), table, causes, sound - sound[0]
     )
 
@@ -82,10 +84,10 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     """Return the findings on two-way coupling; empty without it or if the disk did not come to
     rest.
     """
-    found = two_way(motion)
+    found = two_way_part(motion)
     if found is None or motion.outcome.name not in ("SETTLED", "FELL"):
         return []
-    others = reruns(scene, found[0])
+    others = variation_runs(scene, found[0])
     judges = [
         halt_comes_earlier,
         waves_make_the_halt,
@@ -97,14 +99,18 @@ def motion_findings(scene: Scene, motion: Motion) -> list[Finding]:
     agree = all(table_breaks_contact(other).holds == broken.holds for other in others.values())
     broken = broken if agree else replace(broken, margin=max(broken.value, 1.0))
     count = number_of_losses(motion, list(others.values()))
-    return [broken, count, *(varied(judge, scene, motion, others) for judge in judges)]
+    return [
+        broken,
+        count,
+        *(with_variation_margin(judge, scene, motion, others) for judge in judges),
+    ]
 
 
-def reruns(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMotion]:
+def variation_runs(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMotion]:
     """Return the motion from the onset of two-way coupling with half the time step, and with twice
     the contact stiffness.
     """
-    start = begins(scene, part)
+    start = two_way_start(scene, part)
     span = scene.numerics.time_limit - start
     state = part.at([start])[0]
     force = part.force([start])[0]
@@ -115,7 +121,7 @@ def reruns(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMotion]:
     }
 
 
-def varied(
+def with_variation_margin(
     judge: Callable[[Scene, Motion], Finding],
     scene: Scene,
     motion: Motion,
@@ -128,7 +134,7 @@ def varied(
     return replace(found, details={**found.details, **values}, margin=margin)
 
 
-def begins(scene: Scene, part: CompliantMotion) -> float:
+def two_way_start(scene: Scene, part: CompliantMotion) -> float:
     """Return the time [s] within a motion at which the reaction of the table begins to matter.
 
     The criterion is that of `dynamics.compliant.two_way_onset`. The time is 0 if the reaction
@@ -152,18 +158,18 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
     coupling. The margin is the share ACTS of its duration: the share of the energy that the table
     holds at the onset.
     """
-    part, _ = two_way(motion)
-    start = begins(scene, part)
+    part, _ = two_way_part(motion)
+    start = two_way_start(scene, part)
     alone = replace(part.model, modes=None)
     below = max(part.rows[-1, 1], FLAT_INCLINATION)
     y = released_state(alone, part.at([start])[0], part.force([start])[0])
-    *_, last = alone.run(y, EVERY, max(scene.numerics.time_limit - start, 1e-3), below)
+    *_, last = alone.run(y, STEPS_PER_ROW, max(scene.numerics.time_limit - start, 1e-3), below)
     return Measured(start + last.t[-1] - part.t[-1], MIN_TWO_WAY_SHARE * last.t[-1])
 
 
 @finding(
     "The waves of the table, and not impacts or friction, take the last energy",
-    f"of the last {LAST:.0%} of the energy {LEFT}",
+    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {LEFT}",
     "section 8: contact that is lost and regained ends the motion",
     needs=("scene", "motion"),
     at_least=0.5,
@@ -172,7 +178,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion):
     """The share of the table modes in the energy that the disk and its contact lose during the
     halt.
     """
-    budget = _last(scene, motion)
+    budget = _last_budget(scene, motion)
     shares = {name: lost[-1] for name, lost in budget.lost.items()}
     shares["table"] += budget.table[-1] - budget.table[0]
     whole = sum(shares.values())
@@ -199,7 +205,7 @@ def table_rings_at_the_halt(scene: Scene, motion: Motion):
 
 @finding(
     "The vibrations of the disk, and not those of the table alone, have a part in the halt",
-    f"of the last {LAST:.0%} of the energy {LEFT} is the most that its elastic modes hold",
+    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {LEFT} is the most that its elastic modes hold",
     "abstract: the vibrations of disk and surface",
     needs=("scene", "motion"),
     at_least=0.1,
@@ -208,13 +214,13 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion):
     """The greatest energy of the elastic modes of the disk during the halt, over the total initial
     energy of the halt.
     """
-    budget = _last(scene, motion)
+    budget = _last_budget(scene, motion)
     return budget.bending.max() / (budget.disk[0] + budget.table[0])
 
 
 @finding(
     "A table that acts back breaks the contact",
-    f"losses of contact above {ALL_BUT_FLAT:g} rad; whether any occurs is checked with half the "
+    f"losses of contact above {ALMOST_FLAT_INCLINATION:g} rad; whether any occurs is checked with half the "
     f"time step and twice "
     "the contact stiffness",
     "abstract: the vibrations will result in a loss of contact",
@@ -222,13 +228,13 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion):
     at_least=1.0,
 )
 def table_breaks_contact(motion: Motion):
-    """The number of losses of contact above the inclination ALL_BUT_FLAT."""
+    """The number of losses of contact above the inclination ALMOST_FLAT_INCLINATION."""
     return losses_above_flat(motion)
 
 
 @finding(
     "The contact is lost a definite number of times",
-    f"losses of contact above {ALL_BUT_FLAT:g} rad",
+    f"losses of contact above {ALMOST_FLAT_INCLINATION:g} rad",
     "the same motion with half the time step and with twice the contact stiffness",
     needs=("motion",),
     at_least=1.0,
@@ -243,9 +249,9 @@ def number_of_losses(motion: Motion, others: list[CompliantMotion]):
 
 
 def losses_above_flat(motion: Motion) -> int:
-    """Return the number of losses of contact that begin above the inclination ALL_BUT_FLAT."""
+    """Return the number of losses of contact that begin above the inclination ALMOST_FLAT_INCLINATION."""
     begins = [loss.t for loss in motion.contact_losses]
-    return int((motion.at(begins)[:, 1] > ALL_BUT_FLAT).sum()) if begins else 0
+    return int((motion.at(begins)[:, 1] > ALMOST_FLAT_INCLINATION).sum()) if begins else 0
 
 
 @finding(
@@ -253,8 +259,8 @@ def losses_above_flat(motion: Motion) -> int:
     "n times the precession over the frequency of the nearest mode",
     "section 8: the vibrations will result in a loss of contact",
     needs=("scene", "motion"),
-    at_least=1 - NEAR,
-    at_most=1 + NEAR,
+    at_least=1 - RESONANCE_WIDTH,
+    at_most=1 + RESONANCE_WIDTH,
 )
 def loss_at_resonance(scene: Scene, motion: Motion):
     """n Omega/w at the first loss of contact, for the table mode closest to resonance; 0 without a
@@ -263,7 +269,7 @@ def loss_at_resonance(scene: Scene, motion: Motion):
     if not motion.contact_losses:
         return Measured(0.0)
     first = motion.contact_losses[0].t
-    modes = two_way(motion)[0].model.modes
+    modes = two_way_part(motion)[0].model.modes
     around = np.linspace(max(first - 0.002, 0.0), first, 20)
     rate = np.abs(np.median(precession_rate(motion.at(around)))) / (2 * np.pi)
     x = (modes.order * rate / modes.frequency)[modes.order > 0]
@@ -276,14 +282,14 @@ def loss_at_resonance(scene: Scene, motion: Motion):
 
 
 def _times(scene, motion, count=4000):
-    part, begin = two_way(motion)
-    return np.linspace(begin + begins(scene, part), motion.t[-1], count)
+    part, begin = two_way_part(motion)
+    return np.linspace(begin + two_way_start(scene, part), motion.t[-1], count)
 
 
-def _last(scene, motion) -> Budget:
-    """Return the budget from the instant when the share LAST of the energy at the onset of two-way
+def _last_budget(scene, motion) -> EnergyBudget:
+    """Return the budget from the instant when the share LAST_ENERGY_SHARE of the energy at the onset of two-way
     coupling remains.
     """
     budget = energy_budget(motion, _times(scene, motion))
     whole = budget.disk + budget.table
-    return energy_budget(motion, budget.t[np.argmax(whole < LAST * whole[0]) :])
+    return energy_budget(motion, budget.t[np.argmax(whole < LAST_ENERGY_SHARE * whole[0]) :])

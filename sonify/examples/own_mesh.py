@@ -13,7 +13,8 @@ from skfem import MeshHex
 
 from modal import Material, Modes, Support, mesh_modes
 
-STEEL, DENSITY = Material(young=195e9, poisson=0.28), 7800.0
+STEEL = Material(young=195e9, poisson=0.28)
+DENSITY = 7800.0  # kg/m^3
 
 
 def disk(path: Path, radius: float = 0.03755, thickness: float = 0.0128) -> Path:

@@ -13,7 +13,9 @@ import soundfile
 
 from sonify import Heard, listen
 
-RATE, END, PITCH = 22050, 4.0, 60.0
+RATE = 22050  # Hz
+END = 4.0  # s
+PITCH = 60.0  # Hz
 
 
 def made(path: Path) -> Path:

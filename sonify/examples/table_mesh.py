@@ -11,9 +11,12 @@ from pathlib import Path
 import meshio
 import numpy as np
 
-LENGTH, WIDTH, TOP, FEET = 0.6, 0.4, (-0.02, 0.0), (-0.04, -0.035, -0.025, -0.02)
-"""Sizes, and the heights between layers of cells [m]: thin ones where the feet stand, and where
-they meet the top."""
+LENGTH = 0.6  # m
+WIDTH = 0.4  # m
+TOP = (-0.02, 0.0)
+"""Heights between layers of cells of the top [m]."""
+FEET = (-0.04, -0.035, -0.025, -0.02)
+"""The same for the feet; thin layers at both ends."""
 CELLS = 15, 10
 """Along length and width; the four feet stand under the cells next to the corners, one each."""
 RINGS = 1.4, 1.0, 0.6

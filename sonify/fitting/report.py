@@ -14,7 +14,7 @@ from sonify.fitting.result import Fits, Fitted
 from sonify.report.figure import figure_at, legend_above, plain_decades
 from sonify.report.recording import carrier_numbers
 from sonify.report.write import finite, write_json
-from sonify.runtime.files import claimed, numbered, whole
+from sonify.runtime.files import atomic_write, claimed_folder, first_numbered
 
 NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
 """What a law takes that was not sought, as the film in a vacuum."""
@@ -26,13 +26,13 @@ about."""
 def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
     """Write fit.json, fit.csv, fit.png and fit.md into `out`, return the folder. Raises
     OutputError."""
-    with claimed(out or own_folder(fits.files[0].file)) as folder:
+    with claimed_folder(out or own_folder(fits.files[0].file)) as folder:
         write_json(finite(as_json(fits)), folder / "fit.json")
-        with whole(folder / "fit.png") as temporary:
+        with atomic_write(folder / "fit.png") as temporary:
             draw(fits, temporary)
-        with whole(folder / "fit.csv") as temporary:
+        with atomic_write(folder / "fit.csv") as temporary:
             temporary.write_text("\n".join(table(fits, ",")) + "\n", encoding="utf-8")
-        with whole(folder / "fit.md") as temporary:
+        with atomic_write(folder / "fit.md") as temporary:
             temporary.write_text(page(fits), encoding="utf-8")
     return folder
 
@@ -40,7 +40,7 @@ def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
 def own_folder(file: str) -> Path:
     """Return outputs/fit/<name of the recording>, or <name>-2, ... where the folder before is there
     already."""
-    return numbered(
+    return first_numbered(
         Path("outputs") / "fit" / Path(file).stem, lambda folder: not (folder / "fit.json").exists()
     )
 

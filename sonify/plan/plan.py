@@ -6,11 +6,12 @@ from math import pi
 
 import numpy as np
 
-from dynamics import Disk, Motion, Outcome
+from dynamics import Disk, Motion
 from dynamics.film.activation import MAX_KNUDSEN, final_inclination
 from dynamics.solver_settings import ACCURACY_LEVELS, MAX_AUDIBLE_FREQUENCY, integrator_of
 from dynamics.steady_motion import flat_square
 from modal import Material, Modes
+from sonify.plan import sentences
 from sonify.plan.predictions import (
     Prediction,
     predicted_end,
@@ -21,7 +22,7 @@ from sonify.scene import Scene
 from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
 from sonify.sound.force import CALM_STRIDE
 
-MODES_NAMED = 6
+MAX_NAMED_MODES = 6
 """Number of modes listed with their decay."""
 ENERGY_SHARE = 0.01
 """A mode with at least this share of the total energy is kept even if it is inaudible."""
@@ -89,9 +90,9 @@ class Plan:
             self, decisions=(*self.decisions, *decisions), modelled=modelled, left_out=left_out
         )
 
-    def error(self, name: str) -> float:
-        """Return the predicted error of that name; 0 if there is none, as for the reference."""
-        return next((p.error for p in self.predictions if p.name == name), 0.0)
+    def error(self, key: str) -> float:
+        """Return the predicted error of a quantity; 0 without a prediction, as for the reference."""
+        return next((p.error for p in self.predictions if p.key == key), 0.0)
 
 
 def plan_of(scene: Scene) -> Plan:
@@ -105,6 +106,9 @@ def plan_of(scene: Scene) -> Plan:
     level = numerics.level
     tolerance = numerics.chosen_tolerance
     final = final_inclination(scene)
+    sampling = sentences.DENSE_SAMPLING
+    if level.max_contact_turn:
+        sampling = sentences.SPARSE_SAMPLING.format(stride=CALM_STRIDE, turn=level.max_contact_turn)
     return Plan(
         accuracy=numerics.accuracy,
         tolerance=tolerance,
@@ -115,34 +119,32 @@ def plan_of(scene: Scene) -> Plan:
             Decision(
                 subject="tolerance of the motion",
                 choice=f"{tolerance:g}, {integrator}",
-                reason=WHY[integrator],
+                reason=sentences.INTEGRATOR_REASONS[integrator],
             ),
             Decision(
                 subject="where the motion may stop",
                 choice=f"at an inclination of {final:.2g} rad",
-                reason=why_it_stops(scene, final),
+                reason=end_condition_reason(scene, final),
             ),
             Decision(
-                subject="instants at which the force is read",
-                choice=CALMLY.format(CALM_STRIDE, level.max_contact_turn)
-                * bool(level.max_contact_turn)
-                + EVERY,
-                reason="the solution is smooth between its jumps, and these are known exactly",
+                subject="instants at which the force is evaluated",
+                choice=sampling,
+                reason=sentences.SAMPLING_REASON,
             ),
             Decision(
                 subject="radiation",
-                choice="the upper face in a baffle, at the frequency of every mode",
-                reason="the disk is not small against the wavelengths of its modes",
+                choice=sentences.RADIATION_CHOICE,
+                reason=sentences.RADIATION_REASON,
             ),
             damping(scene.material),
         ),
         predictions=() if numerics.accuracy == "reference" else (predicted_end(scene, final),),
-        modelled=(CONTACT[scene.support.kind], *HEARD),
+        modelled=(sentences.SUPPORT_MODELLED[scene.support.kind], *sentences.RADIATION_MODELLED),
         left_out=(
-            *LEFT_OUT,
-            *WALL[scene.disk.shape],
-            f"The sound of modes above {heard:g} Hz.",
-            *(NOT_IN_A_DRAFT if numerics.accuracy == "draft" else []),
+            *sentences.ALWAYS_NEGLECTED,
+            *sentences.WALL_SOUND_NEGLECTED[scene.disk.shape],
+            sentences.MODES_ABOVE_NEGLECTED.format(frequency=heard),
+            *(sentences.NEGLECTED_IN_DRAFT if numerics.accuracy == "draft" else []),
         ),
     )
 
@@ -155,11 +157,11 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
     least ENERGY_SHARE of the total.
     """
     level = ACCURACY_LEVELS[plan.accuracy]
-    heard = counted(loudness, energy, level.range_db)
+    heard = audible_mode_flags(loudness, energy, level.range_db)
     solver = Decision(
         subject="solver of the modes",
         choice=f"{modes.method}, {modes.unknowns} unknowns for accuracy '{plan.accuracy}'",
-        reason=SOLVER[scene.support.kind],
+        reason=sentences.SOLVER_REASONS[scene.support.kind],
     )
     which = Decision(
         subject="modes that sound",
@@ -168,7 +170,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
         f"in either stem of "
         f"ringing, and hold less than {ENERGY_SHARE:.0%} of the energy"
         if len(heard) < len(modes.frequency)
-        else "none is left out",
+        else sentences.ALL_MODES_SOUND,
     )
     plan = replace(plan, sounding=tuple(heard.tolist())).also(solver, which)
     if plan.accuracy == "reference":
@@ -177,7 +179,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
     return replace(plan, predictions=plan.predictions + further)
 
 
-def counted(loudness, energy, range_db: float) -> np.ndarray:
+def audible_mode_flags(loudness, energy, range_db: float) -> np.ndarray:
     """Return the indices (k,) of the modes that sound.
 
     They are within `range_db` [dB] of the loudest mode, or have at least ENERGY_SHARE of the total
@@ -193,15 +195,17 @@ def with_end(plan: Plan, motion: Motion, ringing: RingDown, silence: Sequence[st
     `silence` lists the reasons why the sound permits no claim.
     """
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
-    return plan.also(ring_down(ringing), modelled=[ending], left_out=[*unsettled(motion), *silence])
+    return plan.also(
+        ring_down(ringing), modelled=[ending], left_out=[*missing_after_end(motion), *silence]
+    )
 
 
 def ring_down(ringing: RingDown) -> Decision:
     """Return the decision on the decay of the modes after the motion, with rates and causes."""
     rows = zip(ringing.frequency, ringing.decay_rate, ringing.decay_time, strict=True)
     named = [f"{f:.0f} Hz: {d:.3g} 1/s (T60 {t:.2g} s)" for f, d, t in rows]
-    if len(named) > MODES_NAMED:
-        named = [*named[:MODES_NAMED], f"{len(named) - MODES_NAMED} modes more"]
+    if len(named) > MAX_NAMED_MODES:
+        named = [*named[:MAX_NAMED_MODES], f"{len(named) - MAX_NAMED_MODES} modes more"]
     own = "by material and radiation"
     if ringing.gap is not None and len(named):
         rates = sorted(
@@ -217,12 +221,19 @@ def ring_down(ringing: RingDown) -> Decision:
     )
 
 
-def unsettled(motion: Motion) -> list[str]:
+def missing_after_end(motion: Motion) -> list[str]:
     """Return sentences on the omissions of a motion that did not settle."""
     if motion.outcome.name == "SETTLED":
         return []
     missing = f"The end of the motion and its sound: {motion.outcome.sentence}."
-    return [missing, *([AFTERWARDS[motion.outcome]] if motion.outcome in AFTERWARDS else [])]
+    return [
+        missing,
+        *(
+            [sentences.NEGLECTED_AFTER_END[motion.outcome]]
+            if motion.outcome in sentences.NEGLECTED_AFTER_END
+            else []
+        ),
+    ]
 
 
 def damping(material: Material) -> Decision:
@@ -232,9 +243,7 @@ def damping(material: Material) -> Decision:
         subject="decay of the modes",
         choice=f"the first {given} as measured, the others " * bool(given)
         + "by loss factor and radiation upwards",
-        reason="material.decay_rates"
-        if given
-        else "some modes lose a third as much to the air as in the material",
+        reason=sentences.MEASURED_DECAY_REASON if given else sentences.LOSS_FACTOR_REASON,
     )
 
 
@@ -245,71 +254,14 @@ def contact_rate(disk: Disk, inclination: float) -> float:
     )
 
 
-def why_it_stops(scene: Scene, final: float) -> str:
+def end_condition_reason(scene: Scene, final: float) -> str:
     """Return the reason why the motion of a scene may stop at an inclination [rad]."""
-    turns = f"the contact turns there {contact_rate(scene.disk, final):.3g} times a second"
+    turns = f"the contact turns {contact_rate(scene.disk, final):.3g} times per second there"
     if final > scene.numerics.stopping_inclination(scene.disk):
         gap = scene.disk.radius * np.sin(final)
         return (
-            f"{turns}; the mean gap is {gap:.2g} m there, the mean free path of the air "
-            f"{scene.air.mean_free_path:.2g} "
-            f"m, {MAX_KNUDSEN:g} times as long: no law of the film is known below"
+            f"{turns}; there the mean gap is {gap:.2g} m and the mean free path of the air "
+            f"{scene.air.mean_free_path:.2g} m, {MAX_KNUDSEN:g} times as long: no law of the film "
+            "is known below"
         )
-    return f"{turns}; {MAX_AUDIBLE_FREQUENCY:g} Hz is the highest rate that is heard"
-
-
-WHY = {
-    "taylor": "the order of a Taylor series grows with the digits: all of double precision costs "
-    "a third more than "
-    "half of it, and slips late in the motion amplify what is wrong",
-    "dop853": "every digit costs a third more steps; slips late in the motion amplify what is "
-    "wrong",
-}
-CONTACT = {
-    "patch": "The elastic modes are those of the disk held at a patch of its rim, which travels "
-    "with the contact; the "
-    "contact force drives them through the rigid acceleration that it causes.",
-    "free": "The elastic modes are those of the free disk; the contact force drives them where "
-    "the contact is.",
-    "contact": "The elastic modes are those of the disk on the springs of its contact under its "
-    "weight, at one "
-    "inclination; what keeps the contact point at rest drives them. Where the contact is elastic, "
-    "the vibration of the "
-    "rigid disk on it is a stem of its own, and only the modes above sound as modes.",
-}
-SOLVER = {
-    "patch": "support.kind = 'patch': the stress is singular at the edge of the patch, which the "
-    "mesh follows",
-    "free": "support.kind = 'free': the disk has an axis, and shapes without singularities",
-    "contact": "support.kind = 'contact': a few springs couple the modes of the free disk, at any "
-    "inclination at once",
-}
-CALMLY = "every {}th sample where the contact turns by less than {:g} rad in between and no jump is near, else "
-EVERY = "every sample, and more often where the contact turns faster than samples can hold"
-HEARD = (
-    "The upper face radiates into the half space above the table (Rayleigh's integral with the "
-    "table as baffle): heave "
-    "and tilt of the rigid disk, and the elastic modes at their own frequency.",
-    "The listener hears the source one travel time of sound later, from a fixed place.",
-)
-WALL = {
-    "solid": (),
-    "shell": (
-        "The sound of a hoop's cylindrical wall, which its modes in the plane move, and of the "
-        "air in its hole: the "
-        "upper edge of the wall alone radiates.",
-    ),
-}
-LEFT_OUT = ("The resisting moments and the centrifugal loads as drivers of the modes.",)
-AFTERWARDS = {
-    Outcome.FELL: "The impact of the face on the table that ends the fall, and all that it would "
-    "ring.",
-    Outcome.AIRBORNE: "The landing: how the disk that the air carries settles onto the table. The "
-    "modes ring out over "
-    "the film as it is when the contact is lost. As the disk settles the film closes, which "
-    "changes their damping.",
-}
-"""Omitted events after the motion, by outcome."""
-NOT_IN_A_DRAFT = (
-    "The roughness of the sound, the picture of its causes, and the modes seen at a slant.",
-)
+    return f"{turns}; {MAX_AUDIBLE_FREQUENCY:g} Hz is the highest audible rate"

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from math import isfinite, pi
+from typing import Literal
 
 import numpy as np
 
@@ -14,18 +15,18 @@ from sonify.hearing.loudness import THRESHOLD_DB, WINDOW, a_weighting_db, band_l
 from sonify.hearing.spectrogram import spectrogram
 from sonify.scene import Scene
 
-END = "the end of the motion, if the disk settles"
-FREQUENCIES = "frequencies of the modes, median"
-SOUND = "samples of the sound, A-weighted"
+Quantity = Literal["end", "frequencies", "sound"]
 
 
 @dataclass(frozen=True, kw_only=True)
 class Prediction:
     """Predicted error of a run relative to the same run at accuracy "reference".
 
-    `error` is in `unit`; `source` states the basis of the prediction.
+    `key` identifies the quantity and `name` describes it. `error` is in `unit`; `source` states the
+    basis of the prediction.
     """
 
+    key: Quantity
     name: str
     error: float
     unit: str
@@ -34,32 +35,34 @@ class Prediction:
 
 def predicted_end(scene: Scene, final_inclination: float) -> Prediction:
     """Return the time [s] by which a motion that settles stops too early."""
+    name = "end of the motion, if the disk settles"
     if decide_film(scene).film:
         return Prediction(
-            name=END,
+            key="end",
+            name=name,
             error=0.0,
             unit="s",
-            source="the air carries the disk before: that is an event",
+            source="the air carries the disk before its end, at a solved event",
         )
     left = [
         time_left(b, scene.disk, scene.friction, scene.dissipation)
         for b in (final_inclination, MIN_SOLVED_INCLINATION)
     ]
     early = left[0] - left[1] if isfinite(left[0]) else 0.0
-    return Prediction(
-        name=END, error=early, unit="s", source="quasi-steady decline of a steady disk"
-    )
+    source = "quasi-steady decline of a steady disk"
+    return Prediction(key="end", name=name, error=early, unit="s", source=source)
 
 
 def predicted_frequencies(scene: Scene, modes: Modes) -> Prediction:
     """Return the median of the expected relative errors of the frequencies."""
-    error = true_error(scene, modes)
+    error = mode_frequency_error(scene, modes)
     return Prediction(
-        name=FREQUENCIES,
+        key="frequencies",
+        name="frequencies of the modes, median",
         error=float(np.median(error)) if len(error) else 0.0,
         unit="relative",
-        source="the distance between two levels of the solver, times what of it is true on disks "
-        "like these",
+        source="the difference between two levels of the solver, times the share that is true "
+        "for similar disks",
     )
 
 
@@ -70,22 +73,22 @@ def predicted_sound(scene: Scene, modes: Modes, loudness) -> Prediction:
     left out. Two decaying sines that start in phase differ by 2 D^2/(D^2 + 4 d^2) of their energy,
     where D is the difference of their frequencies [rad/s] and d their decay rate [1/s].
     """
-    apart = 2 * pi * modes.frequency * true_error(scene, modes)
+    apart = 2 * pi * modes.frequency * mode_frequency_error(scene, modes)
     square = apart**2
     lost = 2 * np.divide(
         square, square + 4 * modes.decay_rate**2, out=np.zeros_like(square), where=square > 0
     )
     unheard = 10 ** (-scene.numerics.level.range_db / 10)
     return Prediction(
-        name=SOUND,
+        key="sound",
+        name="samples of the sound, A-weighted",
         error=float(np.sqrt((loudness @ lost) / (loudness.sum() or 1.0) + unheard)),
         unit="relative",
-        source="the modes, if they are what is heard, drift out of step where their frequencies "
-        "differ",
+        source="modes with slightly different frequencies drift out of phase",
     )
 
 
-def true_error(scene: Scene, modes: Modes) -> np.ndarray:
+def mode_frequency_error(scene: Scene, modes: Modes) -> np.ndarray:
     """Return the expected relative errors (m,) of the frequencies, a fraction of the estimates."""
     level = scene.numerics.level
     return modes.error * (

@@ -13,13 +13,13 @@ from modal.radiation import TOP
 from modal.solve import check_solvable
 from sonify.plan.contact import with_contact
 from sonify.plan.plan import Plan, plan_of, with_sounding
-from sonify.plan.supports import compared
-from sonify.plan.table import check_table, off_since
+from sonify.plan.supports import support_comparison
+from sonify.plan.table import check_table, leaves_table_at
 from sonify.scene import Scene, SceneError, scene_of
 from sonify.sound.audible_modes import response_to_unit_jump
 
 
-def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
+def check_solvable_scene(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     """Return the scene with that accuracy.
 
     Raises SceneError before any computation if the table, disk, support, integrator or air film of
@@ -36,7 +36,9 @@ def solvable(scene: Scene | str | Path, accuracy: str | None) -> Scene:
     return scene
 
 
-def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tuple[Plan, Modes]:
+def plan_with_modes(
+    scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes
+) -> tuple[Plan, Modes]:
     """Return the plan and the modes of the disk, which the plan needs to select those that sound.
 
     `eigenmodes` computes the modes. Raises SceneError if there are too many modes, if round-off
@@ -47,15 +49,17 @@ def planned(scene: Scene, eigenmodes: Callable[..., Modes] = eigenmodes) -> tupl
         elastic = eigenmodes(scene, below=plan.highest_mode)
     except UnsolvableError as error:
         raise SceneError(str(error)) from None
-    modes = damped(with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates)
+    modes = with_measured_damping(
+        with_radiation(elastic, (TOP,), scene.air), scene.material.decay_rates
+    )
     if scene.support.kind == "contact":
-        plan = plan.also(compared(scene, modes, plan.highest_mode))
+        plan = plan.also(support_comparison(scene, modes, plan.highest_mode))
     return with_contact(
         with_sounding(plan, scene, modes, *response_to_unit_jump(modes, scene)), scene
     ), modes
 
 
-def damped(modes: Modes, measured: tuple[float, ...]) -> Modes:
+def with_measured_damping(modes: Modes, measured: tuple[float, ...]) -> Modes:
     """Return the modes with the `measured` decay rates [1/s] assigned to the first of them."""
     if len(measured) > len(modes):
         raise SceneError(
@@ -75,7 +79,7 @@ def solve_motion(
     """
     try:
         motion: Any = simulate(scene, watch, surface_modes=table)
-        if (end := off_since(scene, motion)) is None:
+        if (end := leaves_table_at(scene, motion)) is None:
             return motion
         motion = simulate(scene.replace(f"numerics.time_limit={end}"), watch, surface_modes=table)
         return replace(motion, outcome=Outcome.LEFT_TABLE)

@@ -7,17 +7,18 @@ import numpy as np
 
 from dynamics import Motion
 from modal import Modes, Support, UnsolvableError, eigenmodes
+from sonify.plan import sentences
 from sonify.plan.plan import Decision
 from sonify.scene import Scene
 
-LOWEST_DEG = 1e-5
+MIN_INCLINATION_DEG = 1e-5
 """Inclination [degrees] below which a single ellipse no longer describes the contact."""
-NAMED = 6
+MAX_NAMED_MODES = 6
 """Number of frequencies listed for each support."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Standing:
+class SupportStep:
     """Modes of a disk on its contact at a time `t` [s] and an inclination [rad].
 
     `modes` is None if the contact is too stiff to be modelled by springs.
@@ -29,7 +30,7 @@ class Standing:
     modes: Modes | None
 
 
-def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
+def modes_over_run(scene: Scene, motion: Motion, below: float) -> list[SupportStep]:
     """Return the modes below `below` [Hz] at the release, in the middle and at the end of a motion.
 
     The list is empty unless the support is the contact.
@@ -38,18 +39,18 @@ def over_the_run(scene: Scene, motion: Motion, below: float) -> list[Standing]:
         return []
     found = []
     for name, t in zip(("release", "middle", "end"), np.linspace(0, motion.t[-1], 3), strict=True):
-        degrees = max(float(np.degrees(motion.at([t])[0, 1])), LOWEST_DEG)
+        degrees = max(float(np.degrees(motion.at([t])[0, 1])), MIN_INCLINATION_DEG)
         try:
             modes = eigenmodes(scene, below, replace(scene.support, inclination_deg=degrees))
         except UnsolvableError:
             modes = None
         found.append(
-            Standing(name=name, t=float(t), inclination=float(np.radians(degrees)), modes=modes)
+            SupportStep(name=name, t=float(t), inclination=float(np.radians(degrees)), modes=modes)
         )
     return found
 
 
-def compared(scene: Scene, modes: Modes, below: float) -> Decision:
+def support_comparison(scene: Scene, modes: Modes, below: float) -> Decision:
     """Return the decision that compares the lowest modes on the contact with two other supports.
 
     These are the paper's patch and the free disk, solved at accuracy "draft".
@@ -57,13 +58,11 @@ def compared(scene: Scene, modes: Modes, below: float) -> Decision:
     draft = scene.replace("numerics.accuracy=draft")
     others = {kind: eigenmodes(draft, below, Support(kind=kind)) for kind in ("patch", "free")}
     lowest = {
-        kind: ", ".join(f"{f:.0f}" for f in found.frequency[:NAMED]) or "none"
+        kind: ", ".join(f"{f:.0f}" for f in found.frequency[:MAX_NAMED_MODES]) or "none"
         for kind, found in ({"contact": modes} | others).items()
     }
     return Decision(
         subject="lowest modes by support [Hz]",
         choice="; ".join(f"{kind}: {frequencies}" for kind, frequencies in lowest.items()),
-        reason="on its contact a disk swings as a whole, as on the paper's patch, but on springs "
-        "that stiffen as it "
-        "falls; its other modes hardly differ from those of the free disk",
+        reason=sentences.SUPPORT_COMPARISON_REASON,
     )

@@ -17,7 +17,7 @@ class Rule(NamedTuple):
     is_unread: Callable[[Scene], bool]
 
 
-def yields(scene: Scene) -> bool:
+def has_elastic_contact(scene: Scene) -> bool:
     """Return True if the contact is elastic at the release or once the table acts on the motion."""
     return scene.contact.law == "elastic" or may_be_two_way(scene)
 
@@ -46,7 +46,7 @@ SPECTRUM_KEYS = ("shortest", "longest", "exponent", "seed")
 ROUGHNESS_KEYS = ("rms", "rms_edge", *SPECTRUM_KEYS, "loss", "profile", "profile_edge")
 
 
-def named(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
+def section_keys(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
     """Return the full names of keys of a section."""
     return tuple(f"{section}.{key}" for key in keys)
 
@@ -54,7 +54,7 @@ def named(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
 RULES = (
     Rule(("friction.mu_dynamic",), lambda scene: scene.friction.mu_static == inf),
     Rule(("support.inclination_deg",), lambda scene: scene.support.kind != "contact"),
-    Rule(named("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"),
+    Rule(section_keys("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"),
     Rule(("support.position",), lambda scene: scene.support.height in (None, scene.disk.thickness)),
     Rule(("surface.action",), lambda scene: scene.surface.kind == "infinite"),
     Rule(("dissipation.power_exponent",), lambda scene: scene.dissipation.power_coefficient == 0.0),
@@ -63,12 +63,15 @@ RULES = (
         lambda scene: scene.dissipation.boundary_layer_viscosity == 0.0,
     ),
     Rule(
-        named("contact", ("fillet", "loss_factor", "young", "poisson")),
-        lambda scene: not yields(scene) and scene.support.kind != "contact",
+        section_keys("contact", ("fillet", "loss_factor", "young", "poisson")),
+        lambda scene: not has_elastic_contact(scene) and scene.support.kind != "contact",
     ),
-    Rule(("contact.body",), lambda scene: not yields(scene) or scene.disk.shape != "solid"),
-    Rule(named("roughness", ROUGHNESS_KEYS), lambda scene: scene.contact.law == "rigid"),
-    Rule(named("roughness", SPECTRUM_KEYS), has_no_spectrum),
+    Rule(
+        ("contact.body",),
+        lambda scene: not has_elastic_contact(scene) or scene.disk.shape != "solid",
+    ),
+    Rule(section_keys("roughness", ROUGHNESS_KEYS), lambda scene: scene.contact.law == "rigid"),
+    Rule(section_keys("roughness", SPECTRUM_KEYS), has_no_spectrum),
     Rule(("roughness.loss",), lambda scene: scene.numerics.contact == "filter"),
     Rule(("air.film", "air.viscosity"), has_no_film),
     Rule(("audio.distance", "audio.elevation_deg"), lambda scene: bool(scene.audio.listeners)),

@@ -25,7 +25,7 @@ from sonify.report.perspective import (
     rim_points,
 )
 from sonify.report.sound import COLOUR_RANGE_DB, level_image, log_frequency, loudest_db
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 from sonify.scene_errors import InputError
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ def animate(result: "Result", watch=lambda done: None) -> Path:
     require_encoder()
     clip = clip_of(result)
     path = result.out / "animation.mp4"
-    with whole(path) as film, TemporaryDirectory() as folder:
+    with atomic_write(path) as film, TemporaryDirectory() as folder:
         sound = write_clip_sound(clip, Path(folder) / "sound.wav")
         encode_film(film, sound, clip.frames, film_frames(clip), watch)
     return path

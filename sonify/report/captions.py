@@ -10,7 +10,7 @@ import numpy as np
 from dynamics.film.activation import decide_film
 from dynamics.observables import nutation_frequency, precession_rate
 from sonify.claims.details import unit_and_details
-from sonify.claims.two_way import energy_budget, two_way
+from sonify.claims.two_way import energy_budget, two_way_part
 from sonify.hearing.loudness import level_db
 
 if TYPE_CHECKING:
@@ -76,7 +76,7 @@ def motion(result: "Result") -> str:
 
 def energy(result: "Result") -> str:
     """Return a description of the energy picture: the losses, the greatest first."""
-    begin = two_way(result.motion)[1]
+    begin = two_way_part(result.motion)[1]
     end = result.motion.t[-1]
     lost = energy_budget(result.motion, np.array([begin, end])).lost
     items = [

@@ -17,20 +17,20 @@ from tomli_w import dumps
 
 from sonify.claims.details import unit_and_details
 from sonify.claims.finding import Finding, Verdict
-from sonify.claims.paper_figures import of_the_paper, paper_rows
+from sonify.claims.paper_figures import is_paper_scene, paper_rows
 from sonify.claims.provenance import depends_on
-from sonify.claims.surface_summary import in_short
+from sonify.claims.surface_summary import answers_in_short
 from sonify.report import captions as words
 from sonify.report.headline import headline
 from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 
 if TYPE_CHECKING:
     from sonify.result import Result
 
-MOST_EMBEDDED = 100_000_000
-"""Largest sound [bytes] that a notebook embeds."""
+MAX_NOTEBOOK_SOUND = 200_000
+"""Largest sound that the view of a result in a notebook embeds [characters of base64]."""
 
 
 def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
@@ -51,9 +51,11 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
             depends_on=depends_on,
             unit_and_details=unit_and_details,
             headline=headline(result.findings),
-            answers=in_short(result.findings),
+            answers=answers_in_short(result.findings),
             claims=verdict_counts(result.findings),
-            paper=paper_rows(result.motion, result.findings) if of_the_paper(result.scene) else [],
+            paper=paper_rows(result.motion, result.findings)
+            if is_paper_scene(result.scene)
+            else [],
             not_from=words.omitted_effects(result),
             scene=dumps(result.scene.document),
             command=f"python -m sonify run {result.scene.name}.toml",
@@ -66,7 +68,7 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
             **page_assets(),
         )
     )
-    with whole(path) as temporary:
+    with atomic_write(path) as temporary:
         temporary.write_bytes(text.encode("utf-8"))
 
 
@@ -111,13 +113,18 @@ def verdict_counts(findings: list[Finding]) -> str:
 def notebook_html(result: "Result") -> str:
     """Return a result as an HTML fragment: a sound player and the verdict on each claim."""
     template = templates().get_template("notebook.html")
-    sound = result.sound.audible
-    audible = flac_data_url(sound) if 3 * sound.frames <= MOST_EMBEDDED else ""
+    sound = result.sound
+    seconds = sound.duration
+    audible = flac_data_url(sound.audible)
+    while len(audible) > MAX_NOTEBOOK_SOUND:
+        seconds *= 0.95 * MAX_NOTEBOOK_SOUND / len(audible)
+        audible = flac_data_url(sound.audible, sound.duration - seconds)
     return template.render(
         result=result,
         depends_on=depends_on,
         unit_and_details=unit_and_details,
         audible=audible,
+        seconds=seconds,
         claims=verdict_counts(result.findings),
         unfolded=True,
         words=summary_text(result),

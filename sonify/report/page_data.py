@@ -19,7 +19,7 @@ from sonify.report.captions import spectrogram
 from sonify.report.lit_polygons import surface_polygons
 from sonify.report.mode_names import mode_caption, table_caption
 from sonify.report.render_worker import painter
-from sonify.sound.playback import Copy, Weighted
+from sonify.sound.playback import ScaledTrack, WeightedTrack
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
 
 def _scales(sound, start):
     audible = sound.audible.full_scale
-    weighted = {name: Weighted(track=track) for name, track in sound.stems.items()}
+    weighted = {name: WeightedTrack(track=track) for name, track in sound.stems.items()}
     return {
         "audible": {
             "full_scale": audible,
@@ -117,7 +117,7 @@ def encoded_stems(stems, full_scale: float, start: float) -> dict[str, str]:
     A single stem can be louder than the sum; it is then clipped.
     """
     return {
-        name: flac_data_url(Copy(track=stem, full_scale=full_scale), start)
+        name: flac_data_url(ScaledTrack(track=stem, full_scale=full_scale), start)
         for name, stem in stems.items()
     }
 

@@ -17,18 +17,18 @@ import numpy as np
 
 from dynamics.observables import drawn_rates, nutation_frequency, precession_rate
 from sonify.claims.contact import carrier_line
-from sonify.claims.paper_figures import of_the_paper
+from sonify.claims.paper_figures import is_paper_scene
 from sonify.claims.rigid_motion import FORCING_FREQUENCY_NAMED, FORCING_FREQUENCY_TIME
-from sonify.claims.sound import LAST
+from sonify.claims.sound import LAST_SECONDS
 from sonify.claims.table import radiated_power
-from sonify.claims.two_way import energy_budget, two_way
+from sonify.claims.two_way import energy_budget, two_way_part
 from sonify.hearing.loudness import audibility
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
-from sonify.plan.supports import over_the_run
+from sonify.plan.supports import modes_over_run
 from sonify.report.mode_names import table_caption
 from sonify.report.render_worker import drawn, painter
-from sonify.runtime.files import whole
-from sonify.runtime.progress import beside
+from sonify.runtime.files import atomic_write
+from sonify.runtime.progress import in_background
 from sonify.sound.radiation import listener_of
 
 if TYPE_CHECKING:
@@ -63,9 +63,9 @@ class Pictures:
             if needs in known and name not in self._futures and not _is_omitted(name, found):
                 self._futures[name] = _picture_future(name, found)
         if "motion" not in self._parts:
-            self._parts["motion"] = beside(_instants, found.motion)
+            self._parts["motion"] = in_background(_instants, found.motion)
         if found.sound is not None and "sound" not in self._parts:
-            self._parts["sound"] = beside(_sounds, found.sound)
+            self._parts["sound"] = in_background(_sounds, found.sound)
 
     def parts(self) -> dict[str, Any]:
         """Return the `parts` for the page_data of a result after `begin`."""
@@ -82,7 +82,7 @@ class Pictures:
             if _is_omitted(name, result):
                 path.unlink(missing_ok=True)  # left by an earlier run
                 continue
-            with whole(path) as temporary:
+            with atomic_write(path) as temporary:
                 temporary.write_bytes(self._futures[name].result())
 
 
@@ -125,7 +125,7 @@ def _sounds(sound):
 
 def _is_omitted(name, found):
     if name == "energy":
-        return not two_way(found.motion)
+        return not two_way_part(found.motion)
     return name == "stems" and found.plan.accuracy == "draft"
 
 
@@ -147,7 +147,10 @@ def _spectrogram(found):
     sound = found.sound
     low = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES)
     high = spectrogram(sound.pressure, WINDOW_MODES)
-    end = (max(sound.source_end - LAST, 0.0), min(sound.source_end + LAST / 4, sound.duration))
+    end = (
+        max(sound.source_end - LAST_SECONDS, 0.0),
+        min(sound.source_end + LAST_SECONDS / 4, sound.duration),
+    )
     time, precession, nutation = drawn_rates(motion)
     seen = {"low": low, "high": high, "spans": [(0.0, sound.duration), end]}
     delay = sound.source_end - motion.t[-1]
@@ -169,7 +172,7 @@ def _motion(found):
 
     For the paper's scene, the curves of the paper's figures are added.
     """
-    paper = _paper_figures(found.motion) if of_the_paper(found.scene) else None
+    paper = _paper_figures(found.motion) if is_paper_scene(found.scene) else None
     return {"motion": _time_histories(found.motion), "paper": paper}
 
 
@@ -220,7 +223,7 @@ def _paper_figures(motion):
 def _energy(found):
     """Return the energies of a two-way coupled motion, at times denser towards its end."""
     end = found.motion.t[-1]
-    begin = two_way(found.motion)[1]
+    begin = two_way_part(found.motion)[1]
     t = times_towards_end(begin, end)
     budget = energy_budget(found.motion, t, radiated_power(found.sound, listener_of(found.scene)))
     held = {
@@ -244,7 +247,7 @@ def times_towards_end(begin: float, end: float) -> np.ndarray:
 
 def _modes(found):
     """Return the modes of disk and table; drafts omit the oblique view."""
-    steps = over_the_run(found.scene, found.motion, found.plan.highest_mode)
+    steps = modes_over_run(found.scene, found.motion, found.plan.highest_mode)
     slanted = found.plan.accuracy != "draft"
     table = found.table
     shown = {

@@ -11,7 +11,7 @@ from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectral_lines import Carrier
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.report.settling import run_numbers, run_sentences
-from sonify.runtime.files import claim, numbered, whole
+from sonify.runtime.files import atomic_write, create_folder, first_numbered
 
 
 def tell(
@@ -33,13 +33,13 @@ def tell(
     if heard.truncation:
         warn(f"{recording}: {heard.truncation}")
     runs = settling_runs(source_of(recording))
-    folder = claim(out or own_folder(recording))
+    folder = create_folder(out or own_folder(recording))
     from sonify.report.sound import draw_recording
     from sonify.report.write import finite, write_json
 
     low = spectrogram(recording, WINDOW_RATES).band(*RATES)
     high = spectrogram(recording, WINDOW_MODES)
-    with whole(folder / "spectrogram.png") as temporary:
+    with atomic_write(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, heard.duration, heard.tone)
     content = (
         {"recording": _name(recording)}
@@ -61,7 +61,7 @@ def own_folder(recording: str | Path) -> Path:
     If that folder belongs to another recording, try <name>-2, <name>-3, ...
     """
     first = Path("outputs") / "listen" / Path(recording).stem
-    return numbered(first, lambda folder: _recording_in(folder) in (None, _name(recording)))
+    return first_numbered(first, lambda folder: _recording_in(folder) in (None, _name(recording)))
 
 
 def _recording_in(folder):
@@ -94,9 +94,9 @@ def _resonances(scene):
 def _matched(carrier, known):
     if not known:
         return None
-    from sonify.claims.resonance_matching import matched
+    from sonify.claims.resonance_matching import nearest_resonance
 
-    return matched(carrier, known)
+    return nearest_resonance(carrier, known)
 
 
 def numbers(heard: Heard, known=()) -> dict:

@@ -16,7 +16,7 @@ from io import BytesIO
 from subprocess import PIPE, Popen
 from typing import Any
 
-from sonify.runtime.signals import GoneError, asked, ended, what_is_asked
+from sonify.runtime.signals import WorkerGoneError, call_worker, end_worker, worker_loop
 
 MODULES = ("motion", "sound", "mode_shapes")
 """Drawing modules of this package, which the worker imports in advance."""
@@ -61,8 +61,8 @@ class Painter:
 
     def _ask(self, function, *arguments, **options):
         try:
-            answer = asked(self._process.result(), function, *arguments, **options)
-        except (OSError, GoneError):  # it was not started, or it died
+            answer = call_worker(self._process.result(), function, *arguments, **options)
+        except (OSError, WorkerGoneError):  # it was not started, or it died
             return function(*arguments, **options)
         self._loaded = True
         return answer
@@ -70,7 +70,7 @@ class Painter:
     def close(self):
         """End the worker process."""
         with suppress(OSError):
-            ended(self._process.result())
+            end_worker(self._process.result())
         self._process = Future()
         self._process.set_exception(BrokenPipeError("ended"))
 
@@ -102,4 +102,4 @@ def serve():
     for module in MODULES:
         import_module(f"sonify.report.{module}")
     gc.freeze()  # later collections ignore the loaded modules
-    what_is_asked(gc.collect)
+    worker_loop(gc.collect)

@@ -20,10 +20,10 @@ from sonify.claims.air import air_scalars
 from sonify.claims.checks import Check
 from sonify.claims.finding import Finding
 from sonify.hearing.loudness import MissingExtraError, roughness
-from sonify.plan.supports import over_the_run
+from sonify.plan.supports import modes_over_run
 from sonify.plan.unused import unused_keys
 from sonify.report.pictures import Pictures
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 from sonify.runtime.progress import Stages
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.pressure import Sound
@@ -57,7 +57,7 @@ def write_record(
         write_json(
             as_json(result.modes) | mode_changes_record(result) | rings, result.out / "modes.json"
         )
-        with whole(result.out / "modes.vtu") as temporary:
+        with atomic_write(result.out / "modes.vtu") as temporary:
             write_vtu(result.modes, temporary)
     with stages.stage("pictures"):
         pictures.write(result)
@@ -74,7 +74,7 @@ def mode_changes_record(result: "Result") -> dict:
 
     It holds the modes at several inclinations [rad] of the run.
     """
-    steps = over_the_run(result.scene, result.motion, result.plan.highest_mode)
+    steps = modes_over_run(result.scene, result.motion, result.plan.highest_mode)
     columns = ("frequency", "decay_rate")
     rows = [
         vars(s) | {name: getattr(s.modes, name, np.array(None)).tolist() for name in columns}
@@ -95,7 +95,7 @@ def write_motion(motion: Motion, path: Path):
     """
     jumps = motion.jumps
     events = motion.transitions
-    with whole(path) as temporary:
+    with atomic_write(path) as temporary:
         np.savez(
             temporary,
             t=motion.t,
@@ -119,7 +119,7 @@ def copy_table_mesh(file: Path, out: Path):
     The record names the mesh without its folder, so it is a valid scene on any machine.
     """
     if (out / file.name).resolve() != file.resolve():
-        with whole(out / file.name) as temporary:
+        with atomic_write(out / file.name) as temporary:
             shutil.copyfile(file, temporary)
 
 
@@ -241,7 +241,7 @@ def finite(value):
 
 def write_json(value, path: Path):
     """Write strict JSON. Raises ValueError if a value is not finite."""
-    with whole(path) as temporary:
+    with atomic_write(path) as temporary:
         temporary.write_text(json.dumps(value, indent=1, allow_nan=False) + "\n", encoding="utf-8")
 
 

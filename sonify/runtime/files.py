@@ -10,7 +10,7 @@ from secrets import token_hex
 
 from filelock import FileLock, Timeout
 
-HIDDEN = ".sonify-"
+TEMPORARY_PREFIX = ".sonify-"
 """Prefix of the names of unfinished files and of the locks that their writers hold."""
 
 
@@ -18,7 +18,7 @@ class OutputError(OSError):
     """The output folder cannot be written; the message is one line."""
 
 
-def claim(folder: str | Path) -> Path:
+def create_folder(folder: str | Path) -> Path:
     """Create `folder` if it does not exist, and check that it is writable before any work.
 
     Raises OutputError if it is not.
@@ -26,7 +26,7 @@ def claim(folder: str | Path) -> Path:
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with _alive(folder):
+        with _is_owner_alive(folder):
             return folder
     except OutputError:
         raise
@@ -34,7 +34,7 @@ def claim(folder: str | Path) -> Path:
         raise OutputError(f"{folder}: cannot be written: {error.strerror}") from None
 
 
-def numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
+def first_numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
     """Return the first of the folders `first`, `first`-2, ... for which `serves` is True."""
     return next(
         filter(serves, chain([first], (first.with_name(f"{first.name}-{n}") for n in count(2))))
@@ -42,8 +42,8 @@ def numbered(first: Path, serves: Callable[[Path], bool]) -> Path:
 
 
 @contextmanager
-def claimed(folder: str | Path) -> Iterator[Path]:
-    """Yield the folder after `claim`; remove the created folders that are still empty at the end.
+def claimed_folder(folder: str | Path) -> Iterator[Path]:
+    """Yield the folder after `create_folder`; remove the created folders that are still empty at the end.
 
     Raises OutputError if the folder is not writable.
     """
@@ -52,7 +52,7 @@ def claimed(folder: str | Path) -> Iterator[Path]:
         made for made in (path, *path.parents) if not os.path.exists(made)
     ]  # Path.exists raises if the path is too long
     try:
-        yield claim(folder)
+        yield create_folder(folder)
     finally:
         for made in new:
             with suppress(OSError):  # it is not empty, or was not created
@@ -60,7 +60,7 @@ def claimed(folder: str | Path) -> Iterator[Path]:
 
 
 @contextmanager
-def whole(path: str | Path):
+def atomic_write(path: str | Path):
     """Yield a temporary path in the folder of `path`, for an atomic write.
 
     The temporary file is renamed to `path` if the block succeeds, and removed if it fails. Files
@@ -72,7 +72,7 @@ def whole(path: str | Path):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     path.parent.mkdir(parents=True, exist_ok=True)
     _remove_orphans(path.parent)
-    with _alive(path.parent) as name:
+    with _is_owner_alive(path.parent) as name:
         temporary = path.with_name(f"{name}{path.suffix}")
         try:
             yield temporary
@@ -86,9 +86,9 @@ def whole(path: str | Path):
 
 
 @contextmanager
-def _alive(folder):
+def _is_owner_alive(folder):
     """Yield a unique hidden file name in `folder`; its lock ends with the block or the process."""
-    lock = folder / f"{HIDDEN}{token_hex(6)}.lock"
+    lock = folder / f"{TEMPORARY_PREFIX}{token_hex(6)}.lock"
     try:
         lock.touch()  # FileLock may wait forever if it cannot create the file
     except FileNotFoundError as error:
@@ -102,7 +102,7 @@ def _alive(folder):
 
 def _remove_orphans(folder):
     """Remove the unfinished files in `folder` of dead writers; their locks can be acquired."""
-    for lock in folder.glob(f"{HIDDEN}*.lock"):
+    for lock in folder.glob(f"{TEMPORARY_PREFIX}*.lock"):
         with suppress(Timeout):
             with FileLock(lock, timeout=0):
                 for orphan in folder.glob(f"{lock.stem}.*"):

@@ -102,7 +102,7 @@ def _two_digits(number):
     return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
 
 
-def beside(work: Callable, *arguments: Any) -> Future:
+def in_background(work: Callable, *arguments: Any) -> Future:
     """Run `work` in a background thread and return its Future."""
     thread = ThreadPoolExecutor(1, work.__name__)
     try:

@@ -12,32 +12,36 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from stat import S_ISREG
 
-ENDS = [signal.SIGINT, signal.SIGTERM]
+ENDING_SIGNALS = [signal.SIGINT, signal.SIGTERM]
 """Signals that end a command: Ctrl-C, end of a batch job, and (not on Windows) closed terminal."""
 if sys.platform != "win32":
-    ENDS.append(signal.SIGHUP)
-AGAIN = 0.05
+    ENDING_SIGNALS.append(signal.SIGHUP)
+RETRY_INTERVAL = 0.05
 """Interval at which a signal is repeated until an import has finished [s]."""
-LEFT = {errno.EPIPE, errno.EIO, errno.EINVAL}
+READER_GONE_ERRORS = {errno.EPIPE, errno.EIO, errno.EINVAL}
 """Error codes of a stream without a reader: closed pipe, closed terminal, closed Windows pipe."""
 
 
-ONE_THREAD = ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM")
+THREAD_VARIABLES = ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM")
 """Libraries limited to one thread per process, because other runs occupy the remaining cores."""
 
 
-class BrokenOffError(RuntimeError):
+class AbortedError(RuntimeError):
     """A command cannot continue although its input is valid; the message is one line."""
 
 
-class GoneError(Exception):
+class WorkerGoneError(Exception):
     """The called worker process is dead."""
 
 
 @contextmanager
-def well_behaved():
+def orderly_exit():
     """Turn termination signals into KeyboardInterrupt(number) and ignore closed output streams."""
-    with _signals(), redirect_stdout(Unread(sys.stdout)), redirect_stderr(Unread(sys.stderr)):
+    with (
+        _signals(),
+        redirect_stdout(ReaderlessStream(sys.stdout)),
+        redirect_stderr(ReaderlessStream(sys.stderr)),
+    ):
         yield
 
 
@@ -51,10 +55,14 @@ def _signals():
     def end(number, frame):
         if not _imports(frame):
             raise KeyboardInterrupt(number)
-        threading.Timer(AGAIN, _send, [threading.get_ident(), number]).start()
+        threading.Timer(RETRY_INTERVAL, _send, [threading.get_ident(), number]).start()
 
     main = threading.current_thread() is threading.main_thread()
-    heeded = [number for number in ENDS if main and signal.getsignal(number) is not signal.SIG_IGN]
+    heeded = [
+        number
+        for number in ENDING_SIGNALS
+        if main and signal.getsignal(number) is not signal.SIG_IGN
+    ]
     before = {number: signal.signal(number, end) for number in heeded}
     try:
         yield
@@ -81,7 +89,7 @@ def _imports(frame):
     return frame is not None
 
 
-class Unread:
+class ReaderlessStream:
     """Text stream that discards its output once the reader has left, so that the run continues."""
 
     def __init__(self, stream):
@@ -102,19 +110,19 @@ class Unread:
         try:
             return act(*what)
         except OSError as error:
-            if error.errno not in LEFT or S_ISREG(os.fstat(self.fileno()).st_mode):
+            if error.errno not in READER_GONE_ERRORS or S_ISREG(os.fstat(self.fileno()).st_mode):
                 raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
             return act(*what)
 
 
-def started(python: str, module: str, **how) -> subprocess.Popen:
+def start_worker(python: str, module: str, **how) -> subprocess.Popen:
     """Start a worker process with single-threaded libraries, and pipes to its input and output.
 
     The process runs a module of this program; it does not import the script of the user.
     """
     home = str(Path(__file__).parent.parent)
-    environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in ONE_THREAD}
+    environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in THREAD_VARIABLES}
     environment["PYTHONPATH"] = os.pathsep.join(filter(None, [home, os.environ.get("PYTHONPATH")]))
     return subprocess.Popen(
         [python, "-m", module],
@@ -126,10 +134,10 @@ def started(python: str, module: str, **how) -> subprocess.Popen:
     )
 
 
-def asked(process, function, *arguments, **options):
+def call_worker(process, function, *arguments, **options):
     """Call a module-level `function` in a worker process, and return its result.
 
-    The process runs `what_is_asked`. Exceptions of the function are raised here. Raises GoneError
+    The process runs `worker_loop`. Exceptions of the function are raised here. Raises GoneError
     if the process is dead.
     """
     try:
@@ -142,13 +150,13 @@ def asked(process, function, *arguments, **options):
         ValueError,
         pickle.UnpicklingError,
     ) as error:  # ValueError: the pipes are closed
-        raise GoneError(str(error) or "no answer") from None
+        raise WorkerGoneError(str(error) or "no answer") from None
     if fault:
         raise fault
     return answer
 
 
-def what_is_asked(rest=lambda: None, idle: float | None = None):
+def worker_loop(rest=lambda: None, idle: float | None = None):
     """Worker loop: serve pickled calls until the parent exits, or no call arrives for `idle` [s].
 
     `rest` is called after each answer.
@@ -183,11 +191,11 @@ def _listen(tasks):
         os._exit(0)
 
 
-def ended(process: subprocess.Popen):
+def end_worker(process: subprocess.Popen):
     """Kill a process, wait for its exit, and close its pipes."""
     with suppress(OSError), process:
         process.kill()
 
 
 if __name__ == "__main__":
-    what_is_asked()
+    worker_loop()

@@ -8,26 +8,26 @@ from typing import Any
 from sonify.suggestions import did_you_mean
 
 
-def shipped(folder: Path) -> list[str]:
+def shipped_names(folder: Path) -> list[str]:
     """Return the names of the TOML files in a folder, without their suffix."""
     return sorted(file.stem for file in folder.glob("*.toml"))
 
 
-def named(source: str | Path, folder: Path, what: str, fault: type[Exception]) -> Path:
+def find_file(source: str | Path, folder: Path, what: str, fault: type[Exception]) -> Path:
     """Return the path of a shipped name, or `source` itself if it is a path.
 
     Raises `fault` for an unknown name.
     """
     if Path(source).is_file() or not str(source).replace("-", "").replace("_", "").isalnum():
         return Path(source)
-    if str(source) not in shipped(folder):
-        names = shipped(folder)
+    if str(source) not in shipped_names(folder):
+        names = shipped_names(folder)
         choice = f"shipped: {', '.join(names)}; or give a TOML file"
         raise fault(f"{source}: no such {what}; {choice}{did_you_mean(str(source), names)}")
     return folder / f"{source}.toml"
 
 
-def read(path: Path, fault: type[Exception]) -> dict[str, Any]:
+def read_toml(path: Path, fault: type[Exception]) -> dict[str, Any]:
     """Parse a TOML file, or a JSON file if its suffix is .json.
 
     Raises `fault` with a one-line message if the file cannot be read.

@@ -21,7 +21,7 @@ def absorption_latency(air, distance: float) -> int:
     return FILTER_HALF_LENGTH if absorbed_db(air, distance) >= MIN_AUDIBLE_ABSORPTION_DB else 0
 
 
-def absorbing(air, distance: float, sample_rate: float):
+def absorption_filter(air, distance: float, sample_rate: float):
     """Return filter(stems (k, s)) -> stems (k, s), `absorption_latency` samples late, called once
     per block.
 

@@ -8,7 +8,7 @@ from modal import Modes
 from sonify.hearing.loudness import a_weighting_db
 from sonify.scene import Scene
 from sonify.sound.modal_forcing import forcing_per_newton
-from sonify.sound.radiation import directions, listener_of
+from sonify.sound.radiation import directivity_table, listener_of
 
 RING_DOWN_DB = 60.0
 """Decay [dB] from the loudest mode after which a ringing mode is inaudible."""
@@ -44,7 +44,7 @@ class RingDown:
             return 3 * np.log(10) / self.decay_rate
 
 
-def sounding(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
+def sounding_modes(modes: Modes, sample_rate: float, wanted=None) -> np.ndarray:
     """Return the indices (k,) in `wanted` (all modes if None) with frequencies below half the
     sample rate.
 
@@ -64,7 +64,7 @@ def response_to_unit_jump(modes: Modes, scene: Scene) -> tuple[np.ndarray, np.nd
     sweep rate w^2/k it leaves q'' = g sqrt(pi k/2)."""
     listener = listener_of(scene)
     g2 = np.square(forcing_per_newton(modes, scene)).sum(axis=0)
-    pressure2 = np.mean(np.abs(directions(modes, listener, count=64)) ** 2, axis=0)
+    pressure2 = np.mean(np.abs(directivity_table(modes, listener, count=64)) ** 2, axis=0)
     weight = 10 ** (a_weighting_db(modes.frequency) / 10)
     decay = np.maximum(modes.decay_rate, 1 / MAX_RING_TIME)
     return weight * g2 * pressure2 / (4 * decay), g2 / (2 * (2 * np.pi * modes.frequency) ** 2)

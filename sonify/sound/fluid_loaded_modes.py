@@ -16,7 +16,7 @@ from dynamics.air import PRANDTL
 from modal import Modes
 from sonify.sound.force import ContactForce
 from sonify.sound.oscillators import Knots, OscillatorBank
-from sonify.sound.radiation import directions, listener_of, position, rayleigh
+from sonify.sound.radiation import directivity_table, listener_of, listener_position, rayleigh
 
 TABULATED_GAPS = np.geomspace(2.5e-3, 4e-6, 12)  # m
 """Mean gaps at which the film is solved; gaps outside the range act as its nearest end."""
@@ -263,7 +263,7 @@ def radiation_gain(modes: Modes, scene, flows, views=16, max_wavenumber=1.5) -> 
     wave[..., 0] *= a0
     wave[..., 1] *= a1
     raised = replace(modes, face_shape=np.fft.irfft(wave, len(modes.face_angle), axis=3))
-    closed, top = (directions(m, listener, count=views) for m in (modes, raised))
+    closed, top = (directivity_table(m, listener, count=views) for m in (modes, raised))
     radius = scene.disk.radius
     angle = 2 * pi * np.arange(64) / 64
     turn = np.exp(1j * np.outer(signed_order, angle + pi))
@@ -271,7 +271,9 @@ def radiation_gain(modes: Modes, scene, flows, views=16, max_wavenumber=1.5) -> 
     ring = radius * np.column_stack([np.cos(angle), np.sin(angle)])
     weight = np.full(64, radius * angle[1])
     k = 2 * pi * modes.frequency / listener.air.sound_speed
-    listeners = [position(listener, azimuth) for azimuth in 2 * pi * np.arange(views) / views]
+    listeners = [
+        listener_position(listener, azimuth) for azimuth in 2 * pi * np.arange(views) / views
+    ]
     wave_of_mode = np.tile(waves, (len(k), 1))
     k_of_wave = np.repeat(k, len(waves))
     rim_pressure = np.array(

@@ -48,7 +48,7 @@ class DerivedTrack:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Weighted(DerivedTrack):
+class WeightedTrack(DerivedTrack):
     """A-weighted copy of a track [Pa], filtered once and cached up to `max_cached` samples."""
 
     max_cached: int = 1 << 23
@@ -73,7 +73,7 @@ class Weighted(DerivedTrack):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Copy(DerivedTrack):
+class ScaledTrack(DerivedTrack):
     """A track divided by `full_scale` [Pa], the pressure that 1.0 represents."""
 
     full_scale: float = 1.0
@@ -88,11 +88,11 @@ class Copy(DerivedTrack):
         yield from (block.astype(float) / self.full_scale for block in self.track.blocks(start))
 
 
-def audible(track) -> Copy:
+def audible_copy(track) -> ScaledTrack:
     """Return the A-weighted copy of a track [Pa] at LOUDNESS_LUFS, but at most TRUE_PEAK_DB."""
-    weighted = Weighted(track=track)
+    weighted = WeightedTrack(track=track)
     full_scale_at_peak = true_peak(weighted) / 10 ** (TRUE_PEAK_DB / 20) or 1.0
-    at_peak = Copy(
+    at_peak = ScaledTrack(
         track=weighted, full_scale=full_scale_at_peak
     )  # scaled first: loudness has a gate at -70 LUFS
     try:
@@ -106,7 +106,7 @@ def audible(track) -> Copy:
     )
 
 
-def loudness(copy: Copy) -> float | str:
+def loudness(copy: ScaledTrack) -> float | str:
     """Return the loudness of a copy [LUFS], or the reason why it is undefined."""
     try:
         return copy.loudness

@@ -5,13 +5,17 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
 from tempfile import TemporaryFile
+from typing import TYPE_CHECKING
 from weakref import finalize
 
 import numpy as np
 
 from dynamics import Outcome
 from sonify.sound.audible_modes import RingDown
-from sonify.sound.playback import Copy, audible, energy_below, loudness
+from sonify.sound.playback import ScaledTrack, audible_copy, energy_below, loudness
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 """Causes of sound in every scene: heave and tilt of the rigid disk, and its modes under the smooth
@@ -19,7 +23,7 @@ force and under jumps. A scene may have more."""
 COLUMNS = ("pressure", *STEMS)
 LISTENING_PEAK_DB = -1.0
 """Peak of sound.wav relative to full scale [dB]."""
-MOST_IN_MEMORY = 1 << 27
+MAX_BYTES_IN_MEMORY = 1 << 27
 """Size [bytes] above which a sound is kept in an unnamed temporary file."""
 BLOCK = 1 << 16
 """Number of samples read at once."""
@@ -76,7 +80,7 @@ class Sound:
         Name of the scene.
     sample_rate : int
         [Hz]
-    columns : ndarray or Scratch, shape (n, 1 + s)
+    columns : ndarray or ScratchFile, shape (n, 1 + s)
         Pressure and its causes [Pa], float32, read by slices of rows.
     modes_heard : int
         Number of modes rendered.
@@ -103,7 +107,7 @@ class Sound:
 
     name: str
     sample_rate: int
-    columns: "np.ndarray | Scratch"
+    columns: "np.ndarray | ScratchFile"
     modes_heard: int
     source_end: float
     outcome: Outcome
@@ -124,6 +128,12 @@ class Sound:
     def stems(self) -> dict[str, Track]:
         """The causes of the pressure [Pa], by name; they add up to it."""
         return {name: self.track(name) for name in self.names}
+
+    def plot(self) -> "Figure":
+        """Return a matplotlib figure of the pressure over time and its spectrogram."""
+        from sonify.sound.plotting import plot_sound  # matplotlib is slow to import
+
+        return plot_sound(self)
 
     def track(self, name: str) -> Track:
         """Return the pressure or one of its causes by name; raise ValueError for other names."""
@@ -184,15 +194,15 @@ class Sound:
         return float(-20 * np.log10(self.full_scale))
 
     @property
-    def copy(self) -> Copy:
+    def copy(self) -> ScaledTrack:
         """Content of sound.wav: the pressure divided by `full_scale`."""
-        return Copy(track=self.pressure, full_scale=self.full_scale)
+        return ScaledTrack(track=self.pressure, full_scale=self.full_scale)
 
     @cached_property
-    def audible(self) -> Copy:
+    def audible(self) -> ScaledTrack:
         """Content of audible.wav: the A-weighted, amplified pressure; two ears if `turned`."""
         beside = (self._track("beside", 1 + len(self.names)),) if self.turned else ()
-        return audible(replace(self.pressure, others=beside or self.pressure.others))
+        return audible_copy(replace(self.pressure, others=beside or self.pressure.others))
 
     @cached_property
     def loudness(self) -> tuple[float | str, float | str]:
@@ -209,7 +219,7 @@ class Sound:
         return f"Sound({recorded}, peak {self.peak:.3g} Pa, {self.modes_heard} modes)"
 
 
-class Scratch:
+class ScratchFile:
     """Rows (n, width) in an unnamed temporary file, read by scratch[first:last]; it is deleted with
     the object."""
 
@@ -239,14 +249,14 @@ class Scratch:
         )
 
 
-def kept(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | Scratch":
-    """Return `count` rows from float32 blocks (k, width): an array, or a Scratch if large."""
+def collect_rows(rows: Iterator[np.ndarray], count: int) -> "np.ndarray | ScratchFile":
+    """Return `count` rows from float32 blocks (k, width): an array, or a ScratchFile if large."""
     first = next(rows)
-    if first.itemsize * first.shape[1] * count <= MOST_IN_MEMORY:
+    if first.itemsize * first.shape[1] * count <= MAX_BYTES_IN_MEMORY:
         return np.concatenate(
             [block.T for block in (first, *rows)], axis=1
         ).T  # columns are contiguous, for fast reading
-    scratch = Scratch(first.shape[1])
+    scratch = ScratchFile(first.shape[1])
     for block in chain([first], rows):
         scratch.append(block)
     return scratch

@@ -16,7 +16,7 @@ from modal.radiation import AIR_DENSITY, STANDARD_AIR, Air
 from modal.radiation import SOUND_SPEED as SOUND_SPEED
 from sonify.scene import Ear
 
-AZIMUTHS = 512
+AZIMUTH_COUNT = 512
 """Number of azimuths at which the radiation of a mode is tabulated; it is interpolated linearly
 between them."""
 
@@ -42,7 +42,7 @@ class Listener:
     @property
     def position(self) -> np.ndarray:
         """Cartesian coordinates (3,) [m]; the centre of the disk is the origin."""
-        return position(self, self.azimuth)
+        return listener_position(self, self.azimuth)
 
     def transit(self, radius: float) -> float:
         """Return half the time [s] of a plane wave to the listener across a disk of `radius`
@@ -95,8 +95,8 @@ def rayleigh(face, points, weights, wavenumber, listener_at, density=AIR_DENSITY
     return density / (2 * np.pi) * np.sum(face * wave * weights, axis=1)
 
 
-def directions(
-    modes: Modes, listener: Listener, still: bool = False, count: int = AZIMUTHS
+def directivity_table(
+    modes: Modes, listener: Listener, still: bool = False, count: int = AZIMUTH_COUNT
 ) -> np.ndarray:
     """Return `rayleigh` of the top face of each mode at `count` equidistant azimuths of the
     listener, (count, m).
@@ -106,7 +106,7 @@ def directions(
     over each ring are a convolution."""
     k = 0 * modes.frequency if still else 2 * np.pi * modes.frequency / listener.air.sound_speed
     face_angles = len(modes.face_angle)
-    place = position(listener, 0.0)
+    place = listener_position(listener, 0.0)
     fine = lcm(face_angles, count)
     radius = modes.face_radius[:, None]
     angle = 2 * np.pi * np.arange(fine) / fine
@@ -119,14 +119,14 @@ def directions(
 
 
 def mode_taps(modes: Modes, listener: Listener, sample_rate: float) -> np.ndarray:
-    """Return three-tap filters (AZIMUTHS, m, 3) on samples n + 1, n, n - 1 that radiate the modes.
+    """Return three-tap filters (AZIMUTH_COUNT, m, 3) on samples n + 1, n, n - 1 that radiate the modes.
 
     Their response equals Rayleigh's integral at the frequency of the mode and at 0. In the last 2 %
     below half the sample rate three taps cannot turn the phase, and the phase is approximate."""
     min_sine = 0.06  # reached 2 % below half the sample rate, where the taps would be infinite
     turn = 2 * np.pi * modes.frequency / sample_rate
-    at_mode = directions(modes, listener)
-    at_rest = directions(modes, listener, still=True).real
+    at_mode = directivity_table(modes, listener)
+    at_rest = directivity_table(modes, listener, still=True).real
     even = (at_rest - at_mode.real) / (1 - np.cos(turn))
     square = np.sin(turn) ** 2
     bounded_square = np.where(turn > np.pi / 2, np.maximum(square, min_sine**2), square)
@@ -215,7 +215,7 @@ def piston_strength(radius: float, distance: float, density: float = AIR_DENSITY
     return density * radius**2 / (2 * distance)
 
 
-def position(listener: Listener, azimuth: float) -> np.ndarray:
+def listener_position(listener: Listener, azimuth: float) -> np.ndarray:
     """Return the coordinates (3,) [m] of the listener, moved to an azimuth [rad]."""
     across = listener.distance * np.cos(listener.elevation)
     return np.array(

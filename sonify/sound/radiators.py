@@ -6,7 +6,7 @@ import numpy as np
 from numba import njit
 
 from sonify.sound.radiation import (
-    AZIMUTHS,
+    AZIMUTH_COUNT,
     Listener,
     heave_kernel,
     mode_taps,
@@ -121,12 +121,12 @@ def _radiate_modes(ringing, turns, sharpness, taps):
     (k,) is 1 where the azimuth is well defined. It falls to 0 where the azimuth turns too fast; the
     taps are then the mean over all azimuths."""
     rows = (
-        taps[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTHS, -1)
+        taps[:, :, ::-1].swapaxes(1, 2).reshape(AZIMUTH_COUNT, -1)
     )  # (a, 3 m), ordered n, n + 1, n + 2 as in memory
     mean = rows.mean(axis=0)
     out = np.empty((len(turns), len(ringing)))
     slopes = np.roll(rows, -1, axis=0) - rows
-    where = (turns - np.floor(turns)) * AZIMUTHS
+    where = (turns - np.floor(turns)) * AZIMUTH_COUNT
     samples = ringing.reshape(len(ringing), -1)
     _apply_taps(samples, ringing.shape[2], where, sharpness, mean, rows - mean, slopes, out)
     return out
@@ -134,7 +134,7 @@ def _radiate_modes(ringing, turns, sharpness, taps):
 
 def compile_radiators() -> None:
     """Compile the kernels of ElasticFace; call it in a background thread."""
-    _radiate_modes(np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTHS, 1, 3)))
+    _radiate_modes(np.zeros((1, 3, 1)), np.zeros(1), np.zeros(1), np.zeros((AZIMUTH_COUNT, 1, 3)))
 
 
 @njit(cache=True, nogil=True)

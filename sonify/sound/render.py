@@ -13,10 +13,10 @@ import numpy as np
 from dynamics import Motion
 from modal import Modes, SurfaceModes
 from sonify.scene import Scene
-from sonify.sound.absorption import absorbing, absorption_latency
-from sonify.sound.audible_modes import sounding
+from sonify.sound.absorption import absorption_filter, absorption_latency
+from sonify.sound.audible_modes import sounding_modes
 from sonify.sound.force import ForceSampler
-from sonify.sound.pressure import Sound, kept, with_sum
+from sonify.sound.pressure import Sound, collect_rows, with_sum
 from sonify.sound.radiation import Listener, listener_of, listeners_of
 from sonify.sound.radiators import RigidFace
 from sonify.sound.sources.contact import contact_sources
@@ -84,7 +84,7 @@ class Renderer:
         self.motion = motion
         self.sample_rate = scene.audio.sample_rate
         self.listener = listener or listener_of(scene)
-        self.chosen = sounding(modes, self.sample_rate, wanted)
+        self.chosen = sounding_modes(modes, self.sample_rate, wanted)
         self.modes = modes.select(self.chosen)
         self.table = table
         self._turned = turn is not None
@@ -142,7 +142,7 @@ class Renderer:
             )
             for source, part in zip(self.sources, self._parts, strict=True)
         ]
-        absorb = absorbing(self.scene.air, self.listener.distance, self.sample_rate)
+        absorb = absorption_filter(self.scene.air, self.listener.distance, self.sample_rate)
         lead = self._lead
         total = self.samples + lead
         counts = {n: min(size, total - n) for n in range(0, total, size)}
@@ -171,7 +171,7 @@ class Renderer:
                 watch(min((i + 1) * BLOCK / self.samples, 1.0))
                 yield np.hstack([with_sum(stems[:, :own]), stems[:, own:].astype(np.float32)])
 
-        columns = kept(rows(), self.samples)
+        columns = collect_rows(rows(), self.samples)
         energies = {name: np.concatenate(parts, axis=1) for name, parts in noted.items()}
         table_energy = energies.pop("table", (None, None))[1]
         ((time, energy),) = energies.values()  # of the disk

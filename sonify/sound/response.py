@@ -9,7 +9,7 @@ from sonify.sound.oscillators import Knots, OscillatorBank, free_response
 
 
 @runtime_checkable
-class Vibrating(Protocol):
+class VibrationPart(Protocol):
     """A motion that solves the elastic modes of the disk together with it."""
 
     def vibration(self, t: np.ndarray) -> np.ndarray:
@@ -18,7 +18,7 @@ class Vibrating(Protocol):
         ...
 
 
-class Driven:
+class DrivenModes:
     """m modes as oscillators driven by the contact force: one bank for its smooth part, one for its
     jumps.
 
@@ -39,7 +39,7 @@ class Driven:
         return out
 
 
-class Carried:
+class CarriedModes:
     """The modes of indices `chosen` (m,) as solved by a Vibrating motion: at rest before it,
     `ringing` after it.
 

@@ -9,16 +9,19 @@ import soundfile
 
 from dynamics import Outcome
 from sonify import __version__
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 from sonify.sound.pressure import Sound
 
-NOT_THE_END = "; the motion did not come to rest, and its end is missing: {}"
-NOT_PASCAL = "A-weighted and made loud for small loudspeakers, not the pressure; 1.0 = {:.6g} pascal, A-weighted"
+MISSING_END_TEXT = "; the motion did not come to rest, and its end is missing: {}"
+AUDIBLE_SCALE_TEXT = (
+    "A-weighted and amplified for small loudspeakers, not the pressure; "
+    "1.0 = {:.6g} pascal, A-weighted"
+)
 
-MOST_BYTES = 2**32 - 2**12
+MAX_RIFF_BYTES = 2**32 - 2**12
 """Largest size of the samples [bytes] in a WAV file. A larger file is RF64 (EBU Tech 3306), with
 64-bit lengths."""
-BYTES = {"FLOAT": 4, "PCM_24": 3}
+BYTES_PER_SAMPLE = {"FLOAT": 4, "PCM_24": 3}
 
 
 def write_sound(
@@ -32,7 +35,7 @@ def write_sound(
     folder = Path(folder)
     pascal = "1.0 = 1 pascal at the listener"
     unfinished = (
-        "" if sound.outcome is Outcome.SETTLED else NOT_THE_END.format(sound.outcome.sentence)
+        "" if sound.outcome is Outcome.SETTLED else MISSING_END_TEXT.format(sound.outcome.sentence)
     )
     files = [(folder / "pressure.wav", sound.pressure, "FLOAT", pascal)]
     files += [
@@ -50,16 +53,18 @@ def write_sound(
             folder / "audible.wav",
             sound.audible,
             "PCM_24",
-            NOT_PASCAL.format(sound.audible.full_scale),
+            AUDIBLE_SCALE_TEXT.format(sound.audible.full_scale),
         ),
     ]
     with ExitStack() as stack:
         for i, (path, source, subtype, comment) in enumerate(files):
             form = (
-                "RF64" if source.frames * source.channels * BYTES[subtype] > MOST_BYTES else "WAV"
+                "RF64"
+                if source.frames * source.channels * BYTES_PER_SAMPLE[subtype] > MAX_RIFF_BYTES
+                else "WAV"
             )
             file = stack.enter_context(
-                _wav(path, source.sample_rate, source.channels, subtype, form)
+                _open_wav(path, source.sample_rate, source.channels, subtype, form)
             )
             file.title = f"Euler's disk, {sound.name}: {path.stem.replace('_', ' ')}"
             file.comment = comment + unfinished
@@ -70,9 +75,9 @@ def write_sound(
 
 
 @contextmanager
-def _wav(path, rate, channels, subtype, form):
+def _open_wav(path, rate, channels, subtype, form):
     """Open a WAV file that is written completely or not at all; equal samples give equal bytes."""
-    with whole(path) as temporary:
+    with atomic_write(path) as temporary:
         try:
             with soundfile.SoundFile(temporary, "w", rate, channels, subtype, format=form) as file:
                 yield file
@@ -81,10 +86,10 @@ def _wav(path, rate, channels, subtype, form):
             soundfile.LibsndfileError,
         ) as error:  # libsndfile reports only a short write
             raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
-        _forget_time(temporary)
+        _clear_timestamp(temporary)
 
 
-def _forget_time(path):
+def _clear_timestamp(path):
     """Zero the time stamp that libsndfile puts into the PEAK chunk of a file of floats."""
     with open(path, "r+b") as file:
         stamp = file.read(4096).find(b"PEAK")

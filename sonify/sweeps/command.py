@@ -10,18 +10,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from sonify.runtime.files import OutputError, whole
+from sonify.runtime.files import OutputError, atomic_write
 from sonify.runtime.progress import Stages, duration_in_words
-from sonify.runtime.signals import BrokenOffError
+from sonify.runtime.signals import AbortedError
 from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
 from sonify.sweeps.conclusions import CONCLUSIONS
-from sonify.sweeps.executors import Submit, cores, engine, machine, rows_of
-from sonify.sweeps.row_processes import Hand
-from sonify.sweeps.store import NAME, Table, read_table
+from sonify.sweeps.executors import Submit, core_count, executor, local_executor, rows_of
+from sonify.sweeps.row_processes import RowProcess
+from sonify.sweeps.store import TABLE_FILE, SweepTable, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
 
-UNASKED = 1_000_000
+MAX_UNCONFIRMED_RUNS = 1_000_000
 """Largest number of runs that start without `yes`."""
 
 
@@ -90,22 +90,22 @@ def sweep(
     asked = load_sweep(source)
     stages = stages or Stages()
     folder = Path(out or Path("outputs") / "sweeps" / asked.name)
-    if asked.points.count > UNASKED and not yes:
+    if asked.points.count > MAX_UNCONFIRMED_RUNS and not yes:
         count = asked.points.count
-        processes = processes or cores()
+        processes = processes or core_count()
         time = duration_in_words(run_time(asked, processes, stages).total(count, processes))
         raise InputError(f"{count} runs, about {time} on this machine: add --yes to begin them")
     axes = [key for axis in asked.points.axes for key in axis.keys]
     with (
-        engine(scheduler, processes) as (submit, capacity),
-        Table(folder, asked.identity, axes, asked.points.count, retry) as table,
+        executor(scheduler, processes) as (submit, capacity),
+        SweepTable(folder, asked.identity, axes, asked.points.count, retry) as table,
         stages.stage("runs") as watch,
     ):
         for rows in _rows(asked, _tasks(asked, table, folder.absolute()), submit, capacity):
             table.add(rows)
             note = f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
             watch(table.done.mean(), note if capacity() else f"{note}, waiting for workers")
-    held = read_table(folder / NAME)[0].num_rows
+    held = read_table(folder / TABLE_FILE)[0].num_rows
     if held < asked.points.count:
         raise OutputError(
             f"{folder}: holds {held} of {asked.points.count} rows: its files were changed meanwhile"
@@ -115,13 +115,13 @@ def sweep(
 
         draw_maps(folder, asked.find)
     if asked.name in CONCLUSIONS:
-        told = CONCLUSIONS[asked.name](read_table(folder / NAME)[0])
-        with whole(folder / "conclusion.md") as temporary:
+        told = CONCLUSIONS[asked.name](read_table(folder / TABLE_FILE)[0])
+        with atomic_write(folder / "conclusion.md") as temporary:
             temporary.write_text("\n".join(told) + "\n", "utf-8")
-    return folder / NAME
+    return folder / TABLE_FILE
 
 
-def says(path: str | Path) -> tuple[list[str], bool]:
+def summary_lines(path: str | Path) -> tuple[list[str], bool]:
     """Return a one-line summary of a table, and True if no self-check failed."""
     table = read_table(path)[0].to_pydict()
     ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
@@ -137,13 +137,13 @@ def says(path: str | Path) -> tuple[list[str], bool]:
     return [f"{len(table['run'])} runs: {', '.join(told)}"], not failed
 
 
-def plan(
+def plan_sweep(
     source: str | Path | dict[str, Any], processes: int | None = None, stages: Stages | None = None
 ) -> list[str]:
     """Return the lines that describe a sweep; the run time is measured on a few runs."""
     asked = load_sweep(source)
     points = asked.points
-    processes = processes or cores()
+    processes = processes or core_count()
     time = run_time(asked, processes, stages or Stages())
     drawn = (
         f"{points.samples.method}, seed {points.samples.seed}, over"
@@ -174,7 +174,7 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     starts = [(2 * k + 1) * asked.points.count // (2 * count) for k in range(count)]
     first = []
     later = []
-    with stages.stage("estimate") as watch, machine(count) as (submit, _):
+    with stages.stage("estimate") as watch, local_executor(count) as (submit, _):
         futures = [submit(_measured, asked, start, count) for start in starts]
         for done, found in enumerate(futures, 1):
             seconds = found.result()
@@ -190,10 +190,10 @@ def _measured(asked, start, stride):
     """Return the times [s] of two runs in a new process; the first includes the process start."""
     seconds = []
     began = perf_counter()
-    hand = Hand()
+    hand = RowProcess()
     if hand.version is None:
-        raise BrokenOffError("python -m sonify.sweeps.worker_loop does not start")
-    for run in islice(_possible(asked, start, stride), 2):
+        raise AbortedError("python -m sonify.sweeps.worker_loop does not start")
+    for run in islice(_first_valid_run(asked, start, stride), 2):
         row = hand.row(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
         seconds.append(perf_counter() - began)
         if row is None:  # the process died
@@ -202,7 +202,7 @@ def _measured(asked, start, stride):
     return seconds
 
 
-def _possible(asked, start, stride, tries=1000):
+def _first_valid_run(asked, start, stride, tries=1000):
     """Yield runs with a valid scene: every `stride`-th one from `start`, then those before it."""
     runs = chain(range(start, asked.points.count, stride), range(start % stride, start, stride))
     for run in islice(runs, tries):

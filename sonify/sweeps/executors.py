@@ -10,24 +10,24 @@ from itertools import islice
 from time import monotonic
 from typing import Any
 
-from sonify.runtime.signals import BrokenOffError
+from sonify.runtime.signals import AbortedError
 from sonify.scene_errors import InputError
-from sonify.sweeps.row_processes import EndedError, end_all, solve_apart
+from sonify.sweeps.row_processes import ProcessesEndedError, end_all_processes, solve_in_process
 from sonify.sweeps.version import version
 
 LOCAL = "local"
 """Replaces an address: a Dask scheduler for this sweep, with one multithreaded worker."""
-AHEAD = 3
+QUEUED_RUNS_PER_PROCESS = 3
 """Submitted tasks per process, waiting or running; enough to keep each process busy."""
-PATIENCE = 4.0
+SCHEDULER_TIMEOUT = 4.0
 """Timeout for the answer of a scheduler [s]."""
-WORKER_PATIENCE = 5.0
+WORKER_TIMEOUT = 5.0
 """Timeout for the first worker to join a scheduler [s]."""
-GONE = "what has been found is kept, but the processes are gone"
+LOST_PROCESSES_TEXT = "what has been found is kept, but the processes are gone"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
 
-def cores() -> int:
+def core_count() -> int:
     """Return the number of CPU cores available to this process."""
     if sys.platform == "linux":
         return len(os.sched_getaffinity(0))
@@ -35,7 +35,7 @@ def cores() -> int:
 
 
 @contextmanager
-def engine(
+def executor(
     scheduler: str | None, processes: int | None
 ) -> Iterator[tuple[Submit, Callable[[], int]]]:
     """Yield a function that submits a call, and one that returns the number of processes.
@@ -44,29 +44,35 @@ def engine(
     scheduler does not answer, has no workers, or has workers with another version of this program.
     """
     if scheduler == LOCAL:
-        count = processes or cores()
-        local = dask().LocalCluster(n_workers=1, threads_per_worker=count, dashboard_address=None)
-        with local, cluster(local.scheduler_address) as made:
+        count = processes or core_count()
+        local = import_dask().LocalCluster(
+            n_workers=1, threads_per_worker=count, dashboard_address=None
+        )
+        with local, dask_executor(local.scheduler_address) as made:
             yield made
     else:
-        with cluster(scheduler) if scheduler else machine(processes or cores()) as made:
+        with (
+            dask_executor(scheduler)
+            if scheduler
+            else local_executor(processes or core_count()) as made
+        ):
             yield made
 
 
 @contextmanager
-def machine(processes: int):
+def local_executor(processes: int):
     """Yield an executor with `processes` processes of this machine; exit kills them."""
     threads = ThreadPoolExecutor(processes)
     try:
         yield threads.submit, lambda: processes
     finally:
         threads.shutdown(wait=False, cancel_futures=True)
-        end_all()
+        end_all_processes()
         threads.shutdown()
-        end_all()
+        end_all_processes()
 
 
-def dask():
+def import_dask():
     """Import and return the Dask package. Raises InputError if it is not installed."""
     try:
         import distributed
@@ -76,17 +82,17 @@ def dask():
 
 
 @contextmanager
-def cluster(address: str):
+def dask_executor(address: str):
     """Yield an executor for the workers of the Dask scheduler at `address`."""
-    distributed = dask()
+    distributed = import_dask()
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
-        client = distributed.Client(address, timeout=PATIENCE)
+        client = distributed.Client(address, timeout=SCHEDULER_TIMEOUT)
     except Exception as error:  # another kind of server may answer
         raise InputError(f"--scheduler {address}: no scheduler answers: {error}") from None
     try:
         _require_worker(client, address)
-        _same_version(client)
+        _require_same_version(client)
         yield client.get_executor(pure=False).submit, _capacity(client)
     finally:
         client.close(timeout=1)
@@ -95,10 +101,10 @@ def cluster(address: str):
 def _require_worker(client, address):
     """Wait for the first worker. Raises InputError if none joins the scheduler."""
     try:
-        client.wait_for_workers(1, timeout=WORKER_PATIENCE)
+        client.wait_for_workers(1, timeout=WORKER_TIMEOUT)
     except TimeoutError:
         remedy = f"start one with: dask worker {address}"
-        fault = f"--scheduler {address}: no worker within {WORKER_PATIENCE:g} s; {remedy}"
+        fault = f"--scheduler {address}: no worker within {WORKER_TIMEOUT:g} s; {remedy}"
         raise InputError(fault) from None
 
 
@@ -116,14 +122,14 @@ def _capacity(client):
             try:
                 found = sum(client.nthreads().values())
             except (OSError, TimeoutError) as error:
-                raise BrokenOffError(f"{GONE}: {error}") from None
+                raise AbortedError(f"{LOST_PROCESSES_TEXT}: {error}") from None
             asked = monotonic()
         return found
 
     return count
 
 
-def _same_version(client):
+def _require_same_version(client):
     """Raise InputError unless all workers have this version of the program.
 
     The workers import its functions by name.
@@ -147,8 +153,10 @@ def rows_of(
     tasks = iter(tasks)
     running = dict[Future, int]()
     while True:
-        for run, task in islice(tasks, max(AHEAD * max(processes(), 1) - len(running), 0)):
-            running[submit(solve_apart, task, limit)] = run
+        for run, task in islice(
+            tasks, max(QUEUED_RUNS_PER_PROCESS * max(processes(), 1) - len(running), 0)
+        ):
+            running[submit(solve_in_process, task, limit)] = run
         if not running:
             return
         done, _ = wait(running, timeout=1, return_when=FIRST_COMPLETED)
@@ -158,8 +166,10 @@ def rows_of(
 def _row(future):
     try:
         row = future.result()
-    except (CancelledError, EndedError) as error:
-        raise BrokenOffError(f"{GONE}: {error or 'the scheduler does not answer'}") from None
+    except (CancelledError, ProcessesEndedError) as error:
+        raise AbortedError(
+            f"{LOST_PROCESSES_TEXT}: {error or 'the scheduler does not answer'}"
+        ) from None
     except Exception as error:  # e.g. KilledWorker of Dask: the run killed several workers
         return {
             "error": f"{type(error).__name__}: {' '.join(str(error).split())}",

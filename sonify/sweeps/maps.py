@@ -3,16 +3,16 @@
 from pathlib import Path
 
 from sonify.report.maps import Map, draw_map
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 from sonify.scene_errors import InputError
 from sonify.scene_keys import keys as scene_keys
 from sonify.suggestions import did_you_mean
 from sonify.sweeps.axes import Samples, points_of
-from sonify.sweeps.store import NAME, read_table
+from sonify.sweeps.store import TABLE_FILE, read_table
 
 RESULT_UNITS = {"t_end": "s", "sound_seconds": "s", "peak_pascal": "Pa"}
 """Units of the result columns."""
-USUAL = ("outcome", "t_end")
+DEFAULT_COLUMNS = ("outcome", "t_end")
 """Columns that are drawn by default."""
 
 
@@ -65,7 +65,7 @@ def make_map(
         values = table[of.removesuffix("_holds")].to_pylist()
         columns[of] = [_verdict(*row) for row in zip(columns[of], values, strict=True)]
     units = RESULT_UNITS | {key.name: key.unit for key in scene_keys() if key.unit != "-"}
-    with whole(out) as temporary:
+    with atomic_write(out) as temporary:
         draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs, units=units), temporary)
     return out
 
@@ -78,8 +78,8 @@ def _verdict(holds: bool | None, value: float | None) -> str | None:
 
 
 def draw_maps(folder: Path, find=()):
-    """Draw the columns named in `find`, or the USUAL ones, of the table in `folder`."""
-    table, _ = read_table(folder / NAME)
-    for of in [name for name in find if name in table.column_names] or USUAL:
+    """Draw the columns named in `find`, or the DEFAULT_COLUMNS ones, of the table in `folder`."""
+    table, _ = read_table(folder / TABLE_FILE)
+    for of in [name for name in find if name in table.column_names] or DEFAULT_COLUMNS:
         if of in table.column_names and table[of].null_count < len(table):
-            make_map(folder / NAME, of)
+            make_map(folder / TABLE_FILE, of)

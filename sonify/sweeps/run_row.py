@@ -12,18 +12,18 @@ from sonify.claims.checks import mode_checks, motion_checks
 from sonify.pipeline import solve, write
 from sonify.plan.body_scene import BodyScene, body_scene
 from sonify.plan.plan import plan_of
-from sonify.plan.preflight import planned, solvable, solve_motion
+from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
 from sonify.plan.table import with_table
 from sonify.report.write import duration_columns, summary, verdict_columns, write_json, write_motion
 from sonify.runtime.progress import Stages
 from sonify.scene import Scene, from_document
 from sonify.sound.wav import write_sound
-from sonify.sweeps.required_stages import found_by
+from sonify.sweeps.required_stages import findings_of_hook
 
 MAX_CACHED_MODES = 4
 
 
-def remembered(scene: Scene, **asked) -> Modes:
+def cached_modes(scene: Scene, **asked) -> Modes:
     """Return the cached `eigenmodes` of a scene; scenes with equal disks share them."""
     return _modes_of(body_scene(scene), **asked)
 
@@ -43,7 +43,9 @@ def row_of(
     """
     watch = Stages()
     try:
-        row = _row(solvable(from_document(document), None), stages, keep, Path(folder), watch)
+        row = _row(
+            check_solvable_scene(from_document(document), None), stages, keep, Path(folder), watch
+        )
     except OSError:
         raise  # a full disk is not an error of the run
     except Exception as error:  # the sweep continues after any failure of a run
@@ -53,16 +55,16 @@ def row_of(
 
 def _row(scene, stages, keep, folder, watch):
     if "sound" in stages:
-        result = solve(scene, stages=watch, eigenmodes=remembered)
+        result = solve(scene, stages=watch, eigenmodes=cached_modes)
         for kind in keep:
-            WHOLE[kind](result, folder, watch)
+            KEPT_FILE_WRITERS[kind](result, folder, watch)
         return {
             key: value for key, value in summary(result).items() if not key.startswith("seconds_")
         }
     row: dict[str, Any] = {}
     for stage in stages:
         with watch.stage(stage):
-            row |= ALONE[stage](scene, folder if "arrays" in keep else None)
+            row |= SINGLE_STAGE_ROWS[stage](scene, folder if "arrays" in keep else None)
     return row | {"passed": all(value for key, value in row.items() if key.endswith("_passed"))}
 
 
@@ -75,15 +77,17 @@ def _motion(scene, folder):
         scene, motion
     )
     return row | verdict_columns(
-        found_by("motion_findings", scene, motion), motion_checks(scene, motion)
+        findings_of_hook("motion_findings", scene, motion), motion_checks(scene, motion)
     )
 
 
 def _modes(scene, folder):
-    _, modes = planned(scene, remembered)
+    _, modes = plan_with_modes(scene, cached_modes)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
-    return verdict_columns(found_by("mode_findings", scene, modes), mode_checks(scene, modes))
+    return verdict_columns(
+        findings_of_hook("mode_findings", scene, modes), mode_checks(scene, modes)
+    )
 
 
 def _arrays(result, folder, _):
@@ -91,9 +95,9 @@ def _arrays(result, folder, _):
     write_json(as_json(result.modes), folder / "modes.json")
 
 
-ALONE: dict[str, Callable] = {"motion": _motion, "modes": _modes}
+SINGLE_STAGE_ROWS: dict[str, Callable] = {"motion": _motion, "modes": _modes}
 """Stage -> function that solves it without the sound."""
-WHOLE: dict[str, Callable] = {
+KEPT_FILE_WRITERS: dict[str, Callable] = {
     "arrays": _arrays,
     "wav": lambda result, folder, watch: write_sound(result.sound, folder, lambda share: None),
     "page": write,

@@ -20,18 +20,22 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 from filelock import FileLock, Timeout
 
-from sonify.runtime.files import OutputError, claimed, whole
+from sonify.runtime.files import OutputError, atomic_write, claimed_folder
 from sonify.scene_errors import InputError
 
-NAME, JOURNAL, LOCK, KEY = "runs.parquet", "runs.journal", ".runs.lock", b"sonify.sweep"
-FIRST = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
+TABLE_FILE = "runs.parquet"
+JOURNAL_FILE = "runs.journal"
+LOCK_FILE = ".runs.lock"
+METADATA_KEY = b"sonify.sweep"
+FIRST_COLUMNS = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
 """Leading columns of every table; the axes follow the run number."""
-PAUSE, SHARE = 30.0, 20
-"""Minimum interval between moves of the journal into the table [s], and as a multiple of the
-duration of the last move [-]; the larger one applies."""
+MIN_MOVE_INTERVAL = 30.0
+"""Minimum interval between moves of the journal into the table [s]."""
+MOVE_INTERVAL_RATIO = 20
+"""Minimum interval between moves as a multiple of the duration of the last one."""
 
 
-class Table:
+class SweepTable:
     """Context manager for the table of a sweep in `folder`, with exclusive write access.
 
     `done` (count,) is True for the runs that the table contains; with `retry`, runs with an error
@@ -45,7 +49,7 @@ class Table:
         self.folder = Path(folder)
         self.identity = identity
         self.axes = axes
-        self.path, self.journal = self.folder / NAME, self.folder / JOURNAL
+        self.path, self.journal = self.folder / TABLE_FILE, self.folder / JOURNAL_FILE
         self.done = np.zeros(count, bool)
         self.failed = 0
         self._retry = retry
@@ -55,15 +59,18 @@ class Table:
 
     def __enter__(self):
         with ExitStack() as stack:
-            stack.enter_context(claimed(self.folder))
-            lock = FileLock(self.folder / LOCK, timeout=0)
+            stack.enter_context(claimed_folder(self.folder))
+            lock = FileLock(self.folder / LOCK_FILE, timeout=0)
             try:
                 stack.enter_context(lock)
             except Timeout:
                 raise OutputError(f"{self.folder}: another sweep is writing this table") from None
             if not self.path.exists():
                 self._write(pa.table({"run": pa.array([], pa.int64())}))
-            if json.loads(pq.read_schema(self.path).metadata.get(KEY, b"null")) != self.identity:
+            if (
+                json.loads(pq.read_schema(self.path).metadata.get(METADATA_KEY, b"null"))
+                != self.identity
+            ):
                 raise InputError(
                     f"{self.path}: the table of another sweep: give this one another name, or "
                     f"remove it"
@@ -93,19 +100,19 @@ class Table:
             return
         if not self._file:
             self._file = open(self.journal, "ab", buffering=0)  # noqa: SIM115
-            self._put(self._file, _line({"sweep": self.identity}))
+            self._put(self._file, _journal_line({"sweep": self.identity}))
             _sync_folder(self.folder)
-        self._put(self._file, b"".join(map(_line, rows)))
+        self._put(self._file, b"".join(map(_journal_line, rows)))
         self.done[[row["run"] for row in rows]] = True
         self.failed += sum(row.get("error") is not None for row in rows)
-        if monotonic() - self._moved > max(PAUSE, SHARE * self._took):
+        if monotonic() - self._moved > max(MIN_MOVE_INTERVAL, MOVE_INTERVAL_RATIO * self._took):
             self.move()
 
     def move(self):
         """Move the rows of the journal into the table."""
         began = monotonic()
         if rows := self._journalled():
-            new = _as_table(rows, pq.read_schema(self.path), self.axes)
+            new = _arrow_table(rows, pq.read_schema(self.path), self.axes)
             old = pq.read_table(self.path)
             old = old.filter(pc.invert(pc.is_in(old["run"], new["run"])))
             self._write(pa.concat_tables([old, new], promote_options="default").sort_by("run"))
@@ -132,7 +139,7 @@ class Table:
         if not self.journal.exists():
             return []
         with open(self.journal, "rb") as lines:
-            records = [record for line in lines if (record := _record(line)) is not None]
+            records = [record for line in lines if (record := _journal_record(line)) is not None]
         if any(record["sweep"] != self.identity for record in records if "sweep" in record):
             raise InputError(
                 f"{self.journal}: rows of another sweep: give this one another name, or remove it"
@@ -141,14 +148,14 @@ class Table:
         return [rows[run] for run in sorted(rows)]
 
     def _write(self, table):
-        names = [*FIRST[:1], *self.axes, *FIRST[1:]]
+        names = [*FIRST_COLUMNS[:1], *self.axes, *FIRST_COLUMNS[1:]]
         rest = sorted(
             set(table.column_names) - set(names),
             key=lambda name: (name.startswith("seconds_"), name),
         )
         table = table.select([name for name in [*names, *rest] if name in table.column_names])
-        table = table.replace_schema_metadata({KEY: json.dumps(self.identity)})
-        with whole(self.path) as temporary:
+        table = table.replace_schema_metadata({METADATA_KEY: json.dumps(self.identity)})
+        with atomic_write(self.path) as temporary:
             pq.write_table(table, temporary, compression="zstd")
             with open(temporary, "rb+") as written:
                 os.fsync(written.fileno())
@@ -164,14 +171,14 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
         raise InputError(f"{path}: no such file")
     try:
         table = pq.read_table(path)
-        return table, json.loads(table.schema.metadata[KEY])
+        return table, json.loads(table.schema.metadata[METADATA_KEY])
     except (OSError, pa.ArrowInvalid) as error:
         raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
     except (KeyError, TypeError):
         raise InputError(f"{path}: not the table of a sweep") from None
 
 
-def _as_table(rows, known, axes):
+def _arrow_table(rows, known, axes):
     names = dict.fromkeys(name for row in rows for name in row)
     return pa.table(
         {
@@ -188,7 +195,7 @@ def _column(name, values, known, axis):
         return pa.array(values, pa.int64())
     if given <= {bool}:
         boolean = given or name.endswith("_holds")  # null if a finding is undecided or absent
-        return pa.array(values, pa.bool_() if boolean else _known(known, name))
+        return pa.array(values, pa.bool_() if boolean else _known_type(known, name))
     if given <= {int, float}:
         numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
         return pa.array([v if v is None else float(v) for v in numbers], pa.float64())
@@ -197,16 +204,16 @@ def _column(name, values, known, axis):
     )
 
 
-def _known(schema, name):
+def _known_type(schema, name):
     return schema.field(name).type if name in schema.names else pa.null()
 
 
-def _line(record):
+def _journal_line(record):
     content = json.dumps(record).encode()
     return b"%08x %s\n" % (crc32(content), content)
 
 
-def _record(line):
+def _journal_record(line):
     checksum, _, content = line.rstrip(b"\n").partition(b" ")
     return (
         json.loads(content)

@@ -10,14 +10,14 @@ from typing import Annotated, Any, Literal
 from annotated_types import Gt, Le
 from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 
-from sonify.runtime.toml_files import named, read, shipped
+from sonify.runtime.toml_files import find_file, read_toml, shipped_names
 from sonify.scene import from_document, load_scene
-from sonify.scene_errors import ContradictionError, InputError, SceneError, explain
+from sonify.scene_errors import ContradictionError, InputError, SceneError, error_sentence
 from sonify.sweeps.axes import Points, Samples, points_of
-from sonify.sweeps.required_stages import needed
+from sonify.sweeps.required_stages import required_stages
 
 SWEEPS = Path(__file__).parent / "shipped"
-MOST = 1_000_000_000
+MAX_RUNS = 1_000_000_000
 """Largest number of runs of a sweep; the completion flags of more runs would fill the memory."""
 
 
@@ -64,7 +64,7 @@ class Sweep:
     @cached_property
     def stages(self) -> tuple[str, ...]:
         """Stages that every run solves."""
-        return needed(self.find, self.keep)
+        return required_stages(self.find, self.keep)
 
     @property
     def identity(self) -> dict[str, Any]:
@@ -77,7 +77,7 @@ class Sweep:
 
     def scene_of(self, run: int) -> dict:
         """Return the scene document of a run."""
-        return placed(self.document, self.points[run])
+        return with_values(self.document, self.points[run])
 
     def columns(self, run: int) -> dict[str, Any]:
         """Return the values of the axes in a run in the form stored in the table.
@@ -111,13 +111,13 @@ class Sweep:
             faults = []
             for value in axis.values or axis.ends:
                 own = dict(zip(axis.keys, value, strict=True))
-                documents = [placed(self.document, others | own) for others in (*ends, {})]
-                faults.append(_contradiction(documents))
+                documents = [with_values(self.document, others | own) for others in (*ends, {})]
+                faults.append(_first_contradiction(documents))
             if all(faults):
                 raise faults[0]
 
 
-def _contradiction(documents):
+def _first_contradiction(documents):
     """Return None if one of the documents is a valid scene, else its ContradictionError.
 
     Raises SceneError if each document contains a forbidden value.
@@ -136,7 +136,7 @@ def _contradiction(documents):
     raise faults[0]
 
 
-def placed(document: dict, values: dict[str, Any]) -> dict:
+def with_values(document: dict, values: dict[str, Any]) -> dict:
     """Return a copy of a document with new values at keys such as `release.omega.2`."""
     document = deepcopy(document)
     for path, value in values.items():
@@ -160,16 +160,16 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
     Raises InputError if the sweep is invalid.
     """
-    path = Path() if isinstance(source, dict) else named(source, SWEEPS, "sweep", InputError)
-    document = source if isinstance(source, dict) else read(path, InputError)
+    path = Path() if isinstance(source, dict) else find_file(source, SWEEPS, "sweep", InputError)
+    document = source if isinstance(source, dict) else read_toml(path, InputError)
     try:
         sweep = TypeAdapter(Sweep).validate_json(json.dumps(document, default=str))
     except ValidationError as error:
-        raise InputError(explain(error, Sweep)) from None
+        raise InputError(error_sentence(error, Sweep)) from None
     object.__setattr__(sweep, "folder", path.parent)
-    if sweep.points.count > MOST:
+    if sweep.points.count > MAX_RUNS:
         raise InputError(
-            f"axes: {sweep.points.count:.3g} runs are more than {MOST:.0e}: cut the sweep into "
+            f"axes: {sweep.points.count:.3g} runs are more than {MAX_RUNS:.0e}: cut the sweep into "
             f"several"
         )
     sweep.check()
@@ -179,4 +179,4 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
 def shipped_sweeps() -> list[str]:
     """Return the names of the shipped sweeps."""
-    return shipped(SWEEPS)
+    return shipped_names(SWEEPS)

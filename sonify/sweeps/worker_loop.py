@@ -7,14 +7,14 @@ import json
 from time import perf_counter
 from typing import Any
 
-from sonify.runtime.signals import what_is_asked
+from sonify.runtime.signals import worker_loop
 from sonify.sweeps.version import version
 
-IDLE = 60.0
+IDLE_TIMEOUT = 60.0
 """Idle time after which the process exits and frees its memory [s]."""
 
 
-def solved(task: dict) -> dict[str, Any]:
+def timed_row(task: dict) -> dict[str, Any]:
     """Solve a task; return its row as plain values, with the run time [s] and the version."""
     from sonify.sweeps.run_row import row_of  # deferred: slow, and the parent does not need it
 
@@ -29,4 +29,4 @@ def solved(task: dict) -> dict[str, Any]:
 if __name__ == "__main__":
     import sonify.sweeps.run_row  # load before the first task  # noqa: F401
 
-    what_is_asked(idle=IDLE)
+    worker_loop(idle=IDLE_TIMEOUT)

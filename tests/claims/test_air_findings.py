@@ -24,13 +24,13 @@ from sonify.claims.air import (
     CAUSE_IN_WORDS,
     air_negligible,
     carried_by_air,
+    film_lift,
     friction_exponent,
-    lifts,
     motion_findings,
     what_ends,
 )
-from sonify.claims.details import in_words
-from sonify.plan.air import beyond_the_film, papers_law, with_air
+from sonify.claims.details import details_in_words
+from sonify.plan.air import limits_of_film_law, published_law_notes, with_air
 from sonify.plan.plan import plan_of
 
 
@@ -65,8 +65,8 @@ def test_air_ends_the_disk_on_glass(thorne, in_air):
     when = (
         f"lost at {in_air.t[-1]:.5g} s, {in_air.state[-1, 1]:.3g} rad, {turns:.3g} turns per second"
     )
-    assert in_words(carried) == when
-    assert lifts(in_air, film)[-1] == pytest.approx(in_air.disk.weight, rel=0.5)
+    assert details_in_words(carried) == when
+    assert film_lift(in_air, film)[-1] == pytest.approx(in_air.disk.weight, rel=0.5)
 
 
 def falling_film_share(motion, air):
@@ -200,7 +200,7 @@ def test_the_plan_says_how_far_a_papers_law_is_from_the_film(name, shares):
 
     At 0.1 rad one law is far too small, the other far too large.
     """
-    (told,) = papers_law(load_scene(name))
+    (told,) = published_law_notes(load_scene(name))
     shares_told = [float(part.split()[-1]) for part in told.split(" at ")[:3]]
     assert shares[0] < shares_told[1] < shares[1]
     assert shares_told[0] < 0.5 or shares_told[0] > 3
@@ -228,9 +228,11 @@ def test_the_plan_says_whether_the_film_acts_and_how_wrong_its_law_is(thorne, in
     assert chosen.startswith("acts")
     assert any("Reynolds" in sentence for sentence in plan.modelled)
     assert any(sentence.startswith("Air under the disk") for sentence in still.left_out)
-    assert any("isothermal" in sentence for sentence in beyond_the_film(thorne, in_air))
-    assert not any("mean free path" in sentence for sentence in beyond_the_film(thorne, in_air))
+    assert any("isothermal" in sentence for sentence in limits_of_film_law(thorne, in_air))
+    assert not any("mean free path" in sentence for sentence in limits_of_film_law(thorne, in_air))
     slips = thorne.replace("air.pressure=2e3")
-    assert len(beyond_the_film(slips, simulate(slips))) == 2
+    assert len(limits_of_film_law(slips, simulate(slips))) == 2
     rare = thorne.replace("air.pressure=20", "air.density=1e-4")
-    assert any("mean free path" in sentence for sentence in beyond_the_film(rare, simulate(rare)))
+    assert any(
+        "mean free path" in sentence for sentence in limits_of_film_law(rare, simulate(rare))
+    )

@@ -21,21 +21,21 @@ from dynamics.compliant.law.tabulated import LawTable
 from sonify import load_scene
 from sonify.claims import contact
 from sonify.claims.contact import (
-    PLACES,
+    VIBRATION_TIMES,
     Vibration,
     air_moves_carrier,
-    bands,
     carrier_heard,
     carrier_is_contact,
     carrier_rises,
     contact_findings,
     contact_is_lost,
     loss_begins_at,
-    several_contacts,
+    radiated_bands,
+    second_contact_times,
     vibration,
 )
 from sonify.hearing.noise_band import NoiseBand, noise_band
-from sonify.plan.preflight import planned
+from sonify.plan.preflight import plan_with_modes
 from sonify.sound.pressure import Track
 from sonify.sound.render import Renderer
 
@@ -86,9 +86,10 @@ def test_a_carrier_that_stays_does_not_rise():
 
 
 def still(rms, load=TABLE.law.disk.weight):
-    one = np.ones(PLACES)
+    one = np.ones(VIBRATION_TIMES)
     return Vibration(
-        table=TABLE, t=np.arange(PLACES) / 10, inclination=0.1 * one, load=load * one, speed=3 * one, rolls=one > 0,
+        table=TABLE, t=np.arange(VIBRATION_TIMES) / 10, inclination=0.1 * one,
+        load=load * one, speed=3 * one, rolls=one > 0,
         rms=rms * one, power=0 * one, shift=0 * one, softer=one,
     )  # fmt: skip
 
@@ -117,10 +118,10 @@ def test_contact_is_lost_as_a_gaussian_vibration_loses_it_and_where_it_is_solved
 
 
 def test_several_contacts_are_marked_from_when_on():
-    assert several_contacts(np.arange(5.0), np.array([0.2, 0.9, 1.1, 2.0, 3.0]))[0].startswith(
+    assert second_contact_times(np.arange(5.0), np.array([0.2, 0.9, 1.1, 2.0, 3.0]))[0].startswith(
         "From t = 2 s on"
     )
-    assert several_contacts(np.arange(5.0), np.full(5, 0.9)) == []
+    assert second_contact_times(np.arange(5.0), np.full(5, 0.9)) == []
 
 
 def test_the_power_that_roughness_takes_is_force_times_rise():
@@ -191,7 +192,7 @@ def test_a_band_that_the_air_moves_is_told_from_the_contacts(monkeypatch, hertz,
     motion = Resounding()
     t = np.arange(1.0, 7.0)
     expected = still(1.0)
-    found = bands(scene, motion, expected, NoiseBand(t, np.full(6, hertz), t))
+    found = radiated_bands(scene, motion, expected, NoiseBand(t, np.full(6, hertz), t))
     assert found.force == pytest.approx(1850.0, rel=0.02)
     assert found.radiated == pytest.approx(3600.0, rel=0.02)
     assert air_moves_carrier(found).holds == moved
@@ -203,7 +204,7 @@ def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_tab
     """Three surfaces agree within 2 % over the run of `granite`; a softer table does not."""
     for seed in range(3):
         scene = load_scene("granite").replace(f"roughness.seed={seed}", "numerics.accuracy=draft")
-        plan, modes = planned(scene)
+        plan, modes = plan_with_modes(scene)
         motion = simulate(scene)
         sound = Renderer(scene, motion, modes, plan.sounding, plan.calm).sound()
         found = {finding.key: finding for finding in contact_findings(scene, motion, sound)[0]}
@@ -213,7 +214,7 @@ def test_the_carrier_in_the_pressure_is_the_contacts_and_not_that_of_another_tab
     softer = scene.replace("contact.young=20e9")
     expected = vibration(softer, motion)
     judged = carrier_is_contact(
-        bands(softer, motion, expected, carrier_heard(sound, motion, expected))
+        radiated_bands(softer, motion, expected, carrier_heard(sound, motion, expected))
     )
     assert not judged.holds
     assert judged.value > 1.1

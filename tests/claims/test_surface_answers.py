@@ -14,7 +14,14 @@ from paths import ROOT
 from dynamics.film.activation import decide_film
 from sonify import load_scene
 from sonify.claims.finding import Finding
-from sonify.claims.surface_summary import ANSWERS, LOST, SURFACES, answer_table, answers, in_short
+from sonify.claims.surface_summary import (
+    ANSWERS,
+    LOSS_QUESTION,
+    SURFACES,
+    answer_table,
+    answers_in_short,
+    complete_answers,
+)
 from sonify.examples import surfaces
 from sonify.scene import shipped_scenes
 from sonify.sweeps.required_stages import stage_of
@@ -40,7 +47,7 @@ def test_an_answer_whose_margin_reaches_across_its_threshold_is_undecided(value)
     near = Finding(
         key="pitch_rises", claim="", value=value, unit="", at_least=2.0, margin=0.1, source=""
     )
-    assert answers([*others, near])["does the pitch rise"] == "undecided, 2.0 times"
+    assert complete_answers([*others, near])["does the pitch rise"] == "undecided, 2.0 times"
 
 
 def test_an_undecided_answer_without_yes_or_no_says_so_first():
@@ -53,7 +60,7 @@ def test_an_undecided_answer_without_yes_or_no_says_so_first():
         key="table_is_louder", claim="", value=0.5, unit="", at_least=0.0, margin=1.0, source=""
     )
     assert (
-        answers([*others, level])["what you hear"]
+        complete_answers([*others, level])["what you hear"]
         == "undecided: the table, +0 dB(A) relative to the disk"
     )
 
@@ -74,14 +81,14 @@ def test_the_first_finding_that_there_is_answers(rank):
     """Checked with all findings and each second one alone, in positive and negative wording."""
     keys = [list(words)[rank] for words in ANSWERS.values()]
     for holds in (True, False):
-        told = answers([finding(key, 0.25, holds) for key in keys])
+        told = complete_answers([finding(key, 0.25, holds) for key in keys])
         for (question, words), key in zip(ANSWERS.items(), keys, strict=True):
             assert told[question] == words[key][0 if holds else 1].format(
                 value=0.25, cause="sliding"
             )
     with pytest.raises(LookupError, match="none of the findings"):
-        answers([finding(keys[0], 1.0, True)])
-    assert in_short([finding(keys[0], 0.25, True)]) == {
+        complete_answers([finding(keys[0], 1.0, True)])
+    assert answers_in_short([finding(keys[0], 0.25, True)]) == {
         next(iter(ANSWERS)): ANSWERS[next(iter(ANSWERS))][keys[0]][0].format(value=0.25)
     }
 
@@ -94,10 +101,10 @@ def test_contact_that_is_lost_to_the_air_is_told_beside_what_vibrations_do(holds
     )  # the second does not hold where the air carries the disk
     kept = finding(key, 0.0, False)
     air = finding("carried_by_air", 1.0, True)
-    told = in_short([kept])[LOST]
-    assert in_short([kept, air])[LOST] == told
+    told = answers_in_short([kept])[LOSS_QUESTION]
+    assert answers_in_short([kept, air])[LOSS_QUESTION] == told
     air = replace(air, cause="film")
-    assert in_short([kept, air])[LOST] == told + (
+    assert answers_in_short([kept, air])[LOSS_QUESTION] == told + (
         "; finally the air carries the disk" if holds else ", to the air"
     )
 

@@ -24,9 +24,9 @@ from scene_faults import FAULTS
 import sonify
 from sonify.__main__ import main, start
 from sonify.report.replaced import replaced_results
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 from sonify.scene import load_scene
-from sonify.scene_keys import Key, keys, schema
+from sonify.scene_keys import SceneKey, keys, schema
 
 PROGRESS = re.compile(r"\w+ for \d+ s; ")
 HEAVY = ("numpy", "scipy", "matplotlib", "numba", "heyoka", "skfem", "pydantic")
@@ -124,7 +124,7 @@ def test_an_assignment_without_set_is_told_how_it_is_spelt(tmp_path):
 
 def test_the_keys_of_a_scene_and_their_schema_are_printed():
     listed = ask("scenes", "--keys").stdout.splitlines()
-    assert listed[0].split() == list(Key._fields)
+    assert listed[0].split() == list(SceneKey._fields)
     assert len(listed) == 1 + len(keys())
     assert any(line.startswith("audio.listeners") and "at most 16" in line for line in listed)
     assert json.loads(ask("scenes", "--schema").stdout) == schema()
@@ -321,7 +321,7 @@ def test_a_file_is_whole_or_as_it_was(tmp_path, fault):
     path.write_text("before")
 
     def write_half():
-        with whole(path) as temporary:
+        with atomic_write(path) as temporary:
             temporary.write_text("half")
             raise fault
 

@@ -20,8 +20,14 @@ from paths import ROOT
 
 from dynamics.compliant.stepping.row_store import RowStore
 from sonify.__main__ import main
-from sonify.runtime.files import HIDDEN, OutputError, claim, claimed, whole
-from sonify.sound.pressure import Scratch
+from sonify.runtime.files import (
+    TEMPORARY_PREFIX,
+    OutputError,
+    atomic_write,
+    claimed_folder,
+    create_folder,
+)
+from sonify.sound.pressure import ScratchFile
 
 COMMAND = """
 import signal, sys, time, click
@@ -67,10 +73,10 @@ def writer(tmp_path):
 
 def test_a_full_disk_names_the_file_for_which_it_has_no_room(tmp_path):
     """The error of a write lacks the file name; an error without a file keeps its message."""
-    with pytest.raises(OSError, match="No space") as raised, whole(tmp_path / "report.html"):
+    with pytest.raises(OSError, match="No space") as raised, atomic_write(tmp_path / "report.html"):
         raise OSError(errno.ENOSPC, "No space left on device")
     assert raised.value.filename == str(tmp_path / "report.html")
-    with pytest.raises(OutputError, match=r"^in words$"), whole(tmp_path / "report.html"):
+    with pytest.raises(OutputError, match=r"^in words$"), atomic_write(tmp_path / "report.html"):
         raise OutputError("in words")
 
 
@@ -79,7 +85,7 @@ def names(folder):
 
 
 def hidden(folder):
-    return {name for name in names(folder) if name.startswith(HIDDEN)}
+    return {name for name in names(folder) if name.startswith(TEMPORARY_PREFIX)}
 
 
 @POSIX
@@ -105,22 +111,25 @@ def test_what_a_killed_run_left_goes_with_the_next_file_and_what_a_living_one_wr
     owned = hidden(tmp_path)
     assert owned.isdisjoint(left)
     assert any(name.endswith(".wav") for name in owned)
-    with whole(tmp_path / "one.txt") as first, whole(tmp_path / "two.txt") as second:
+    with atomic_write(tmp_path / "one.txt") as first, atomic_write(tmp_path / "two.txt") as second:
         first.write_text("one")
         second.write_text("two")
     assert names(tmp_path) == owned | {"one.txt", "two.txt"}
     living.kill()
     living.wait()
-    with whole(tmp_path / "one.txt") as first:
+    with atomic_write(tmp_path / "one.txt") as first:
         first.write_text("three")
     assert names(tmp_path) == {"one.txt", "two.txt"}
 
 
 def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_it(tmp_path):
-    with pytest.raises(ValueError, match="refused"), claimed(tmp_path / "outputs" / "runs" / "one"):
+    with (
+        pytest.raises(ValueError, match="refused"),
+        claimed_folder(tmp_path / "outputs" / "runs" / "one"),
+    ):
         raise ValueError("refused")
     assert names(tmp_path) == set()
-    with claimed(tmp_path / "outputs" / "runs" / "two") as folder:
+    with claimed_folder(tmp_path / "outputs" / "runs" / "two") as folder:
         (folder.parent / "kept").touch()
     assert names(tmp_path / "outputs" / "runs") == {"kept"}
 
@@ -129,19 +138,19 @@ def test_a_folder_in_which_nothing_came_to_be_written_goes_with_those_made_for_i
     not Path("/proc/self").exists(),
     reason="a folder that is there and takes no file: Linux has one",
 )
-@pytest.mark.parametrize("door", [whole, lambda path: claimed(Path(path).parent)])
+@pytest.mark.parametrize("door", [atomic_write, lambda path: claimed_folder(Path(path).parent)])
 def test_a_folder_in_which_no_file_can_be_made_is_one_line_and_no_endless_wait(door):
     with pytest.raises(OutputError, match="/proc: cannot be written"), door("/proc/sound.wav"):
         pass
 
 
-@pytest.mark.parametrize("kind", [Scratch, lambda width: RowStore(np.zeros((0, width)))])
+@pytest.mark.parametrize("kind", [ScratchFile, lambda width: RowStore(np.zeros((0, width)))])
 def test_rows_on_disk_close_their_file_when_nobody_can_ask_for_more(kind):
     """Existing views may remain; an open file would cause a warning in unrelated code."""
     rows = kind(2)
     file = rows._file
     rows.append(np.ones((3, 2), np.float32))
-    seen = rows[:] if isinstance(rows, Scratch) else rows.rows()
+    seen = rows[:] if isinstance(rows, ScratchFile) else rows.rows()
     del rows
     gc.collect()
     assert file.closed
@@ -152,7 +161,7 @@ def test_hidden_files_of_others_are_left_alone(tmp_path):
     for name in (".a.lock", ".a.wav", ".sonify", "b.lock"):
         (tmp_path / name).touch()
     before = names(tmp_path)
-    with whole(tmp_path / "new.txt") as temporary:
+    with atomic_write(tmp_path / "new.txt") as temporary:
         temporary.touch()
     assert names(tmp_path) == before | {"new.txt"}
 
@@ -162,7 +171,7 @@ def test_hidden_files_of_others_are_left_alone(tmp_path):
 )
 def test_a_file_may_be_read_by_whom_any_new_file_may(tmp_path):
     (tmp_path / "plain").touch()
-    with whole(tmp_path / "ours") as temporary:
+    with atomic_write(tmp_path / "ours") as temporary:
         temporary.touch()
     assert (tmp_path / "ours").stat().st_mode == (tmp_path / "plain").stat().st_mode
 
@@ -170,7 +179,7 @@ def test_a_file_may_be_read_by_whom_any_new_file_may(tmp_path):
 @pytest.mark.parametrize("name", ["x" * 300, "x/" * 3000], ids=["name", "depth"])
 def test_a_path_that_is_too_long_is_one_line(tmp_path, name):
     with pytest.raises(OutputError, match="cannot be written"):
-        claim(tmp_path / name)
+        create_folder(tmp_path / name)
     for command in ("run", "listen"):
         asked = CliRunner().invoke(main, [command, str(tmp_path / name)])
         assert asked.exit_code == 2

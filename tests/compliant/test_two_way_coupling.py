@@ -35,15 +35,15 @@ from modal import surface_modes
 from sonify import SceneError, load_scene
 from sonify.claims import two_way
 from sonify.claims.air import what_ends
-from sonify.claims.halt import halt
+from sonify.claims.halt import simulate_halt
 from sonify.claims.literature import motion_findings as literature_findings
 from sonify.claims.table import radiated_power, waves_become_heat
-from sonify.plan.preflight import solvable, solve_motion
-from sonify.plan.table import action
+from sonify.plan.preflight import check_solvable_scene, solve_motion
+from sonify.plan.table import table_action
 from sonify.report import captions, pictures
 from sonify.report.render_worker import drawn
 from sonify.sound.radiation import Listener
-from sonify.sweeps.run_row import ALONE
+from sonify.sweeps.run_row import SINGLE_STAGE_ROWS
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.05])
@@ -196,7 +196,7 @@ SINGLE = tuple({"mu_static": mu, "mu_dynamic": mu} for mu in (0.2, 0.3, 0.5))
 def test_what_is_not_solved_is_refused_in_one_line(elastic):
     for change in ("contact.law=rigid", "numerics.contact=filter"):
         with pytest.raises(SceneError, match=r"surface\.action = 'motion' with .*") as caught:
-            solvable(elastic.replace(TABLE, change), None)
+            check_solvable_scene(elastic.replace(TABLE, change), None)
         assert len(str(caught.value).splitlines()) == 1
     with pytest.raises(
         SceneError, match=r"numerics\.contact_rate = 150000: too low .* at least \d"
@@ -308,7 +308,7 @@ def test_a_massive_table_is_never_handed_over(elastic):
     )
     modes = surface_modes(massive)
     assert not table_reaction(massive, modes).inclination
-    assert "stay below 1%" in action(massive, modes).reason
+    assert "stay below 1%" in table_action(massive, modes)[0].reason
     alone = massive.replace("surface={kind='rigid'}")
     motion = solve_motion(massive, table=modes)
     rigid = solve_motion(alone)
@@ -343,7 +343,10 @@ def test_a_table_is_handed_over_where_the_plan_says(handed):
     assert may_be_two_way(scene)
     assert may_be_two_way(scene.replace("contact.law=rigid"))
     assert not may_be_two_way(scene.replace("roughness.rms=1e-8"))
-    assert f"{found.inclination:.2g} rad on" in action(scene, modes).choice
+    assert (
+        f"below an inclination of {found.inclination:.2g} rad"
+        in table_action(scene, modes)[0].choice
+    )
     t = motion.handed_over
     assert isinstance(motion, Motion)
     assert replace(motion, outcome=Outcome.LEFT_TABLE).outcome is Outcome.LEFT_TABLE
@@ -416,8 +419,8 @@ def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
 def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     """The budget closes; the halt precedes that on an immovably heavy table by the stated time."""
     scene, _, motion = handed
-    others = two_way.reruns(scene, motion.then)
-    monkeypatch.setattr(two_way, "reruns", lambda *_: others)  # avoids solving them again
+    others = two_way.variation_runs(scene, motion.then)
+    monkeypatch.setattr(two_way, "variation_runs", lambda *_: others)  # avoids solving them again
     found = {finding.key: finding for finding in two_way.motion_findings(scene, motion)}
     t = np.linspace(motion.handed_over, motion.t[-1], 500)
     budget = two_way.energy_budget(motion, t)
@@ -455,9 +458,9 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
         (lossy, kept, "undecided"),
     ):
         monkeypatch.setattr(
-            two_way, "reruns", lambda *_, other=other: {"one": other, "another": other}
+            two_way, "variation_runs", lambda *_, other=other: {"one": other, "another": other}
         )
-        monkeypatch.setattr(two_way, "varied", lambda *_: None)
+        monkeypatch.setattr(two_way, "with_variation_margin", lambda *_: None)
         broken, count, *_ = two_way.motion_findings(scene, replace(motion, then=one))
         assert (broken.answer, broken.value) == (answer, len(one.contact_losses))
         assert count.answer == ("undecided: chaotic" if one is not other else answer)
@@ -469,8 +472,10 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
 
 def test_a_sweep_of_motions_hands_over_as_a_run_does(handed, monkeypatch):
     scene, _, motion = handed
-    monkeypatch.setattr(two_way, "reruns", lambda *_: {"itself": motion.then, "again": motion.then})
-    row = ALONE["motion"](scene, None)
+    monkeypatch.setattr(
+        two_way, "variation_runs", lambda *_: {"itself": motion.then, "again": motion.then}
+    )
+    row = SINGLE_STAGE_ROWS["motion"](scene, None)
     assert row["t_end"] == motion.t[-1]
     assert "halt_comes_earlier" in row
 
@@ -526,8 +531,8 @@ def test_glass_is_handed_over_before_the_halt_and_agrees_with_an_earlier_one(mon
 def test_the_map_of_halts():
     """A light mode breaks the contact and advances the halt; a heavy mode does neither, within the
     1 % effect of creep."""
-    light = halt(2.0, 0.02, 2 * np.pi * 300, 2)
-    heavy = halt(1e4, 0.02, 2 * np.pi * 300, 2)
+    light = simulate_halt(2.0, 0.02, 2 * np.pi * 300, 2)
+    heavy = simulate_halt(1e4, 0.02, 2 * np.pi * 300, 2)
     assert light.contact_lost
     assert light.advanced > 0.1
     assert not heavy.contact_lost
@@ -539,7 +544,7 @@ def test_the_map_of_halts():
         (1.0, 0.02, 1e6, 2),
     ):
         with pytest.raises(ValueError, match=r"halt: mass|w_over_n"):
-            halt(*wrong)
+            simulate_halt(*wrong)
 
 
 def test_no_instant_of_the_picture_of_energies_lies_before_the_table_acts_back():

@@ -17,7 +17,7 @@ from dynamics.compliant.state_conversion import columns, energy, released_state
 from dynamics.compliant.stepping.model import CompliantModel
 from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES
 from sonify import SceneError, load_scene
-from sonify.plan.preflight import solvable
+from sonify.plan.preflight import check_solvable_scene
 
 
 @pytest.fixture(scope="module")
@@ -88,5 +88,5 @@ def test_what_is_not_solved_with_waves_is_refused_in_one_line(wavy):
         (("imperfection.amplitude=0.0",), "imperfection.amplitude"),
     ):
         with pytest.raises(SceneError, match=said) as caught:
-            solvable(wavy.replace(*change), None)
+            check_solvable_scene(wavy.replace(*change), None)
         assert len(str(caught.value).splitlines()) == 1

@@ -16,8 +16,8 @@ from dynamics.film.activation import (
     rarefied_inclination,
 )
 from sonify import SceneError
-from sonify.plan.air import beyond_the_film
-from sonify.plan.preflight import solvable
+from sonify.plan.air import limits_of_film_law
+from sonify.plan.preflight import check_solvable_scene
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +57,7 @@ def test_a_motion_in_thin_air_ends_where_no_law_of_its_film_is_known(rare):
     assert motion.outcome is Outcome.SETTLED
     assert gap * MAX_KNUDSEN == pytest.approx(rare.air.mean_free_path, rel=1e-9)
     assert len(motion.t) < 50_000
-    told = " ".join(beyond_the_film(rare, motion))
+    told = " ".join(limits_of_film_law(rare, motion))
     assert "6.6e-06 m" in told  # the gap at the end of the motion
     assert "less than 1 mean free paths of the air, 0.00066 m" in told
 
@@ -83,6 +83,6 @@ def test_molecules_that_fly_further_than_the_gap_are_no_film(rare):
     with pytest.raises(
         SceneError, match=r"air.pressure = 0.3: must be at least 0.326 for a film"
     ) as refused:
-        solvable(thin.replace("air.film=acts"), None)
+        check_solvable_scene(thin.replace("air.film=acts"), None)
     assert "\n" not in str(refused.value)
     assert decide_film(thin.replace("air.pressure=0.34", "air.film=acts")).film is not None

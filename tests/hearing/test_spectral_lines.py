@@ -10,7 +10,7 @@ import pytest
 from scipy.signal import butter, lfilter, sosfilt
 
 from sonify import load_scene
-from sonify.claims.resonance_matching import matched, resonances
+from sonify.claims.resonance_matching import nearest_resonance, resonances
 from sonify.hearing.spectral_lines import APART, _pairs, carriers
 
 RATE, LENGTH = 16000, 12.0
@@ -168,6 +168,8 @@ def test_carriers_are_matched_to_modes_and_contact():
     sound = sum(np.cos(2 * np.pi * f * t) for f in (mode, 2000.0, 5040.0))
     found = carriers(sound + 0.01 * np.random.default_rng(0).standard_normal(len(t)), rate)
     of = {
-        round(one.frequency): match and match.of for one in found for match in [matched(one, known)]
+        round(one.frequency): match and match.of
+        for one in found
+        for match in [nearest_resonance(one, known)]
     }
     assert of == {round(mode): "disk", 2000: "contact", 5040: None}

@@ -52,7 +52,8 @@ def ask(*_):
 
 
 @pytest.mark.parametrize(
-    ("door", "work"), [(eigenmodes, "modal.solve.check_solvable"), (run, "sonify.pipeline.planned")]
+    ("door", "work"),
+    [(eigenmodes, "modal.solve.check_solvable"), (run, "sonify.pipeline.plan_with_modes")],
 )
 def test_one_thread_inside_and_as_many_as_before_outside(door, work, scene, monkeypatch):
     monkeypatch.setattr(work, ask)

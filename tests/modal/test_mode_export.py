@@ -18,7 +18,7 @@ from modal import Material, Plate, as_faust, as_faust_library, eigenmodes, plate
 from modal.export import STRIKE_PEAK
 from sonify.__main__ import main
 from sonify.export import export_modes
-from sonify.plan.preflight import planned
+from sonify.plan.preflight import plan_with_modes
 from sonify.scene import load_scene
 from sonify.scene_errors import InputError
 
@@ -131,7 +131,7 @@ def exported(request, tmp_path_factory):
     name, kind = SUPPORTS[request.param]
     scene = load_scene(name).replace(kind, "numerics.accuracy=draft")
     path = export_modes(scene, "faust", tmp_path_factory.mktemp("faust") / "disk.dsp")
-    return path.read_text("utf-8"), planned(scene)[1]
+    return path.read_text("utf-8"), plan_with_modes(scene)[1]
 
 
 def test_the_program_is_heard_wherever_the_disk_is_held(exported):

@@ -36,7 +36,7 @@ from modal.spring_supported import contact_modes, patch_to_contact_rotation, res
 from modal.synthesis.free_disk import Richness
 from modal.synthesis.residual_flexibility import regular_flexibility, strip_flexibility
 from sonify import load_scene
-from sonify.plan.supports import compared, over_the_run
+from sonify.plan.supports import modes_over_run, support_comparison
 from sonify.report.pictures import mode_changes_text
 from sonify.report.write import mode_changes_record
 from sonify.sound.modal_forcing import forcing_per_newton
@@ -304,12 +304,12 @@ def test_where_the_contact_is_elastic_its_stem_has_the_rigid_disk_and_modes_only
 def test_modes_rise_as_the_disk_falls_and_the_plan_names_what_other_supports_predict():
     scene = load_scene("published").replace("support.kind=contact", "numerics.accuracy=draft")
     motion = SimpleNamespace(t=[0.0, 2.0], at=lambda t: np.array([[0.0, 0.5 * 10.0 ** -t[0], 0.0]]))
-    steps = over_the_run(scene, motion, 20e3)
+    steps = modes_over_run(scene, motion, 20e3)
     assert [step.name for step in steps] == ["release", "middle", "end"]
     assert (np.diff([step.modes.frequency for step in steps], axis=0) > 0).all()
-    said = compared(scene, steps[0].modes, 20e3).choice
+    said = support_comparison(scene, steps[0].modes, 20e3).choice
     assert all(kind in said for kind in ("contact: 7", "patch: 80", "free: 1060"))
-    assert over_the_run(load_scene("published"), motion, 20e3) == []
+    assert modes_over_run(load_scene("published"), motion, 20e3) == []
 
 
 def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs():
@@ -318,7 +318,7 @@ def test_a_run_is_told_of_also_where_its_contact_becomes_too_stiff_for_springs()
         "support.kind=contact", "numerics.accuracy=draft", "material.young=100e9"
     )
     motion = SimpleNamespace(t=[0.0, 2.0], at=lambda t: np.array([[0.0, 0.5 * 1e-3 ** t[0], 0.0]]))
-    steps = over_the_run(scene, motion, 20e3)
+    steps = modes_over_run(scene, motion, 20e3)
     with pytest.raises(UnsolvableError, match="so stiff a contact"):
         eigenmodes(scene, 20e3, replace(scene.support, inclination_deg=np.degrees(5e-7)))
     assert [step.modes is None for step in steps] == [False, False, True]

@@ -19,7 +19,7 @@ from modal.theory import thin_plate_frequencies
 from sonify import load_scene
 from sonify.examples import own_mesh, table_mesh
 from sonify.plan.preflight import solve_motion
-from sonify.plan.table import bending, check_table, off_since, with_table
+from sonify.plan.table import check_table, deflection_limits, leaves_table_at, with_table
 from sonify.report.write import copy_table_mesh, scene_record, write_json
 from sonify.scene_errors import SceneError
 from sonify.sound.sources.tabletop import contact_place
@@ -268,8 +268,8 @@ def test_what_cannot_be_solved_is_one_line_and_what_is_doubtful_is_said(tmp_path
             with_table(SimpleNamespace(highest_mode=1000.0), scene.replace(text))
     assert capfd.readouterr() == ("", "")  # nor a line of the reader
     thin = scene.replace("surface.thickness=0.0003")
-    assert bending(modes_of(scene.surface, 5000.0), scene) == []
-    assert "linear theory is left" in bending(modes_of(thin.surface, 500.0), thin)[0]
+    assert deflection_limits(modes_of(scene.surface, 5000.0), scene) == []
+    assert "linear theory is left" in deflection_limits(modes_of(thin.surface, 500.0), thin)[0]
 
 
 def test_a_disk_that_goes_over_the_edge_is_said_to():
@@ -284,8 +284,8 @@ def test_a_disk_that_goes_over_the_edge_is_said_to():
         return state
 
     motion = SimpleNamespace(t=t, at=at)
-    assert off_since(scene, motion) == pytest.approx(1.245, abs=0.13)  # one turn: 0.126 s
-    assert off_since(load_scene("glass-plate"), motion) is None
+    assert leaves_table_at(scene, motion) == pytest.approx(1.245, abs=0.13)  # one turn: 0.126 s
+    assert leaves_table_at(load_scene("glass-plate"), motion) is None
 
 
 def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
@@ -303,8 +303,10 @@ def test_a_disk_that_goes_over_the_edge_of_a_mesh_is_said_to():
         return state
 
     motion = SimpleNamespace(t=t, at=at)
-    assert off_since(scene, motion) == pytest.approx((0.06 - scene.disk.radius) / 0.01, abs=0.13)
-    assert off_since(load_scene("wood-table"), motion) is None
+    assert leaves_table_at(scene, motion) == pytest.approx(
+        (0.06 - scene.disk.radius) / 0.01, abs=0.13
+    )
+    assert leaves_table_at(load_scene("wood-table"), motion) is None
 
 
 def test_the_edge_of_a_plate_ends_the_motion():

@@ -23,15 +23,12 @@ from modal.radiation import TOP
 from sonify import SceneError, load_scene
 from sonify.plan.plan import contact_rate, plan_of
 from sonify.plan.predictions import (
-    END,
-    FREQUENCIES,
-    SOUND,
     audible_error,
     level_error,
+    mode_frequency_error,
     predicted_sound,
-    true_error,
 )
-from sonify.plan.preflight import planned
+from sonify.plan.preflight import plan_with_modes
 from sonify.plan.table import with_table
 from sonify.scene import shipped_scenes
 from sonify.sound.force import CALM_NODES, CALM_STRIDE
@@ -51,16 +48,16 @@ def measured(run, reference) -> dict[str, float]:
     true = reference.modes.frequency
     count = min(len(found), len(true))
     return {
-        END: float(reference.motion.t[-1] - run.motion.t[-1]),
-        FREQUENCIES: float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0,
-        SOUND: audible_error(run.sound.pressure, reference.sound.pressure),
+        "end": float(reference.motion.t[-1] - run.motion.t[-1]),
+        "frequencies": float(np.median(np.abs(found[:count] / true[:count] - 1))) if count else 0.0,
+        "sound": audible_error(run.sound.pressure, reference.sound.pressure),
     }
 
 
 def rendered(scene, accuracy):
     """Solve a scene up to its sound and return the parts that `measured` compares."""
     scene = scene.replace(f"numerics.accuracy={accuracy}")
-    plan, modes = planned(scene)
+    plan, modes = plan_with_modes(scene)
     plan, table = with_table(plan, scene)
     motion = simulate(scene, surface_modes=table)
     renderer = Renderer(scene, motion, modes, plan.sounding, plan.calm, table)
@@ -78,11 +75,11 @@ def disagreements(scene):
         errors = measured(found, reference)
         settles = found.motion.outcome.name == "SETTLED"
         wrong += [
-            f"{scene.name}, {accuracy}, {p.name}: predicted {p.error:.2g}, measured "
-            f"{errors[p.name]:.2g}"
+            f"{scene.name}, {accuracy}, {p.key}: predicted {p.error:.2g}, measured "
+            f"{errors[p.key]:.2g}"
             for p in found.plan.predictions
-            if (settles or p.name != END)
-            and not errors[p.name] / FACTOR < p.error < errors[p.name] * FACTOR
+            if (settles or p.key != "end")
+            and not errors[p.key] / FACTOR < p.error < errors[p.key] * FACTOR
         ]
     return wrong
 
@@ -133,7 +130,7 @@ def test_only_the_modes_of_the_plan_are_stepped_and_only_while_there_is_sound(co
 def test_no_mode_is_sought_above_what_is_heard(counted):
     assert counted.modes.frequency.max() < counted.plan.highest_mode
     low = load_scene("published").replace("audio.sample_rate=16000")
-    assert planned(low)[1].frequency.max() < 8000
+    assert plan_with_modes(low)[1].frequency.max() < 8000
 
 
 def test_the_force_is_read_no_more_often_than_the_plan_says(counted):
@@ -184,25 +181,25 @@ def test_the_time_that_is_left_is_that_of_the_solved_motion(name):
 def test_a_mode_that_radiates_nothing_is_silent_in_the_plan(scene):
     """The first mode of the held disk moves along the rim; the sound of the two halves of the face
     cancels in every direction."""
-    plan, modes = planned(scene)
+    plan, modes = plan_with_modes(scene)
     quiet = set(range(len(modes))) - set(plan.sounding)
     assert quiet
     assert all(modes.parity[i] == "odd" for i in quiet)
 
 
 def test_the_reference_leaves_no_mode_out(scene):
-    plan, modes = planned(scene.replace("numerics.accuracy=reference"))
+    plan, modes = plan_with_modes(scene.replace("numerics.accuracy=reference"))
     assert plan.sounding == tuple(range(len(modes)))
     assert plan.predictions == ()
 
 
 def test_loss_free_modes_are_planned_too(scene):
-    plan, _ = planned(scene.replace("material.loss_factor=0.0", "support.kind=free"))
+    plan, _ = plan_with_modes(scene.replace("material.loss_factor=0.0", "support.kind=free"))
     assert np.isfinite([p.error for p in plan.predictions]).all()
 
 
 def test_modes_without_loss_and_without_error_stay_in_step(scene):
-    modes = planned(scene)[1].with_decay(0.0)
+    modes = plan_with_modes(scene)[1].with_decay(0.0)
     exact = replace(modes, error=0 * modes.error)
     draft = scene.replace("numerics.accuracy=draft")
     loudness = np.ones(len(modes))
@@ -214,11 +211,11 @@ def test_modes_without_loss_and_without_error_stay_in_step(scene):
 
 def test_the_error_of_a_free_disk_is_that_of_its_support_whether_its_modes_pair_or_not(scene):
     free = scene.replace("support.kind=free")
-    alone = replace(planned(scene)[1], partner=np.full(len(planned(scene)[1]), -1))
-    assert true_error(free, alone) == pytest.approx(
+    alone = replace(plan_with_modes(scene)[1], partner=np.full(len(plan_with_modes(scene)[1]), -1))
+    assert mode_frequency_error(free, alone) == pytest.approx(
         ACCURACY_LEVELS["standard"].free_error_share * alone.error
     )
-    assert true_error(scene, alone) == pytest.approx(
+    assert mode_frequency_error(scene, alone) == pytest.approx(
         ACCURACY_LEVELS["standard"].held_error_share * alone.error
     )
 
@@ -257,8 +254,8 @@ def test_sounds_of_other_rates_are_not_compared(tmp_path):
 
 
 def test_decay_rates_may_be_measured_ones(scene):
-    _, modes = planned(scene)
-    plan, measured_modes = planned(scene.replace("material.decay_rates=[3.0, 2.5]"))
+    _, modes = plan_with_modes(scene)
+    plan, measured_modes = plan_with_modes(scene.replace("material.decay_rates=[3.0, 2.5]"))
     assert measured_modes.decay_rate[:2].tolist() == [3.0, 2.5]
     assert np.array_equal(measured_modes.decay_rate[2:], modes.decay_rate[2:])
     assert "first 2 as measured" in next(
@@ -268,11 +265,11 @@ def test_decay_rates_may_be_measured_ones(scene):
 
 def test_more_decay_rates_than_modes_are_refused(scene):
     with pytest.raises(SceneError, match=r"material.decay_rates: 40 values, but only 9 modes"):
-        planned(scene.replace(f"material.decay_rates={[1.0] * 40}"))
+        plan_with_modes(scene.replace(f"material.decay_rates={[1.0] * 40}"))
 
 
 def test_modes_lose_to_the_air_as_well(scene):
-    _, modes = planned(scene.replace("support.kind=free"))
+    _, modes = plan_with_modes(scene.replace("support.kind=free"))
     loss = pi * modes.frequency * scene.material.loss_factor
     radiated = radiation_decay(modes, (TOP,))
     assert (np.abs(modes.decay_rate - loss - radiated) <= gamma(5) * modes.decay_rate).all()

@@ -17,10 +17,10 @@ from pydantic import ValidationError
 from scene_faults import FAULTS, MODES, PLATE
 
 from sonify import SceneError, load_scene, run
-from sonify.plan.preflight import solvable
+from sonify.plan.preflight import check_solvable_scene
 from sonify.report.write import finite
-from sonify.scene import Scene, adapter, from_document, shipped_scenes
-from sonify.scene_errors import SENTENCES, sections_of
+from sonify.scene import Scene, from_document, scene_adapter, shipped_scenes
+from sonify.scene_errors import ERROR_SENTENCES, sections_of
 from sonify.scene_keys import keys, schema
 
 MATERIAL = "young=11e9, poisson=0.3, density=600.0"
@@ -254,7 +254,9 @@ def test_a_missing_section_is_named(published, section):
 
 
 def test_a_name_is_a_scene_wherever_one_is_run(tmp_path):
-    assert solvable("coin", "draft") == load_scene("coin").replace("numerics.accuracy=draft")
+    assert check_solvable_scene("coin", "draft") == load_scene("coin").replace(
+        "numerics.accuracy=draft"
+    )
     with pytest.raises(SceneError, match="no such scene"):
         run("coim", out=tmp_path / "out")
     assert list(tmp_path.iterdir()) == []
@@ -340,7 +342,7 @@ WRONG += ["[1.0, 2.0, 3.0, 4.0]", '["axial", "axial"]', "2024-01-01", "nan", "-i
 def test_every_fault_that_pydantic_finds_is_said_in_a_sentence_of_ours(published, monkeypatch):
     """The test assigns every wrong value to every key."""
     found = set()
-    plain = adapter()
+    plain = scene_adapter()
 
     class Noting:
         def validate_json(self, text):
@@ -350,7 +352,7 @@ def test_every_fault_that_pydantic_finds_is_said_in_a_sentence_of_ours(published
                 found.update(fault["type"] for fault in error.errors())
                 raise
 
-    monkeypatch.setattr("sonify.scene.adapter", Noting)
+    monkeypatch.setattr("sonify.scene.scene_adapter", Noting)
     sections = [field.name for field in fields(Scene)]
     for assignment in [
         f"{key}={value}" for key in [*sections, *(key.name for key in keys())] for value in WRONG
@@ -359,7 +361,7 @@ def test_every_fault_that_pydantic_finds_is_said_in_a_sentence_of_ours(published
         assert len(told.splitlines()) <= 1, assignment
         assert "nput should" not in told, assignment
     assert len(found) > 10
-    assert found <= set(SENTENCES) | {"unexpected_keyword_argument"}
+    assert found <= set(ERROR_SENTENCES) | {"unexpected_keyword_argument"}
 
 
 def test_the_reference_lists_every_key_with_unit_and_meaning():

@@ -15,7 +15,7 @@ import pytest
 from dynamics.compliant.two_way_onset import may_be_two_way, needs_table_modes
 from modal import eigenmodes
 from sonify import SceneError, load_scene, run
-from sonify.plan.preflight import planned, solvable, solve_motion
+from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
 from sonify.plan.table import with_table
 from sonify.plan.unused import RULES, unused_keys
 from sonify.runtime.progress import Stages
@@ -175,8 +175,8 @@ def remembered(scene, below):
 
 def stages(scene):
     """Yield the bytes of the modes, the motion and the sound of a scene lazily."""
-    scene = solvable(scene, None)
-    plan, modes = planned(scene, remembered)
+    scene = check_solvable_scene(scene, None)
+    plan, modes = plan_with_modes(scene, remembered)
     _, table = with_table(plan, scene)
     yield modes.frequency.tobytes() + modes.decay_rate.tobytes()
     motion = solve_motion(scene, table=table if needs_table_modes(scene) else None)
@@ -203,10 +203,10 @@ def differs(scene, base):
 
 def allowed(base):
     """Yield the keys that may have another value in a base, with the resulting scenes."""
-    known = solvable(base_scene(base), None)
+    known = check_solvable_scene(base_scene(base), None)
     for name, value in VALUES.items():
         try:
-            scene = solvable(base_scene(base).replace(f"{name}={value}"), None)
+            scene = check_solvable_scene(base_scene(base).replace(f"{name}={value}"), None)
         except (
             SceneError
         ):  # the kind of table or support does not have it, or the numbers do not fit

@@ -26,18 +26,18 @@ from dynamics.observables import slips
 from sonify import load_scene, run, solve, summary, write
 from sonify.claims.air import motion_findings as air_claims
 from sonify.claims.checks import Check, no_sample_clipped
-from sonify.claims.details import in_words
+from sonify.claims.details import details_in_words
 from sonify.claims.finding import JUDGES, Finding, Measured
 from sonify.claims.finding import finding as claim
 from sonify.claims.literature import motion_findings as literature_claims
-from sonify.claims.paper_figures import of_the_paper, paper_rows
+from sonify.claims.paper_figures import is_paper_scene, paper_rows
 from sonify.claims.provenance import depends_on
 from sonify.claims.rigid_motion import contact_kept
 from sonify.claims.sound import modes_take_little
-from sonify.claims.surface_summary import in_short
+from sonify.claims.surface_summary import answers_in_short
 from sonify.hearing import loudness as hearing
 from sonify.plan.predictions import audible_error
-from sonify.plan.preflight import planned
+from sonify.plan.preflight import plan_with_modes
 from sonify.report import page as report
 from sonify.report import page_data
 from sonify.sound.render import Renderer
@@ -170,6 +170,7 @@ def test_a_result_shows_itself_in_a_few_lines(result):
     assert max(len(line) for part in parts for line in repr(part).splitlines()) <= 160
     page = result._repr_html_()
     assert page.count("<audio") == 1
+    assert len(page) < 300_000
     assert all(finding.claim[:20] in page for finding in result.findings)
     assert np.ptp(np.asarray(result.plot("motion"))) > 0
     with pytest.raises(
@@ -235,12 +236,18 @@ def test_every_verdict_says_its_number_its_error_and_what_it_depends_on(result):
     page = unescape((result.out / "report.html").read_text())
     answered = re.findall(r"<dt>(.*?)\?</dt><dd>(.*?)\.</dd>", page.partition('id="findings"')[0])
     assert {q.lower(): a.lower() for q, a in answered} == {
-        q: a.lower() for q, a in in_short(result.findings).items()
+        q: a.lower() for q, a in answers_in_short(result.findings).items()
     }
     verdicts = re.findall(r"<li class=.*?</li>", page.partition('class="verdicts"')[2], re.DOTALL)
     assert len(verdicts) == len(result.findings)
     for finding, told in zip(result.findings, verdicts, strict=True):
-        parts = (finding.answer, finding.claim, finding.measured, finding.unit, in_words(finding))
+        parts = (
+            finding.answer,
+            finding.claim,
+            finding.measured,
+            finding.unit,
+            details_in_words(finding),
+        )
         assert all(part in told for part in parts)
         assert f"Depends on {depends_on(finding.key)}" in told
         assert depends_on(finding.key).startswith("the ")
@@ -277,8 +284,8 @@ def test_the_paper_s_figures_stand_beside_ours_where_the_scene_is_the_paper_s(re
     assert [row.key for row in rows if not row.holds] == []
     page = unescape((result.out / "report.html").read_text())
     assert all(row.claim in page.partition('id="paper"')[2] for row in rows)
-    assert of_the_paper(result.scene.replace("audio.distance=1.0", "numerics.accuracy=draft"))
-    assert not of_the_paper(result.scene.replace("friction.mu_static=0.4"))
+    assert is_paper_scene(result.scene.replace("audio.distance=1.0", "numerics.accuracy=draft"))
+    assert not is_paper_scene(result.scene.replace("friction.mu_static=0.4"))
 
 
 def test_pictures_say_what_is_seen(result):
@@ -488,7 +495,7 @@ def test_modes_out_of_tune_that_change_a_verdict_leave_it_undecided():
     body = "disk.radius=0.011625", "disk.thickness=0.00233", "disk.mass=0.0075"
     scene = load_scene("coin").replace(*body, *arms, *others)
     motion = simulate(scene)
-    (plan, modes) = planned(scene)
+    (plan, modes) = plan_with_modes(scene)
     sharp = replace(modes, frequency=1.003 * modes.frequency)
     sounds = [
         Renderer(scene, motion, some, plan.sounding, plan.calm).sound() for some in (modes, sharp)

@@ -83,7 +83,7 @@ def renderer(scene):
 
 def test_what_a_wav_file_cannot_hold_is_written_as_rf64(scene, renderer, tmp_path, monkeypatch):
     """The limit lies between the sizes of sound.wav and pressure.wav; the samples are the same."""
-    monkeypatch.setattr(wav, "MOST_BYTES", int(3.5 * renderer.samples))
+    monkeypatch.setattr(wav, "MAX_RIFF_BYTES", int(3.5 * renderer.samples))
     sound = renderer.sound()
     wav.write_sound(sound, tmp_path)
     assert soundfile.info(tmp_path / "pressure.wav").format == "RF64"
@@ -91,8 +91,8 @@ def test_what_a_wav_file_cannot_hold_is_written_as_rf64(scene, renderer, tmp_pat
     pressure, copy = (soundfile.read(tmp_path / name)[0] for name in ("pressure.wav", "sound.wav"))
     assert len(pressure) == sound.samples
     assert np.abs(copy * sound.full_scale - pressure).max() < sound.full_scale * 2**-23
-    assert wav.MOST_BYTES < 2**32
+    assert wav.MAX_RIFF_BYTES < 2**32
 
 
 def test_the_limit_is_that_of_lengths_of_32_bits():
-    assert 2**32 - 2**16 < wav.MOST_BYTES < 2**32 - 1000
+    assert 2**32 - 2**16 < wav.MAX_RIFF_BYTES < 2**32 - 1000

@@ -11,9 +11,14 @@ import pytest
 from dynamics import Air, simulate
 from modal import eigenmodes
 from sonify import load_scene
-from sonify.plan.air import on_the_way
+from sonify.plan.air import unmodelled_air_effects
 from sonify.sound import absorption
-from sonify.sound.absorption import FILTER_HALF_LENGTH, absorbed_db, absorbing, absorption_latency
+from sonify.sound.absorption import (
+    FILTER_HALF_LENGTH,
+    absorbed_db,
+    absorption_filter,
+    absorption_latency,
+)
 from sonify.sound.render import Renderer
 
 RATE = 48000
@@ -30,7 +35,7 @@ def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
     """The attenuation is correct to 1 % plus 0.02 dB, also across the boundary of two blocks."""
     n = np.arange(8000)
     wave = np.exp(2j * np.pi * frequency / RATE * n)
-    advance = absorbing(Air(), distance, RATE)
+    advance = absorption_filter(Air(), distance, RATE)
     stems = np.column_stack([wave.real, wave.imag])
     out = np.vstack([advance(stems[:3001]), advance(stems[3001:])]) @ [1, 1j]
     kept = (out[FILTER_HALF_LENGTH:] / wave[:-FILTER_HALF_LENGTH])[2 * FILTER_HALF_LENGTH :]
@@ -42,11 +47,11 @@ def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
 def test_near_by_nothing_is_filtered_and_the_plan_says_how_much_that_is():
     scene = load_scene("published")
     assert absorption_latency(scene.air, 0.5) == 0
-    assert not on_the_way(scene)[0]
-    assert "0.053 dB at 8 kHz" in on_the_way(scene)[1][0]
+    assert not unmodelled_air_effects(scene)[0]
+    assert "0.053 dB at 8 kHz" in unmodelled_air_effects(scene)[1][0]
     far = scene.replace("audio.distance=10")
-    assert "1.1 dB at 8 kHz" in on_the_way(far)[0][0]
-    assert not on_the_way(far)[1]
+    assert "1.1 dB at 8 kHz" in unmodelled_air_effects(far)[0][0]
+    assert not unmodelled_air_effects(far)[1]
     assert absorption_latency(scene.replace("air.pressure=0", "air.density=0").air, 100.0) == 0
 
 
@@ -75,6 +80,6 @@ def absorbing_taps(scene):
         patch.setattr(absorption, "MIN_AUDIBLE_ABSORPTION_DB", 0.0)
         one = np.zeros((6 * FILTER_HALF_LENGTH + 1, 1))
         one[2 * FILTER_HALF_LENGTH] = 1
-        return absorbing(scene.air, 10.0, RATE)(one)[
+        return absorption_filter(scene.air, 10.0, RATE)(one)[
             2 * FILTER_HALF_LENGTH : 4 * FILTER_HALF_LENGTH + 1, 0
         ]

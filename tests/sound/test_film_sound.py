@@ -20,7 +20,7 @@ from dynamics.film.wedge import compressibility
 from dynamics.observables import precession_rate
 from modal import eigenmodes
 from sonify import load_scene
-from sonify.plan.preflight import planned, solve_motion
+from sonify.plan.preflight import plan_with_modes, solve_motion
 from sonify.sound.fluid_loaded_modes import (
     FluidLoadedModes,
     GapTunedOscillators,
@@ -357,7 +357,7 @@ def test_heave_and_tilt_of_the_published_motion(scene):
     """
     vacuum = scene.replace("air.film=none")
     motion = solve_motion(vacuum)
-    (plan, modes) = planned(vacuum)
+    (plan, modes) = plan_with_modes(vacuum)
     closed, heard = (
         Renderer(s, motion, modes, plan.sounding, plan.calm).sound() for s in (vacuum, scene)
     )

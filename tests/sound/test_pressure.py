@@ -199,7 +199,7 @@ def test_a_renderer_and_its_sound_are_read_again_and_again(scene, short, modes, 
     assert np.array_equal(once, again)
     assert all(np.array_equal(one, other) for one, other in pairs)
     held = renderer.sound()
-    monkeypatch.setattr("sonify.sound.pressure.MOST_IN_MEMORY", 0)
+    monkeypatch.setattr("sonify.sound.pressure.MAX_BYTES_IN_MEMORY", 0)
     filed = renderer.sound()
     for name in ("pressure", *STEMS):
         for start in (0, 70_000):

@@ -10,12 +10,12 @@ import pytest
 from arithmetic import gamma
 from scipy.special import j1
 
-from sonify.plan.preflight import planned
+from sonify.plan.preflight import plan_with_modes
 from sonify.sound.radiation import (
     AIR_DENSITY,
     SOUND_SPEED,
     Listener,
-    directions,
+    directivity_table,
     heave_kernel,
     mode_taps,
     piston_strength,
@@ -138,7 +138,7 @@ def test_the_delay_is_the_distance():
 
 @pytest.fixture(scope="module")
 def modes(scene):
-    return planned(scene)[1]
+    return plan_with_modes(scene)[1]
 
 
 @pytest.mark.parametrize("sample_rate", [48000, 96000, 192000])
@@ -146,11 +146,13 @@ def test_the_taps_radiate_a_mode_exactly_at_its_own_frequency_and_at_rest(modes,
     listener = Listener(distance=0.5, elevation=np.radians(45))
     delays = np.outer(2 * np.pi * modes.frequency / sample_rate, [1, 0, -1])
     three = mode_taps(modes, listener, sample_rate)
-    exact = directions(modes, listener)
+    exact = directivity_table(modes, listener)
     found = np.sum(three * np.exp(1j * delays), axis=2)
     bar = gamma(20) * np.abs(three).sum(axis=2)
     assert (np.abs(found - exact) <= bar).all()
-    assert (np.abs(three.sum(axis=2) - directions(modes, listener, still=True).real) <= bar).all()
+    assert (
+        np.abs(three.sum(axis=2) - directivity_table(modes, listener, still=True).real) <= bar
+    ).all()
 
 
 def test_the_taps_stay_bounded_at_half_the_sample_rate(modes):

@@ -16,14 +16,14 @@ from scipy.signal import butter, hilbert, sosfiltfilt
 from dynamics import Outcome
 from modal import radiation_decay
 from sonify import load_scene, run
-from sonify.plan.plan import ring_down, unsettled
-from sonify.plan.preflight import planned, solve_motion
+from sonify.plan.plan import missing_after_end, ring_down
+from sonify.plan.preflight import plan_with_modes, solve_motion
 from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
 from sonify.sound.audible_modes import ring_down as audible_for
 from sonify.sound.force import ContactForce
 from sonify.sound.radiation import listener_of
 from sonify.sound.render import Renderer
-from sonify.sound.response import Carried
+from sonify.sound.response import CarriedModes
 from sonify.sound.sources.protocol import FADE_OUT
 
 
@@ -62,7 +62,7 @@ def carried():
         "release.omega=[0.0,0.0,-7.2]",
     )
     scene = load_scene("published").replace("numerics.accuracy=draft", *changes)
-    plan, modes = planned(scene)
+    plan, modes = plan_with_modes(scene)
     motion = solve_motion(scene)
     assert motion.outcome is Outcome.AIRBORNE
     renderer = Renderer(scene, motion, modes, plan.sounding)
@@ -139,7 +139,7 @@ def test_the_plan_states_the_decay_and_names_the_landing(carried):
     ):
         assert f"{frequency:.0f} Hz: {decay_rate:.3g} 1/s" in decision.choice
     assert f"{1e6 * renderer.ringing.gap:.3g} um" in decision.reason
-    assert any("landing" in line for line in unsettled(renderer.motion))
+    assert any("landing" in line for line in missing_after_end(renderer.motion))
 
 
 class Swinging:
@@ -164,7 +164,7 @@ def test_modes_that_a_motion_carries_ring_as_stated_too():
     force = ContactForce(
         t=t, smooth=still, steps=still, jump_time=np.zeros(0), jump=none, bend=none
     )
-    moved = Carried(Swinging(), np.array([0]), ringing).advance(force)[0, :, 0]
+    moved = CarriedModes(Swinging(), np.array([0]), ringing).advance(force)[0, :, 0]
     frequency, decay_rate = poles(moved[500:1500], 48e3, 1)
     assert frequency == pytest.approx(np.sqrt(1e6 - (200 / (2 * np.pi)) ** 2), rel=1e-6)
     assert decay_rate == pytest.approx(200.0, rel=1e-6)

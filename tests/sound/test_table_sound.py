@@ -23,8 +23,8 @@ from sonify import SceneError, solve, write
 from sonify.claims.table import table_findings, table_is_louder
 from sonify.hearing.loudness import a_weighting_db
 from sonify.hearing.rising_tone import rising_tone
-from sonify.plan.preflight import planned
-from sonify.plan.table import heard
+from sonify.plan.preflight import plan_with_modes
+from sonify.plan.table import audible_table_modes
 from sonify.scene import load_scene
 from sonify.sound.force import ContactForce
 from sonify.sound.radiation import Listener, listener_of
@@ -72,9 +72,14 @@ def motion(scene):
 
 @pytest.fixture(scope="module")
 def sound(scene, motion, table):
-    plan, modes = planned(scene)
+    plan, modes = plan_with_modes(scene)
     return Renderer(
-        scene, motion, modes, plan.sounding, plan.calm, table.select(heard(table, scene))
+        scene,
+        motion,
+        modes,
+        plan.sounding,
+        plan.calm,
+        table.select(audible_table_modes(table, scene)),
     ).sound()
 
 
@@ -120,7 +125,7 @@ def test_what_the_plan_leaves_out_of_the_table_is_not_heard(scene, motion, table
     """
     part = 3.0
     short = replace_time(motion, part)
-    modes = planned(scene)[1]
+    modes = plan_with_modes(scene)[1]
     every = (
         Renderer(scene, short, modes, None, 0.0, table)
         .sound()

@@ -22,7 +22,7 @@ from sweep_files import QUICK, found
 
 import sonify
 from sonify.scene_errors import InputError
-from sonify.sweeps.store import JOURNAL, NAME
+from sonify.sweeps.store import JOURNAL_FILE, TABLE_FILE
 from sonify.sweeps.version import version
 
 pytestmark = pytest.mark.slow
@@ -77,7 +77,7 @@ def begun(file, *options, rows=5):
     out = file.parent / "out"
     driver = start("sonify", "sweep", file, "--out", out, *options)
     try:
-        until(lambda: driver.poll() is not None or _lines(out / JOURNAL) > rows, "rows")
+        until(lambda: driver.poll() is not None or _lines(out / JOURNAL_FILE) > rows, "rows")
         assert driver.poll() is None, driver.communicate()
         yield driver
     finally:
@@ -114,7 +114,7 @@ def test_a_killed_process_that_solves(file, truth):
         hands(driver)[0].kill()
         _, told = driver.communicate(timeout=PATIENCE)
     assert driver.returncode == 0, told
-    assert found(file.parent / "out" / NAME).equals(truth)
+    assert found(file.parent / "out" / TABLE_FILE).equals(truth)
 
 
 def test_an_interrupted_driver_keeps_its_rows(file, truth):
@@ -122,8 +122,8 @@ def test_an_interrupted_driver_keeps_its_rows(file, truth):
         driver.send_signal(signal.SIGINT)
         assert driver.communicate(timeout=PATIENCE)[1].splitlines()[-1] == "sonify: interrupted"
     assert driver.returncode == 130
-    assert 5 <= found(file.parent / "out" / NAME).num_rows < truth.num_rows
-    assert not (file.parent / "out" / JOURNAL).exists()
+    assert 5 <= found(file.parent / "out" / TABLE_FILE).num_rows < truth.num_rows
+    assert not (file.parent / "out" / JOURNAL_FILE).exists()
     assert found(sonify.sweep(file, out=file.parent / "out")).equals(truth)
 
 
@@ -187,7 +187,7 @@ def test_a_cluster_finds_what_this_machine_finds_even_if_a_worker_is_killed(file
         processes[1].kill()
         _, told = driver.communicate(timeout=PATIENCE)
     assert driver.returncode == 0, told
-    assert found(file.parent / "out" / NAME).equals(truth)
+    assert found(file.parent / "out" / TABLE_FILE).equals(truth)
 
 
 def test_dask_on_this_machine_finds_what_its_processes_find(file, truth):
@@ -206,7 +206,7 @@ def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
         assert told.splitlines()[-1].startswith(
             "sonify: what has been found is kept, but the processes are gone"
         )
-    kept = found(file.parent / "out" / NAME).num_rows
+    kept = found(file.parent / "out" / TABLE_FILE).num_rows
     assert 5 <= kept < truth.num_rows
     with cluster(port, file.parent) as (address, processes):
         with begun(file, "--scheduler", address) as driver:

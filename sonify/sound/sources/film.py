@@ -22,7 +22,7 @@ from sonify.sound.fluid_loaded_modes import GapTunedOscillators, fluid_loaded_mo
 from sonify.sound.modal_forcing import in_patch_frame, inertia, listener_azimuth, rigid_acceleration
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import RigidFace
-from sonify.sound.response import Vibrating
+from sonify.sound.response import VibrationPart
 from sonify.sound.sources.protocol import FADE_OUT, ElasticDisk, RigidDisk, energy_peaks
 
 _RIM_FLOW = np.array(
@@ -271,7 +271,7 @@ class ElasticDiskOverFilm(ElasticDisk):
         of the modes."""
         rate = self._scene.audio.sample_rate
         radiate = self._face.start_radiating(first[:2], self._second_ear)
-        solved = self._response(first[3:]) if isinstance(self._motion, Vibrating) else None
+        solved = self._response(first[3:]) if isinstance(self._motion, VibrationPart) else None
         oscillators = GapTunedOscillators(self._loaded_modes, rate, first[3:], first[2])
 
         def advance(force):

@@ -12,7 +12,7 @@ from sonify.sound.audible_modes import RingDown, ring_down
 from sonify.sound.modal_forcing import listener_azimuth, modal_drive, rigid_sources
 from sonify.sound.radiation import Listener
 from sonify.sound.radiators import ElasticFace, RigidFace
-from sonify.sound.response import Carried, Driven, Vibrating
+from sonify.sound.response import CarriedModes, DrivenModes, VibrationPart
 
 FADE_IN = 0.02  # s
 """Raised cosine at the start of a sound, because the support before the release is not modelled."""
@@ -194,9 +194,9 @@ class ElasticDisk(Source):
         return advance
 
     def _response(self, settled):
-        if isinstance(self._motion, Vibrating):
-            return Carried(self._motion, self._chosen, self.ringing)
-        return Driven(self._modes, self._scene.audio.sample_rate, settled)
+        if isinstance(self._motion, VibrationPart):
+            return CarriedModes(self._motion, self._chosen, self.ringing)
+        return DrivenModes(self._modes, self._scene.audio.sample_rate, settled)
 
 
 class SourcePair(Source):

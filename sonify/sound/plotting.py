@@ -1,0 +1,41 @@
+"""SOUND -> FIGURE: pressure over time, and its spectrogram."""
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from sonify.hearing.spectrogram import REFERENCE_PRESSURE, spectrogram
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from sonify.sound.pressure import Sound
+
+
+def plot_sound(
+    sound: "Sound", window: float = 0.02, range_db: float = 65.0, columns: int = 2000
+) -> "Figure":
+    """Return a figure of a sound: the range of the pressure per column, and the spectrogram.
+
+    The spectrogram uses Hann windows of `window` [s] and shows `range_db` below its maximum.
+    """
+    from matplotlib.figure import Figure  # slow to import
+
+    pressure = sound.pressure.read()
+    size = -(-len(pressure) // columns)
+    starts = np.arange(0, len(pressure), size)
+    time = starts / sound.sample_rate
+    seen = spectrogram(sound.pressure, window, columns)
+    level = seen.level_db(REFERENCE_PRESSURE)
+    figure = Figure(figsize=(9.0, 6.0), layout="constrained")
+    wave, image = figure.subplots(2, 1, sharex=True, height_ratios=[1, 2])
+    lowest = np.minimum.reduceat(pressure, starts)
+    highest = np.maximum.reduceat(pressure, starts)
+    wave.fill_between(time, lowest, highest, color="black", linewidth=0)
+    wave.set(ylabel="pressure [Pa]", xlim=(0.0, sound.duration))
+    mesh = image.pcolormesh(
+        seen.time, seen.frequency / 1e3, level, cmap="magma", vmin=level.max() - range_db
+    )
+    image.set(xlabel="time at the listener [s]", ylabel="frequency [kHz]")
+    figure.colorbar(mesh, ax=image, label="level of a sine [dB re 20 µPa]")
+    return figure
