@@ -1,5 +1,7 @@
 """Sphinx configuration: `sphinx-build -W docs build/docs` needs the extra `docs` and no network."""
 
+from pathlib import Path
+
 from sonify import __version__
 
 project = "eulers-disk-sonify"
@@ -12,8 +14,21 @@ extensions = [
     "numpydoc",
     "sphinx.ext.autodoc",
     "sphinx.ext.autosummary",
+    "sphinx_gallery.gen_gallery",
     "sphinx-mathjax-offline",
 ]
+EXECUTED_EXAMPLES = ("one_motion", "mode_table", "many_scenes", "own_dissipation", "own_mesh")
+sphinx_gallery_conf = {
+    "examples_dirs": [str(Path(__file__).parents[1] / "sonify" / "examples")],
+    "gallery_dirs": ["examples"],
+    "filename_pattern": "|".join(rf"{name}\.py" for name in EXECUTED_EXAMPLES),
+    "ignore_pattern": r"__init__\.py",
+    "image_scrapers": (),
+    "download_all_examples": False,
+    "remove_config_comments": True,
+    "show_memory": False,
+    "min_reported_time": 1e9,
+}
 source_suffix = {".md": "markdown", ".rst": "restructuredtext"}
 exclude_patterns = ["build", "templates"]
 templates_path = ["templates"]
@@ -30,7 +45,7 @@ html_theme = "pydata_sphinx_theme"
 html_sidebars = {
     page: []
     for page in (
-        *("getting_started", "how_to", "examples", "results", "parameter_studies"),
+        *("getting_started", "how_to", "examples/index", "results", "parameter_studies"),
         *("file_formats", "contributing", "changes"),
     )
 }

@@ -1,5 +1,9 @@
-"""A loop over scenes: how long the disk runs and how loud it gets, by the arm of its rolling
-friction."""
+"""
+A loop over scenes
+==================
+
+Duration and peak pressure of the disk for three arms of rolling friction.
+"""
 
 from sonify import load_scene, solve, summary
 

@@ -1,5 +1,9 @@
-"""A table of modes: the published disk, free as if it were hung from a thread, and how long each
-mode rings."""
+"""
+A table of modes
+================
+
+Frequencies and decay times of the published disk, held freely.
+"""
 
 from modal import Modes, eigenmodes
 from sonify import load_scene

@@ -1,5 +1,9 @@
-"""One motion: when the published disk stops, how often it slips, and what it does one second
-before."""
+"""
+One motion
+==========
+
+The end of the published motion, its number of slides, and the state one second before the end.
+"""
 
 from dynamics import Motion, simulate
 from sonify import load_scene

@@ -1,7 +1,12 @@
-"""A law of dissipation of your own: turbulent drag takes the power c |Omega|^3 from the disk.
+r"""
+Your own law of dissipation
+===========================
 
-A law returns dimensionless loads: masses in that of the disk, lengths in its radius, times in its
-`time_unit`."""
+Turbulent drag takes the power c \|Omega\|^3 from the disk.
+
+A law returns dimensionless loads: masses relative to the mass of the disk, lengths relative to its
+radius, and times relative to its `time_unit`.
+"""
 
 from dataclasses import dataclass
 

@@ -1,6 +1,10 @@
-"""A mesh of your own: the modes of a body from a file that meshio reads, as Gmsh writes it.
+"""
+Your own mesh
+=============
 
-Without a file, that of a disk is made: a square grid bent round, three layers thick.
+The modes of a body from any mesh file that meshio reads, such as a Gmsh file.
+
+Without a file, the example makes the mesh of a disk: a square grid bent round, three layers thick.
 """
 
 import sys

@@ -1,7 +1,10 @@
-"""A recording of your own: whether a tone rises in it, when it ends, and by which power of the time
-left.
+"""
+Your own recording
+==================
 
-Without a file, one is made whose answer is known: the tone rises as 60 Hz s / (4 s - t).
+Detect a rising tone, its end, and its power law of the time left.
+
+Without a file, the example makes a tone with a known answer: it rises as 60 Hz s / (4 s - t).
 """
 
 import sys

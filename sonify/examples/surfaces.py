@@ -1,4 +1,9 @@
-"""Was the paper right? Print the table of the README from the findings of five scenes."""
+"""
+Was the paper right?
+====================
+
+Print the table of the README from the findings of five scenes.
+"""
 
 from sonify import solve
 from sonify.claims.surface_summary import SURFACES, answer_table

@@ -1,5 +1,9 @@
-"""A sweep and its table: how often the disk slips, by the arm of its rolling friction and by
-Coulomb friction."""
+"""
+A sweep as a table
+==================
+
+The number of slips over the arm of rolling friction and the coefficient of static friction.
+"""
 
 import pandas as pd
 

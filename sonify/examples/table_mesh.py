@@ -1,7 +1,10 @@
-"""A table of your own: the mesh of a top on four feet, which a scene names with [surface] kind =
-"mesh".
+"""
+The mesh of a table
+===================
 
-The file that comes with the scene wood-table is made by this.
+Mesh a table top on four feet; a scene uses it with `surface.kind = "mesh"`.
+
+This script made the file of the scene wood-table.
 """
 
 import sys
