@@ -30,7 +30,7 @@ from dynamics.compliant.stepping.contact_energy import (
 )
 from dynamics.compliant.stepping.normal import FORCE_TOLERANCE, MAX_ITERATIONS, rotation_step
 from dynamics.compliant.stepping.rim_modes import twist_rate
-from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE
 from dynamics.compliant.stepping.table_modes import (
     CONTACT,
     advance_modes,
@@ -298,12 +298,12 @@ def add_kinetic_energy(y, constants, modes, work):
         y[STATE.gap] *= max(0.0, 1 - missing / contact_energy) ** 0.4
     missing -= min(missing, contact_energy)
     mode_energy = 0.0
-    for m in range(modes.velocity.size):
-        mode_energy += modes.velocity[m] ** 2 / 2
+    for m in range(len(modes.state)):
+        mode_energy += modes.state[m, MODE_STATE.velocity] ** 2 / 2
     if mode_energy > 0 and missing > 0:
         scale = np.sqrt(max(0.0, 1 - missing / mode_energy))
-        for m in range(modes.velocity.size):
-            modes.velocity[m] *= scale
+        for m in range(len(modes.state)):
+            modes.state[m, MODE_STATE.velocity] *= scale
         missing -= min(missing, mode_energy)
     y[STATE.contact_loss] = y[STATE.contact_loss] - missing
     y[STATE.energy_deficit] = y[STATE.energy_deficit] + missing

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.compliant.stepping.state_layout import MODE_STATE
 from dynamics.numba_kernels import kernel
 
 MAX_MOVING_FREQUENCY = 20e3
@@ -47,6 +48,8 @@ class RimModes(NamedTuple):
 
 NO_RIM_MODES = RimModes(*np.zeros((6, 0)))
 """Modes of a rigid disk."""
+RIM_COLUMNS = RimModes(*range(len(RimModes._fields)))
+"""Columns of an array (d, 6) of the fields of `RimModes`."""
 
 
 def moving_rim_modes(edge, loss_factor: float) -> RimModes:
@@ -92,15 +95,17 @@ def twist_rate(constants, n0, n1, n2, L0, L1, L2):
 
 
 @kernel
-def store_rim_shapes(body, angle, down, up, shapes):
+def store_rim_shapes(rim, angle, down, up, shapes):
     """Store the lowering of the rim by the modes in the last entries of `shapes`.
 
     `down` and `up` are n.e and n_z of the axis.
     """
-    first = shapes.size - body.order.size
-    for m in range(body.order.size):
-        lowers = down * body.radial[m] - up * body.axial[m]
-        shapes[first + m] = lowers * np.cos(body.order[m] * angle - body.phase[m])
+    first = shapes.size - len(rim)
+    for m in range(len(rim)):
+        lowers = down * rim[m, RIM_COLUMNS.radial] - up * rim[m, RIM_COLUMNS.axial]
+        shapes[first + m] = lowers * np.cos(
+            rim[m, RIM_COLUMNS.order] * angle - rim[m, RIM_COLUMNS.phase]
+        )
 
 
 @kernel
@@ -109,13 +114,16 @@ def evaluate_rim_ripple(modes, angle, down, up, out):
     angle to `out`.
     """
     out[0:3] = 0.0
-    body = modes.rim
-    first = modes.amplitude.size - body.order.size
-    for m in range(body.order.size):
-        n = body.order[m]
-        moved = modes.amplitude[first + m] + modes.free_change[first + m]
-        lowers = moved * (down * body.radial[m] - up * body.axial[m])
-        turn = n * angle - body.phase[m]
+    rim = modes.rim
+    first = len(modes.state) - len(rim)
+    for m in range(len(rim)):
+        n = rim[m, RIM_COLUMNS.order]
+        moved = (
+            modes.state[first + m, MODE_STATE.amplitude]
+            + modes.state[first + m, MODE_STATE.free_change]
+        )
+        lowers = moved * (down * rim[m, RIM_COLUMNS.radial] - up * rim[m, RIM_COLUMNS.axial])
+        turn = n * angle - rim[m, RIM_COLUMNS.phase]
         c = lowers * np.cos(turn)
         s = lowers * np.sin(turn)
         out[0] = out[0] + c

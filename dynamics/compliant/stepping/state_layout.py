@@ -124,3 +124,19 @@ class ModelConstants(NamedTuple):
     film_slip: float
     friction_is_fitted: float
     """1 if the friction was fitted to a rough disk and includes its losses, else 0."""
+
+
+class ModeState(NamedTuple):
+    """Columns of the state of the modes."""
+
+    amplitude: int
+    velocity: int
+    shape_before: int
+    """Mode shape at the contact at the begin of the step."""
+    shape_after: int
+    """Mode shape at the contact at the end of the step."""
+    free_change: int
+    """Change of the amplitude in the step without a contact force."""
+
+
+MODE_STATE, _ = first_indices(ModeState)

@@ -21,7 +21,7 @@ from dynamics.compliant.stepping.rim_modes import (
     rim_shapes,
     store_rim_shapes,
 )
-from dynamics.compliant.stepping.state_layout import STATE, first_indices
+from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE, first_indices
 from dynamics.numba_kernels import kernel
 
 RIM_SCAN_POINTS = 48
@@ -79,16 +79,12 @@ class ContactModes(NamedTuple):
         Constants k [1/s^2] and c [1/s] of the modes.
     compliance : (m,) array
         1/(1 + h c/2 + h^2 k/4) for the step h.
-    amplitude, velocity : (m,) arrays
-        State of the modes.
-    shape_before, shape_after : (m,) arrays
-        Mode shapes at the contact at the begin and the end of the step.
-    free_change : (m,) array
-        Change of the amplitude in the step without a contact force.
+    state : (m, 5) array
+        State of the modes, see `ModeState`.
     contact : array
         Data of the contact, see `ContactLayout`.
-    rim : RimModes
-        Modes of the disk.
+    rim : (d, 6) array
+        Fields of `RimModes`.
     """
 
     coefficients: np.ndarray
@@ -99,13 +95,9 @@ class ContactModes(NamedTuple):
     stiffness: np.ndarray
     damping: np.ndarray
     compliance: np.ndarray
-    amplitude: np.ndarray
-    velocity: np.ndarray
-    shape_before: np.ndarray
-    shape_after: np.ndarray
-    free_change: np.ndarray
+    state: np.ndarray
     contact: np.ndarray
-    rim: RimModes
+    rim: np.ndarray
 
 
 def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> ContactModes:
@@ -125,7 +117,7 @@ def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> 
             stiffness=nothing,
             damping=nothing,
             compliance=nothing,
-            rim=NO_RIM_MODES,
+            rim=np.column_stack(NO_RIM_MODES),
         )
     decay = np.append(modes.decay_rate, body.decay)
     squared = np.append((2 * np.pi * modes.frequency) ** 2, body.squared)
@@ -141,7 +133,7 @@ def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> 
         stiffness=k,
         damping=c,
         compliance=1 / (1 + h * c / 2 + h * h * k / 4),
-        rim=body,
+        rim=np.column_stack(body),
     )
 
 
@@ -153,11 +145,7 @@ def _at_rest(coefficients, knots_x, knots_y, **constants):
         knots_x,
         knots_y,
         **constants,
-        amplitude=np.zeros(m),
-        velocity=np.zeros(m),
-        shape_before=np.zeros(m),
-        shape_after=np.zeros(m),
-        free_change=np.zeros(m),
+        state=np.zeros((m, len(MODE_STATE))),
         contact=np.zeros(CONTACT.minimum_angles + MAX_GAP_MINIMA),
     )
 
@@ -183,15 +171,13 @@ def wavy_table(imperfection, y, constants) -> ContactModes:
         stiffness=np.zeros(1),
         damping=np.zeros(1),
         compliance=np.zeros(1),
-        amplitude=np.ones(1),
-        velocity=np.zeros(1),
-        shape_before=np.zeros(1),
-        shape_after=np.zeros(1),
-        free_change=np.zeros(1),
+        state=np.eye(1, len(MODE_STATE)),  # unit amplitude
     )
     waves.contact[CONTACT.angle] = np.arctan2(a[1], a[0])
-    store_table_shapes(waves, *(R * a), np.zeros((3, 4)), np.zeros((3, 4)), waves.shape_before)
-    y[2] += waves.shape_before[0]
+    store_table_shapes(
+        waves, *(R * a), np.zeros((3, 4)), np.zeros((3, 4)), waves.state[:, MODE_STATE.shape_before]
+    )
+    y[2] += waves.state[0, MODE_STATE.shape_before]
     return waves
 
 
@@ -265,7 +251,9 @@ def table_deflection(waves, x, y, bx, by, out):
             row = waves.coefficients[i + a, j + b]
             value = 0.0
             for m in range(row.size):
-                value += row[m] * (waves.amplitude[m] + waves.free_change[m])
+                value += row[m] * (
+                    waves.state[m, MODE_STATE.amplitude] + waves.state[m, MODE_STATE.free_change]
+                )
             out[0] += bx[0, a] * by[0, b] * value
             out[1] += bx[1, a] * by[0, b] * value
             out[2] += bx[0, a] * by[1, b] * value
@@ -400,14 +388,14 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
         y + reach * s,
         scratch[0:3, 0:4],
         scratch[3:6, 0:4],
-        waves.shape_after,
+        waves.state[:, MODE_STATE.shape_after],
     )
     store_rim_shapes(
         waves.rim,
         contact_angle - waves.contact[CONTACT.twist_angle],
         n0 * c + n1 * s,
         n2,
-        waves.shape_after,
+        waves.state[:, MODE_STATE.shape_after],
     )
     rim_field[:] = 0.0
     add_rim_heights(*rough, reach, R, angle_between(last, contact_angle), rim_field)
@@ -417,23 +405,29 @@ def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
 @kernel
 def predict_free_motion(waves, h):
     """Store the change of each amplitude in a step without a contact force."""
-    for m in range(waves.amplitude.size):
-        q = waves.amplitude[m]
-        v = waves.velocity[m]
-        waves.free_change[m] = h * waves.compliance[m] * (v - h / 2 * waves.stiffness[m] * q)
+    for m in range(len(waves.state)):
+        q = waves.state[m, MODE_STATE.amplitude]
+        v = waves.state[m, MODE_STATE.velocity]
+        waves.state[m, MODE_STATE.free_change] = (
+            h * waves.compliance[m] * (v - h / 2 * waves.stiffness[m] * q)
+        )
 
 
 @kernel
 def work_sums(waves, h):
     """Return D, E, P, S of the sums over the modes sum w~ dq = D - E N and sum q~ dw = P - S N."""
     D = E = P = S = 0.0
-    for m in range(waves.amplitude.size):
-        mean = (waves.shape_before[m] + waves.shape_after[m]) / 2
-        change = waves.shape_after[m] - waves.shape_before[m]
+    for m in range(len(waves.state)):
+        mean = (
+            waves.state[m, MODE_STATE.shape_before] + waves.state[m, MODE_STATE.shape_after]
+        ) / 2
+        change = waves.state[m, MODE_STATE.shape_after] - waves.state[m, MODE_STATE.shape_before]
         compliance = h * h / 2 * waves.compliance[m] * mean
-        D = D + mean * waves.free_change[m]
+        D = D + mean * waves.state[m, MODE_STATE.free_change]
         E = E + compliance * mean
-        P = P + change * (waves.amplitude[m] + waves.free_change[m] / 2)
+        P = P + change * (
+            waves.state[m, MODE_STATE.amplitude] + waves.state[m, MODE_STATE.free_change] / 2
+        )
         S = S + change * compliance / 2
     return D, E, P, S
 
@@ -444,13 +438,15 @@ def advance_modes(waves, N, h):
     and disk modes.
     """
     lost = total = 0.0
-    first = waves.amplitude.size - waves.rim.order.size
-    for m in range(waves.amplitude.size):
-        mean = (waves.shape_before[m] + waves.shape_after[m]) / 2
-        change = waves.free_change[m] - h * h / 2 * waves.compliance[m] * mean * N
-        waves.amplitude[m] += change
-        waves.velocity[m] = 2 * change / h - waves.velocity[m]
-        waves.shape_before[m] = waves.shape_after[m]
+    first = len(waves.state) - len(waves.rim)
+    for m in range(len(waves.state)):
+        mean = (
+            waves.state[m, MODE_STATE.shape_before] + waves.state[m, MODE_STATE.shape_after]
+        ) / 2
+        change = waves.state[m, MODE_STATE.free_change] - h * h / 2 * waves.compliance[m] * mean * N
+        waves.state[m, MODE_STATE.amplitude] += change
+        waves.state[m, MODE_STATE.velocity] = 2 * change / h - waves.state[m, MODE_STATE.velocity]
+        waves.state[m, MODE_STATE.shape_before] = waves.state[m, MODE_STATE.shape_after]
         total += waves.damping[m] * change * change / h
         if m < first:
             lost = total
@@ -461,10 +457,10 @@ def advance_modes(waves, N, h):
 def mode_energies(waves):
     """Return the energies of the table modes and of the disk modes [J]."""
     energy = total = 0.0
-    first = waves.amplitude.size - waves.rim.order.size
-    for m in range(waves.amplitude.size):
-        q = waves.amplitude[m]
-        v = waves.velocity[m]
+    first = len(waves.state) - len(waves.rim)
+    for m in range(len(waves.state)):
+        q = waves.state[m, MODE_STATE.amplitude]
+        v = waves.state[m, MODE_STATE.velocity]
         total += (v * v + waves.stiffness[m] * q * q) / 2
         if m < first:
             energy = total
@@ -477,7 +473,7 @@ def settle_modes(waves: ContactModes, modes, model, y) -> None:
     The Fourier series of each mode shape round the rim drives that mode, so no free vibration is
     excited.
     """
-    if modes is None or not len(waves.amplitude):
+    if modes is None or not len(waves.state):
         return
     constants = model.constants
     n = y[STATE.axis : STATE.angular_momentum]
@@ -519,8 +515,8 @@ def settle_modes(waves: ContactModes, modes, model, y) -> None:
         / (k + c * rate + rate**2)
     )
     waves.contact[CONTACT.angle] = start
-    waves.amplitude[:] = responses.sum(axis=0).real
-    waves.velocity[:] = (rate * responses).sum(axis=0).real
-    waves.shape_before[:] = shapes[0]
+    waves.state[:, MODE_STATE.amplitude] = responses.sum(axis=0).real
+    waves.state[:, MODE_STATE.velocity] = (rate * responses).sum(axis=0).real
+    waves.state[:, MODE_STATE.shape_before] = shapes[0]
     y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(waves)
-    y[2] += waves.amplitude[:] @ shapes[0]
+    y[2] += waves.state[:, MODE_STATE.amplitude] @ shapes[0]

@@ -85,7 +85,7 @@ def _step_rows(
     slip = 0
     forces[:] = 0.0
     scratch = np.zeros((8, 6))
-    has_modes = modes.amplitude.size > 0
+    has_modes = len(modes.state) > 0
     steps_per_force = steps_per_row * len(rows) // len(forces)  # steps averaged in each mean force
     previous_force = 0
     current_force = 0
