@@ -22,12 +22,12 @@ from dynamics.compliant.law.linear_response import (
 from dynamics.compliant.law.linearised import mobility
 from dynamics.compliant.law.roughness import edge_profile, shift_of_contact, table_profile
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import RELAXATION_LENGTH_1, RELAXATION_LENGTH_2, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import energy, inclination, released_state
 from dynamics.compliant.stepping.model import CompliantModel
-from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, GAP, WEIGHT
-from dynamics.compliant.stepping.time_loop import CONTINUES
+from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.time_loop import EndReason
 from dynamics.disk import Friction
 from sonify.claims.halt import steady_state
 from sonify.scene import load_scene
@@ -67,7 +67,11 @@ def contact_table(loss_factor: float = 0.02) -> LawTable:
 def without_creep(law: LawTable):
     """Multiply the creep lengths of a tabulated law by 1e9, so that its tangential springs do not
     creep."""
-    factors = np.where(np.isin(np.arange(7), (RELAXATION_LENGTH_1, RELAXATION_LENGTH_2)), 1e9, 1.0)
+    factors = np.where(
+        np.isin(np.arange(7), (LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2)),
+        1e9,
+        1.0,
+    )
     law.__dict__["spline"] = CubicSpline(law.grid, law.spline(law.grid) * factors)
 
 
@@ -98,7 +102,7 @@ def full_model_impact(rate: float) -> Answer:
     """Return largest approach over the exact one, and energy after over energy before the impact,
     by the full model."""
     model = CompliantModel(table=lossless_table(), friction=NO_FRICTION, rate=rate)
-    model.constants[WEIGHT] = 0.0
+    vars(model)["constants"] = model.constants._replace(weight=0.0)
     start = np.zeros(11)
     start[1] = IMPACT_INCLINATION
     y = released_state(model, start, (0.0, 0.0, 1e-12))
@@ -106,7 +110,7 @@ def full_model_impact(rate: float) -> Answer:
     before = energy(model, y[None])[0]
     state = np.concatenate([piece.state for piece in model.run(y, 1, 4e-4)])
     return Answer(
-        (-state[:, GAP].min() / hertz_impact()[1], energy(model, state[-1:])[0] / before),
+        (-state[:, STATE.gap].min() / hertz_impact()[1], energy(model, state[-1:])[0] / before),
         len(state),
     )
 
@@ -164,7 +168,7 @@ def full_model_rms(
     y = released_state(model, steady_state(contact_table().law.disk, beta))
     steps_per_force = max(1, round(rate / FORCE_RATE))
     pieces = list(model.run(y, steps_per_force, ROLLING_DURATION))
-    if pieces[-1].why != CONTINUES:
+    if pieces[-1].why != EndReason.CONTINUES:
         raise Failure("the equation for the force has no solution: several contacts at once")
     force = np.concatenate([piece.force[:, 2] for piece in pieces])
     return _audible_rms(force, rate / steps_per_force, int(ROLLING_DURATION * rate))
@@ -236,9 +240,9 @@ def relative_energy(beta: float, rate: float = 4e5) -> Answer:
     y = released_state(model, steady_state(contact_table().law.disk, beta))
     first = energy(model, y[None])[0]
     *_, last = model.run(y, 1, 0.01, beta / 2)
-    if last.why != CONTINUES:
+    if last.why != EndReason.CONTINUES:
         raise Failure("stops: below 5e-8 rad one ellipse is not the contact")
-    lost = last.state[-1, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum()
+    lost = last.state[-1, STATE.contact_loss : STATE.film_loss].sum()
     return Answer(((energy(model, last.state[-1:])[0] + lost) / first,), len(last.state))
 
 

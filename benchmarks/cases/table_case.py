@@ -17,7 +17,7 @@ from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, released_state
 from dynamics.compliant.stepping.model import CompliantModel
-from dynamics.compliant.stepping.table_modes import MODE_AMPLITUDE
+from dynamics.compliant.stepping.state_layout import MODE_STATE
 from dynamics.disk import Friction
 from dynamics.observables import precession_rate
 from dynamics.surface import ModesSurface, SurfaceMode
@@ -181,7 +181,7 @@ def two_way_disk(rate: float, inclination: float = 5e-4, heavier: float = 1e5) -
     *_, last = model.run(y, n, n / steps, waves=waves)
     found = columns(model, last.state[-1:])
     omega = float(precession_rate(found)[0])
-    z = waves.state[:, MODE_AMPLITUDE] @ [1, 1j] * mode.modal_mass**-0.5
+    z = waves.state[:, MODE_STATE.amplitude] @ [1, 1j] * mode.modal_mass**-0.5
     within = np.cos(inclination) - disk.aspect * np.sin(
         inclination
     )  # the contact is inside the circle of the mode

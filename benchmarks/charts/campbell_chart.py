@@ -23,7 +23,7 @@ from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, released_state
 from dynamics.compliant.stepping.model import CompliantModel
-from dynamics.compliant.stepping.state_layout import ANGULAR_MOMENTUM, AXIS, VELOCITY
+from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.disk import Friction
 from dynamics.surface import ModesSurface, SurfaceMode
 from modal.tabletop.solve import table_modes_from_numbers
@@ -73,9 +73,11 @@ def growth_by_steps(mode: SurfaceMode, x: float, rate: float) -> complex:
     y = released_state(model, np.array([0, beta, 0, 0, 0, 0, 0, omega * np.sin(beta), 0, 0, 0]))
     waves = model.waves(y)
     kick = NUTATION_KICK * omega * beta
-    d = y[AXIS : AXIS + 2] / np.sin(beta)
-    y[VELOCITY : VELOCITY + 3] = 0, 0, kick * disk.radius
-    y[ANGULAR_MOMENTUM : ANGULAR_MOMENTUM + 2] += inertias(disk)[0] * kick * np.array([d[1], -d[0]])
+    d = y[STATE.axis : STATE.axis + 2] / np.sin(beta)
+    y[STATE.velocity : STATE.velocity + 3] = 0, 0, kick * disk.radius
+    y[STATE.angular_momentum : STATE.angular_momentum + 2] += (
+        inertias(disk)[0] * kick * np.array([d[1], -d[0]])
+    )
     pieces = list(model.run(y, 4, REVOLUTIONS * 2 * np.pi / omega, waves=waves))
     t = np.concatenate([piece.t for piece in pieces])
     state = np.concatenate([piece.state for piece in pieces])

@@ -32,20 +32,8 @@ from dynamics.compliant.stepping.rim_modes import (
     moving_rim_modes,
 )
 from dynamics.compliant.stepping.row_store import RowStore, interpolate_rows
-from dynamics.compliant.stepping.state_layout import (
-    DISK_MODE_ENERGY,
-    ENERGY_LOSSES,
-    FRICTION_EXCESS,
-    TABLE_MODE_ENERGY,
-)
-from dynamics.compliant.stepping.time_loop import (
-    CONTINUES,
-    FLAT_INCLINATION,
-    IS_AIRBORNE,
-    LIES_FLAT,
-    STANDS_UPRIGHT,
-    UNSOLVED,
-)
+from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE
+from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.disk import Disk
 from dynamics.dissipation import power_laws
 from dynamics.film.activation import decide_film
@@ -67,11 +55,11 @@ LOAD_WINDOW_PARTS = 24
 MAX_PIECE_TURN = 0.25
 """Largest precession in one piece of the motion [rad]."""
 OUTCOME_OF_END = {
-    LIES_FLAT: Outcome.SETTLED,
-    STANDS_UPRIGHT: Outcome.UPRIGHT,
-    UNSOLVED: Outcome.STALLED,
-    CONTINUES: Outcome.TIME_LIMIT,
-    IS_AIRBORNE: Outcome.AIRBORNE,
+    EndReason.LIES_FLAT: Outcome.SETTLED,
+    EndReason.STANDS_UPRIGHT: Outcome.UPRIGHT,
+    EndReason.UNSOLVED: Outcome.STALLED,
+    EndReason.CONTINUES: Outcome.TIME_LIMIT,
+    EndReason.IS_AIRBORNE: Outcome.AIRBORNE,
 }
 """Outcome of a motion for each reason of `step_motion`."""
 
@@ -487,7 +475,7 @@ def simulate_from(
             f"no first step: {END_REASONS[piece.why] if model.modes is None else bent}"
         )
     end = np.flatnonzero(written[:, 1] >= last)[-1]
-    if piece.why == IS_AIRBORNE:  # the motion ends where contact was lost
+    if piece.why == EndReason.IS_AIRBORNE:  # the motion ends where contact was lost
         end = int(flights[-1, 0] / (FORCES_PER_ROW * dt))
         flights = flights[:-1]
     written = written[: max(end, 1) + 1]
@@ -500,7 +488,7 @@ def simulate_from(
         contact_losses=ContactLosses(
             flights[flights[:, 0] < (len(written) - 1) * FORCES_PER_ROW * dt]
         ),
-        excess=float(y[FRICTION_EXCESS]),
+        excess=float(y[STATE.friction_excess]),
         outcome=OUTCOME_OF_END[piece.why],
     )
     return replace(motion, outcome=Outcome.FELL) if motion.fell else motion
@@ -537,9 +525,15 @@ def _stored_columns(model, y) -> np.ndarray:
     """Return the stored columns (k, 21) of states y (k, STATE_SIZE); the precession is in (-pi,
     pi].
     """
-    lost = y[:, ENERGY_LOSSES : ENERGY_LOSSES + len(CAUSES)]
+    lost = y[:, ENERGY_LOSSES]
     return np.column_stack(
-        [columns(model, y), energy(model, y), lost, y[:, TABLE_MODE_ENERGY], y[:, DISK_MODE_ENERGY]]
+        [
+            columns(model, y),
+            energy(model, y),
+            lost,
+            y[:, STATE.table_mode_energy],
+            y[:, STATE.disk_mode_energy],
+        ]
     )
 
 

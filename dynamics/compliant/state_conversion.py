@@ -7,17 +7,9 @@ import numpy as np
 from dynamics.compliant.law.height_profile import mean_height
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias
-from dynamics.compliant.law.tabulated import (
-    HALF_LENGTH,
-    HERTZ_STIFFNESS,
-    RELAXATION_LENGTH_1,
-    RELAXATION_LENGTH_2,
-    STIFFNESS_1,
-    STIFFNESS_2,
-)
-from dynamics.compliant.stepping import state_layout as at
+from dynamics.compliant.law.tabulated import LAW_COLUMNS
+from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE, STATE_SIZE
 from dynamics.film.forces import squeezed_air_energy
-from dynamics.motion import CAUSES
 from dynamics.switching import ImpossibleContactError
 
 
@@ -57,35 +49,47 @@ def released_state(model, state, force=None) -> np.ndarray:
     e3 = [0, 0, np.sin(beta)] - np.cos(beta) * a2
     w1, w2, w3 = state[5:8]
     speed = abs(R * (w2 - w3 / np.tan(beta)) + slip[0])
-    deflection = np.array([-f1 / c[STIFFNESS_1], -f2 / c[STIFFNESS_2]])  # along a_1, a_2
-    delta = (N / c[HERTZ_STIFFNESS]) ** (2 / 3)
+    deflection = np.array(
+        [-f1 / c[LAW_COLUMNS.stiffness_1], -f2 / c[LAW_COLUMNS.stiffness_2]]
+    )  # along a_1, a_2
+    delta = (N / c[LAW_COLUMNS.hertz_stiffness]) ** (2 / 3)
     if not slip.any():
-        slip = deflection * speed / c[[RELAXATION_LENGTH_1, RELAXATION_LENGTH_2]]
-    y = np.zeros(at.STATE_SIZE)
-    y[at.ROUGHNESS_HEIGHTS : at.ROUGHNESS_HEIGHTS + 2] = [
-        mean_height(p, -R * state[2], c[HALF_LENGTH]) for p in model.profiles
+        slip = (
+            deflection
+            * speed
+            / c[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]]
+        )
+    y = np.zeros(STATE_SIZE)
+    y[STATE.roughness_heights : STATE.roughness_heights + 2] = [
+        mean_height(p, -R * state[2], c[LAW_COLUMNS.half_length]) for p in model.profiles
     ]
     y[0], y[1] = state[3:5]
     y[2] = (
         R * np.sin(beta)
         - 2 * H * np.sin(beta / 2) ** 2
         - delta
-        + y[at.ROUGHNESS_HEIGHTS : at.ROUGHNESS_HEIGHTS + 2].sum()
+        + y[STATE.roughness_heights : STATE.roughness_heights + 2].sum()
     )
-    y[at.VELOCITY : at.AXIS] = slip @ [a1, a2] + np.cross(
+    y[STATE.velocity : STATE.axis] = slip @ [a1, a2] + np.cross(
         w1 * a1 + w2 * n + w3 * e3,
         H * n + R * e3,
     )
-    y[at.AXIS : at.ANGULAR_MOMENTUM] = n
-    y[at.ANGULAR_MOMENTUM : at.SPRING_STRETCH] = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
-    y[at.SPRING_STRETCH : at.SPRING_STRETCH + 2] = deflection * [-1, 1]  # along t = -a_1, d = a_2
-    y[at.SPRING_STIFFNESS : at.SPRING_STIFFNESS + 2] = c[STIFFNESS_1 : STIFFNESS_2 + 1]
-    y[at.NORMAL_FORCE] = N
-    y[at.PREVIOUS_FORCES : at.PREVIOUS_FORCES + 2] = N
-    y[at.GAP] = -delta
-    y[[at.TABLE_PATH, at.EDGE_PATH]] = -R * state[2]
-    y[at.SQUEEZED_AIR_ENERGY] = squeezed_air_energy(
-        np.sin(beta), w3 / np.sin(beta), *model.constants[at.FILM_NUMBER : at.FILM_SLIP + 1]
+    y[STATE.axis : STATE.angular_momentum] = n
+    y[STATE.angular_momentum : STATE.spring_stretch] = J1 * (w1 * a1 + w3 * e3) + J2 * w2 * n
+    y[STATE.spring_stretch : STATE.spring_stretch + 2] = deflection * [
+        -1,
+        1,
+    ]  # along t = -a_1, d = a_2
+    y[STATE.spring_stiffness : STATE.spring_stiffness + 2] = c[
+        LAW_COLUMNS.stiffness_1 : LAW_COLUMNS.stiffness_2 + 1
+    ]
+    y[STATE.normal_force] = N
+    y[STATE.previous_forces : STATE.previous_forces + 2] = N
+    y[STATE.gap] = -delta
+    y[[STATE.table_path, STATE.edge_path]] = -R * state[2]
+    film = model.constants
+    y[STATE.squeezed_air_energy] = squeezed_air_energy(
+        np.sin(beta), w3 / np.sin(beta), film.film_number, film.film_ambient, film.film_slip
     )
     return y
 
@@ -100,8 +104,8 @@ def limit_energy(model, y, most: float) -> None:
     if excess <= 0:
         return
     still = y.copy()
-    still[at.VELOCITY : at.AXIS] = 0.0
-    still[at.ANGULAR_MOMENTUM : at.SPRING_STRETCH] = 0.0
+    still[STATE.velocity : STATE.axis] = 0.0
+    still[STATE.angular_momentum : STATE.spring_stretch] = 0.0
     kinetic = most + excess - float(energy(model, still[None])[0])
     if excess >= kinetic:
         raise ImpossibleContactError(
@@ -109,15 +113,15 @@ def limit_energy(model, y, most: float) -> None:
             f"J of its motion"
         )
     slower = np.sqrt(1 - excess / kinetic)
-    y[at.VELOCITY : at.AXIS] *= slower
-    y[at.ANGULAR_MOMENTUM : at.SPRING_STRETCH] *= slower
+    y[STATE.velocity : STATE.axis] *= slower
+    y[STATE.angular_momentum : STATE.spring_stretch] *= slower
 
 
 def inclination(y) -> np.ndarray:
     """Return the inclinations (n,) [rad] of states (n, STATE_SIZE); accurate for the smallest
     angles.
     """
-    return np.arctan2(np.hypot(y[:, at.AXIS], y[:, at.AXIS + 1]), y[:, at.AXIS + 2])
+    return np.arctan2(np.hypot(y[:, STATE.axis], y[:, STATE.axis + 1]), y[:, STATE.axis + 2])
 
 
 def energy(model, y) -> np.ndarray:
@@ -129,26 +133,26 @@ def energy(model, y) -> np.ndarray:
     y = np.ascontiguousarray(y.T)
     (J1, J2) = inertias(model.table.law.disk)
     disk = model.table.law.disk
-    v = y[at.VELOCITY : at.AXIS]
-    n = y[at.AXIS : at.ANGULAR_MOMENTUM]
-    L = y[at.ANGULAR_MOMENTUM : at.SPRING_STRETCH]
+    v = y[STATE.velocity : STATE.axis]
+    n = y[STATE.axis : STATE.angular_momentum]
+    L = y[STATE.angular_momentum : STATE.spring_stretch]
     moved = (
         disk.mass * (v * v).sum(axis=0)
         + (L * L).sum(axis=0) / J1
         + (1 / J2 - 1 / J1) * (L * n).sum(axis=0) ** 2
     )
     x = np.log(np.maximum(np.hypot(n[0], n[1]), np.sin(MIN_CONTACT_INCLINATION)))
-    moved += 0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[at.GAP])) ** 5
+    moved += 0.8 * model.table.stiffness(x) * np.sqrt(np.maximum(0.0, -y[STATE.gap])) ** 5
     moved += (
-        y[at.SPRING_STIFFNESS : at.SPRING_STIFFNESS + 2]
-        * y[at.SPRING_STRETCH : at.SPRING_STRETCH + 2] ** 2
+        y[STATE.spring_stiffness : STATE.spring_stiffness + 2]
+        * y[STATE.spring_stretch : STATE.spring_stretch + 2] ** 2
     ).sum(axis=0)
     return (
         moved / 2
-        + model.constants[at.WEIGHT] * (y[2] - y[at.TABLE_RISE])
-        + y[at.TABLE_MODE_ENERGY]
-        + y[at.DISK_MODE_ENERGY]
-        + y[at.SQUEEZED_AIR_ENERGY]
+        + model.constants.weight * (y[2] - y[STATE.table_rise])
+        + y[STATE.table_mode_energy]
+        + y[STATE.disk_mode_energy]
+        + y[STATE.squeezed_air_energy]
     )
 
 
@@ -164,15 +168,15 @@ def columns(model, y) -> np.ndarray:
     H = disk.thickness / 2
     s = np.sin(beta)
     c = np.cos(beta)
-    d0 = y[at.AXIS] / s
-    d1 = y[at.AXIS + 1] / s
-    L = y[at.ANGULAR_MOMENTUM : at.SPRING_STRETCH]
+    d0 = y[STATE.axis] / s
+    d1 = y[STATE.axis + 1] / s
+    L = y[STATE.angular_momentum : STATE.spring_stretch]
     w1 = (L[0] * d1 - L[1] * d0) / J1
-    w2 = (y[at.AXIS : at.ANGULAR_MOMENTUM] * L).sum(axis=0) / J2
+    w2 = (y[STATE.axis : STATE.angular_momentum] * L).sum(axis=0) / J2
     w3 = (L[2] * s - (L[0] * d0 + L[1] * d1) * c) / J1
     u1 = y[3] * d1 - y[4] * d0 - R * w2 + H * w3
     u2 = y[3] * d0 + y[4] * d1 + (R * s + H * c) * w1
-    lost = y[at.ENERGY_LOSSES : at.ENERGY_LOSSES + len(CAUSES)].sum(axis=0)
+    lost = y[ENERGY_LOSSES].sum(axis=0)
     return np.column_stack(
-        [np.arctan2(-d0, d1), beta, -y[at.EDGE_PATH] / R, y[0], y[1], w1, w2, w3, u1, u2, lost]
+        [np.arctan2(-d0, d1), beta, -y[STATE.edge_path] / R, y[0], y[1], w1, w2, w3, u1, u2, lost]
     )

@@ -19,25 +19,11 @@ from dynamics.compliant.law.linear_response import MotionBlock, contact_response
 from dynamics.compliant.law.linearised import linear_contact, mobility
 from dynamics.compliant.law.roughness import edge_profile, ellipse_window, table_profile
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import (
-    HERTZ_STIFFNESS,
-    LOSS_COEFFICIENT,
-    RELAXATION_LENGTH_1,
-    RELAXATION_LENGTH_2,
-    STIFFNESS_1,
-    STIFFNESS_2,
-    LawTable,
-)
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
 from dynamics.compliant.state_conversion import columns, energy, inclination, released_state
 from dynamics.compliant.stepping.model import CompliantModel
-from dynamics.compliant.stepping.state_layout import (
-    ENERGY_LOSSES,
-    GAP,
-    IS_SLIDING,
-    NORMAL_FORCE,
-    WEIGHT,
-)
-from dynamics.compliant.stepping.time_loop import CONTINUES, LIES_FLAT, STANDS_UPRIGHT
+from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.time_loop import EndReason
 from dynamics.disk import Friction
 
 LAW = granite()
@@ -55,13 +41,22 @@ def table(stiffer=1.0, creeps=True, damping=None):
     """Return the law with all springs stiffer by a factor, with or without creep."""
     out = LawTable(law=LAW, damping=damping)
     scale = np.ones(7)
-    scale[[HERTZ_STIFFNESS, STIFFNESS_1, STIFFNESS_2, LOSS_COEFFICIENT]] = (
+    scale[
+        [
+            LAW_COLUMNS.hertz_stiffness,
+            LAW_COLUMNS.stiffness_1,
+            LAW_COLUMNS.stiffness_2,
+            LAW_COLUMNS.loss_coefficient,
+        ]
+    ] = (
         stiffer**1.5,
         stiffer,
         stiffer,
         stiffer**0.5,
     )
-    scale[[RELAXATION_LENGTH_1, RELAXATION_LENGTH_2]] = 1.0 if creeps else 1e9
+    scale[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]] = (
+        1.0 if creeps else 1e9
+    )
     out.__dict__["spline"] = CubicSpline(out.grid, out.spline(out.grid) * scale)
     return out
 
@@ -111,25 +106,25 @@ def test_impact(loss):
     model = CompliantModel(
         table=table(damping=loss * LAW.disk.weight), friction=FRICTIONLESS, rate=rate
     )
-    model.constants[WEIGHT] = 0.0
+    vars(model)["constants"] = model.constants._replace(weight=0.0)
     start = np.zeros(11)
     start[1] = beta
     y = released_state(model, start, (0.0, 0.0, 1e-12))
     y[5] = -v
     t, state, _, _, _, _ = run(model, y, 1, 4e-4)
-    last = np.flatnonzero(state[:, NORMAL_FORCE])[-1]
+    last = np.flatnonzero(state[:, STATE.normal_force])[-1]
     mass = 1 / mobility(LAW.disk, beta)[0, 2, 2]
     K0 = LAW.stiffness(np.array([beta]))[0]
     spent = (lambda v: v / loss - np.log1p(loss * v) / loss**2) if loss else (lambda v: v * v / 2)
     deepest = (2.5 * mass / K0 * spent(v)) ** 0.4
-    assert -state[:, GAP].min() == pytest.approx(deepest, rel=1e-4)
+    assert -state[:, STATE.gap].min() == pytest.approx(deepest, rel=1e-4)
     rebound = v if not loss else brentq(lambda u: spent(v) - spent(-u), 0.5 * v, v)
     assert rise(model, state[last]) == pytest.approx(rebound, rel=5e-4)
-    held = t[state[:, NORMAL_FORCE] > 0]
+    held = t[state[:, STATE.normal_force] > 0]
     if not loss:
         assert deepest == pytest.approx(1.894264e-6, rel=2e-6)
         assert held[-1] - held[0] == pytest.approx(278.767e-6, abs=2 / rate)
-    kept = energy(model, state) + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
+    kept = energy(model, state) + state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
     assert np.ptp(kept) < walk(ENERGY * len(kept)) * kept[0]
 
 
@@ -142,7 +137,7 @@ def test_explicit_steps_gain_what_these_keep():
     _, state, _, losses, _, _ = run(model, y, 1, 0.05)
     kept = energy(model, state)
     assert losses
-    total = kept + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
+    total = kept + state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
     assert np.ptp(total) < walk(ENERGY * len(total)) * kept[0]
     mass = 1 / mobility(LAW.disk, 0.3)[0, 2, 2]
     K0 = LAW.stiffness(np.array([0.3]))[0]
@@ -168,12 +163,12 @@ def test_energy_never_rises_and_every_loss_has_its_cause(profiles):
     before = energy(model, y[None])[0]
     _, state, _, _, _, _ = run(model, y, 1, 0.1)
     now = energy(model, state)
-    lost = state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5]
+    lost = state[:, STATE.contact_loss : STATE.film_loss]
     assert np.diff(np.append(before, now)).max() < 1e-15 * before * 4
     assert np.abs(now + lost.sum(axis=1) - before).max() < walk(ENERGY * len(now)) * before
     assert (np.diff(lost, axis=0) > -1e-16 * before).all()
     assert (lost[-1] > 1e-9 * before).all()
-    assert state[:, IS_SLIDING].any()
+    assert state[:, STATE.is_sliding].any()
 
 
 def test_steady_precession_is_kept():
@@ -377,7 +372,7 @@ def test_energy_where_roughness_throws_the_disk():
     assert losses
     assert np.diff(np.append(before, now)).max() < gamma(ENERGY) * before
     assert (
-        np.abs(now + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1) - before).max()
+        np.abs(now + state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1) - before).max()
         < 1e-9 * before
     )
 
@@ -387,14 +382,14 @@ def test_how_it_ends():
     heavy = Friction(mu_static=0.5, mu_dynamic=0.3, arm_rolling=1e-3)
     model = CompliantModel(table=table(), friction=heavy, rate=2e5)
     _, state, _, _, _, why = run(model, released_state(model, steady(0.01)), 20, 5.0, last=1e-3)
-    assert why == LIES_FLAT
+    assert why == EndReason.LIES_FLAT
     assert inclination(state)[-1] <= 1e-3 < inclination(state)[-2]
-    assert run(model, released_state(model, steady(0.2)), 20, 0.01)[5] == CONTINUES
+    assert run(model, released_state(model, steady(0.2)), 20, 0.01)[5] == EndReason.CONTINUES
     falls = CompliantModel(table=table(), friction=GRIPS, rate=2e5)
     upright = np.zeros(11)
     upright[1] = 1.5
     upright[5] = -20.0
-    assert run(falls, released_state(falls, upright), 20, 1.0)[5] == STANDS_UPRIGHT
+    assert run(falls, released_state(falls, upright), 20, 1.0)[5] == EndReason.STANDS_UPRIGHT
     slow = CompliantModel(table=table(), friction=GRIPS, rate=1e4)
     with pytest.raises(ValueError, match="at least"):
         run(slow, released_state(slow, steady(0.1)), 1, 0.1)

@@ -14,17 +14,11 @@ from table_models import GRIPS, TABLE, run, standing, steady
 
 from dynamics.compliant.compliant_motion import compliant_model
 from dynamics.compliant.law.linearised import inertias, mobility
-from dynamics.compliant.law.tabulated import HERTZ_STIFFNESS, SeriesLawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, SeriesLawTable
 from dynamics.compliant.model_inputs import law_table
 from dynamics.compliant.state_conversion import columns, energy, released_state
 from dynamics.compliant.stepping.rim_modes import MAX_MOVING_FREQUENCY, RimModes, moving_rim_modes
-from dynamics.compliant.stepping.state_layout import (
-    ANGULAR_MOMENTUM,
-    DISK_MODE_ENERGY,
-    ENERGY_LOSSES,
-    VELOCITY,
-    WEIGHT,
-)
+from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, STATE
 from dynamics.disk import Friction
 from dynamics.observables import precession_rate
 from modal import surface_modes
@@ -37,15 +31,15 @@ SMOOTH = Friction(mu_static=0.0, mu_dynamic=0.0)
 def fallen(scene, bending, rate, stop, beta=0.05, speed=0.02):
     """Return centre velocity, tilting rate and modal energy after a vertical fall, by stepping."""
     model = replace(standing(scene, rate, SMOOTH, HEAVY, damps=False), bending=bending)
-    model.constants[WEIGHT] = 0.0
+    vars(model)["constants"] = model.constants._replace(weight=0.0)
     y = released_state(model, np.append([0.0, beta], np.zeros(9)), np.zeros(3))
     waves = model.waves(y)
-    y[VELOCITY + 2] = -speed
+    y[STATE.velocity + 2] = -speed
     *_, last = model.run(y, round(stop * rate), stop, waves=waves)
     return (
-        last.state[-1, VELOCITY + 2],
-        -last.state[-1, ANGULAR_MOMENTUM] / inertias(scene.disk)[0],
-        last.state[-1, DISK_MODE_ENERGY],
+        last.state[-1, STATE.velocity + 2],
+        -last.state[-1, STATE.angular_momentum] / inertias(scene.disk)[0],
+        last.state[-1, STATE.disk_mode_energy],
     )
 
 
@@ -55,15 +49,14 @@ def fallen_by_its_lagrangian(scene, bending, stop, beta=0.05, speed=0.02):
     The gap is G = z - R sin b + H (1 - cos b) + sum r (c A - s B).
     """
     disk = scene.disk
-    K0 = law_table(scene).columns(np.array([beta]))[0, HERTZ_STIFFNESS]
-    (order, phase, A, B) = bending.shapes.T
+    K0 = law_table(scene).columns(np.array([beta]))[0, LAW_COLUMNS.hertz_stiffness]
     squared = bending.squared
-    A = A * np.cos(phase)
-    B = B * np.cos(phase)
+    A = bending.axial * np.cos(bending.phase)
+    B = bending.radial * np.cos(bending.phase)
     R = disk.radius
     H = disk.thickness / 2
     J1 = inertias(disk)[0]
-    modes = len(order)
+    modes = len(squared)
 
     def rates(t, y):
         z = y[0]
@@ -114,11 +107,17 @@ def test_a_load_that_runs_round_the_rim_drives_them_as_it_does_a_table(elastic, 
     disk = elastic.disk
     start, rate = steady(disk, beta)
     w = n * rate / x
-    pair = np.array([[n, 0.0, mass**-0.5, 0.0], [n, np.pi / 2, mass**-0.5, 0.0]])
-    bending = RimModes(pair, np.full(2, w * w), np.full(2, zeta * w))
+    bending = RimModes(
+        order=np.full(2, float(n)),
+        phase=np.array([0.0, np.pi / 2]),
+        axial=np.full(2, mass**-0.5),
+        radial=np.zeros(2),
+        squared=np.full(2, w * w),
+        decay=np.full(2, zeta * w),
+    )
     model = replace(standing(elastic, 2e5, GRIPS, HEAVY), bending=bending)
     _, t, state, _, _ = run(model, released_state(model, start), 20, 20 * np.pi / rate)
-    power = (state[-1, ENERGY_LOSSES + 6] - state[0, ENERGY_LOSSES + 6]) / (t[-1] - t[0])
+    power = (state[-1, STATE.body_loss] - state[0, STATE.body_loss]) / (t[-1] - t[0])
     now = n * np.abs(precession_rate(columns(model, state))).mean() / w
     expected = (
         disk.weight**2
@@ -139,12 +138,12 @@ def test_energy_is_kept_and_never_gained(elastic, loss_factor):
     y = released_state(model, steady(scene.disk, 4e-4)[0])
     first, _, state, losses, _ = run(model, y, 1, 0.05)
     now = energy(model, state)
-    lost = state[:, ENERGY_LOSSES : ENERGY_LOSSES + 7].sum(axis=1)
+    lost = state[:, ENERGY_LOSSES].sum(axis=1)
     assert losses
-    assert state[:, DISK_MODE_ENERGY].max() > 1e-3 * first
+    assert state[:, STATE.disk_mode_energy].max() > 1e-3 * first
     assert np.abs(now + lost - first).max() < 1e-10 * first
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
-    assert (state[-1, ENERGY_LOSSES + 6] > 0) == (loss_factor > 0)
+    assert (state[-1, STATE.body_loss] > 0) == (loss_factor > 0)
 
 
 def test_what_moves_does_not_yield_in_series(elastic):
@@ -153,12 +152,12 @@ def test_what_moves_does_not_yield_in_series(elastic):
     edge = elastic.edge
     bending = moving_rim_modes(edge, 0.0)
     assert (np.sqrt(bending.squared) < 2 * np.pi * MAX_MOVING_FREQUENCY).all()
-    assert len(bending.shapes) == 3  # the toy has a pair of order 2 and one of order 0
+    assert len(bending.order) == 3  # the toy has a pair of order 2 and one of order 0
     whole, apart = (
         law_table(elastic, SeriesLawTable, moves).yields(np.log(np.sin(beta)))[0]
         for moves in (0.0, MAX_MOVING_FREQUENCY)
     )
-    lifts = bending.shapes[:2, 2] * np.cos(beta) - bending.shapes[:2, 3] * np.sin(
+    lifts = bending.axial[:2] * np.cos(beta) - bending.radial[:2] * np.sin(
         beta
     )  # the sine partner is at rest
     kn = law_table(elastic).springs(beta, elastic.disk.weight)[0].kn[0]
@@ -167,7 +166,7 @@ def test_what_moves_does_not_yield_in_series(elastic):
         (lifts**2 / (bending.squared[:2] - square)).sum(), rel=1e-6
     )
     assert whole[:2, :2] == pytest.approx(apart[:2, :2], rel=1e-12)
-    assert len(moving_rim_modes(None, 0.0).shapes) == 0
+    assert len(moving_rim_modes(None, 0.0).order) == 0
 
 
 def test_the_disk_turns_about_its_axis_as_it_rolls(elastic):

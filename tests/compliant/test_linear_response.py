@@ -32,14 +32,7 @@ from dynamics.compliant.law.roughness import (
     wave_spectrum,
 )
 from dynamics.compliant.law.sections import Roughness
-from dynamics.compliant.law.tabulated import (
-    HALF_LENGTH,
-    HERTZ_STIFFNESS,
-    LOSS_COEFFICIENT,
-    RELAXATION_LENGTH_2,
-    STIFFNESS_1,
-    LawTable,
-)
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
 
 LAW = granite()
 TABLE = LawTable(law=LAW)
@@ -63,20 +56,20 @@ def test_table_interpolates_the_law():
     columns = TABLE.columns(beta)
     springs = LAW.springs(beta, WEIGHT)
     exact = {
-        HERTZ_STIFFNESS: LAW.stiffness(beta),
-        HALF_LENGTH: LAW.semi_axes(beta, WEIGHT)[0],
-        STIFFNESS_1: springs.k1,
+        LAW_COLUMNS.hertz_stiffness: LAW.stiffness(beta),
+        LAW_COLUMNS.half_length: LAW.semi_axes(beta, WEIGHT)[0],
+        LAW_COLUMNS.stiffness_1: springs.k1,
     }
     for column, values in exact.items():
         assert columns[:, column] == pytest.approx(values, rel=1e-8)
-    assert columns[:, RELAXATION_LENGTH_2] == pytest.approx(springs.length2, rel=2e-5), (
-        "Kalker's table has corners"
-    )
+    assert columns[:, LAW_COLUMNS.relaxation_length_2] == pytest.approx(
+        springs.length2, rel=2e-5
+    ), "Kalker's table has corners"
     heavier, a, c = TABLE.springs(beta, 7.0)
     assert heavier.kn == pytest.approx(LAW.springs(beta, 7.0).kn, rel=1e-8)
     assert heavier.length1 == pytest.approx(LAW.springs(beta, 7.0).length1, rel=2e-5)
     assert a == pytest.approx(LAW.semi_axes(beta, 7.0)[0], rel=1e-8)
-    assert c == pytest.approx(columns[:, LOSS_COEFFICIENT] * 7.0, rel=gamma(2))
+    assert c == pytest.approx(columns[:, LAW_COLUMNS.loss_coefficient] * 7.0, rel=gamma(2))
 
 
 @pytest.mark.parametrize("beta", [0.3, 0.003])

@@ -25,8 +25,8 @@ from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.model_inputs import step_rate
 from dynamics.compliant.state_conversion import columns, energy, released_state
 from dynamics.compliant.stepping.model import ContactLosses
-from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES, NORMAL_FORCE, ROUGHNESS_HEIGHTS
-from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, LIES_FLAT
+from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.time_loop import FLAT_INCLINATION, EndReason
 from dynamics.compliant.two_way_onset import may_be_two_way, reaction_shares, table_reaction
 from dynamics.disk import Friction
 from dynamics.film.wedge import film_under
@@ -55,7 +55,7 @@ def test_energy_is_kept_and_never_gained(elastic, damping):
     y = released_state(model, steady(elastic.disk, 4e-4)[0])
     first, _, state, losses, _ = run(model, y, 1, 0.05)
     now = energy(model, state)
-    lost = state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
+    lost = state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
     assert losses
     assert np.abs(now + lost - first).max() < 1e-10 * first
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
@@ -80,7 +80,7 @@ def test_wave_drag(elastic, x):
     w = n * rate / x
     model = standing(elastic, 2e5, GRIPS, (n, w / (2 * np.pi), zeta, mass))
     _, t, state, _, _ = run(model, released_state(model, start), 20, 20 * np.pi / rate)
-    power = (state[-1, ENERGY_LOSSES + 4] - state[0, ENERGY_LOSSES + 4]) / (t[-1] - t[0])
+    power = (state[-1, STATE.table_loss] - state[0, STATE.table_loss]) / (t[-1] - t[0])
     gravity = disk.weight / disk.mass
     now = n * np.abs(precession_rate(columns(model, state))).mean() / w
     arm = now**2 / (n * rate**2 * beta * disk.radius / gravity) * 2 * zeta * now
@@ -103,11 +103,11 @@ def halts(elastic, friction, rate, starts):
         first, t, state, losses, why = run(
             model, released_state(model, start, motion.force([t0])[0]), 10, 2.0
         )
-        assert why == LIES_FLAT
+        assert why == EndReason.LIES_FLAT
         assert (
             np.abs(
                 energy(model, state)
-                + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
+                + state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
                 - first
             ).max()
             < 1e-9 * first
@@ -217,7 +217,7 @@ def test_a_rough_contact_keeps_its_energy_on_a_table_that_acts_back(elastic, dam
         model, released_state(model, steady(elastic.disk, 2e-3)[0]), 1, 0.05
     )
     now = energy(model, state)
-    lost = state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
+    lost = state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
     assert losses
     assert np.abs(now + lost - first).max() < 1e-10 * first
     assert np.diff(np.append(first, now)).max() < 1e-12 * first
@@ -238,11 +238,14 @@ def test_a_rough_contact_on_a_heavy_table_is_that_of_a_rigid_one(elastic):
     ]
     assert (
         np.corrcoef(
-            [state[:, ROUGHNESS_HEIGHTS : ROUGHNESS_HEIGHTS + 2].sum(axis=1) for state in states]
+            [
+                state[:, STATE.roughness_heights : STATE.roughness_heights + 2].sum(axis=1)
+                for state in states
+            ]
         )[0, 1]
         > 0.999
     )
-    assert np.corrcoef([state[:, NORMAL_FORCE] for state in states])[0, 1] > 0.99
+    assert np.corrcoef([state[:, STATE.normal_force] for state in states])[0, 1] > 0.99
 
 
 def test_a_table_that_bends_more_than_the_disk_is_raised_is_refused_in_one_line(elastic):

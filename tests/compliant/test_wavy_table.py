@@ -15,7 +15,7 @@ from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import columns, energy, released_state
 from dynamics.compliant.stepping.model import CompliantModel
-from dynamics.compliant.stepping.state_layout import ENERGY_LOSSES
+from dynamics.compliant.stepping.state_layout import STATE
 from sonify import SceneError, load_scene
 from sonify.plan.preflight import check_solvable_scene
 
@@ -47,7 +47,7 @@ def test_where_contact_is_first_lost(wavy, order):
     scale = (order**2 - 1) * amplitude / wavy.disk.radius
     model, first, t, state, losses = fall(wavy, order, amplitude, 4 * scale)
     assert 0.7 < np.interp(losses[0].t, t, columns(model, state)[:, 1]) / scale < 1.8
-    kept = energy(model, state) + state[:, ENERGY_LOSSES : ENERGY_LOSSES + 5].sum(axis=1)
+    kept = energy(model, state) + state[:, STATE.contact_loss : STATE.film_loss].sum(axis=1)
     assert np.abs(kept - first).max() < 1e-9 * first
 
 

@@ -5,12 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from dynamics.compliant.law.tabulated import (
-    LOSS_COEFFICIENT,
-    RELAXATION_LENGTH_1,
-    RELAXATION_LENGTH_2,
-    LawTable,
-)
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
 from dynamics.compliant.model_inputs import contact_law
 from dynamics.compliant.state_conversion import energy
 from dynamics.compliant.stepping.model import CompliantModel
@@ -31,8 +26,8 @@ def standing(scene, rate, friction, *modes, damps=True):
     )
     table = LawTable(law=contact_law(scene))
     scale = np.ones(7)
-    scale[[RELAXATION_LENGTH_1, RELAXATION_LENGTH_2]] = 1e9
-    scale[LOSS_COEFFICIENT] = float(damps)
+    scale[[LAW_COLUMNS.relaxation_length_1, LAW_COLUMNS.relaxation_length_2]] = 1e9
+    scale[LAW_COLUMNS.loss_coefficient] = float(damps)
     table.__dict__["spline"] = CubicSpline(table.grid, table.spline(table.grid) * scale)
     known = surface_modes(
         SimpleNamespace(disk=scene.disk, surface=surface, numerics=scene.numerics)

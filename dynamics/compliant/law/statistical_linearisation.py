@@ -10,7 +10,7 @@ from scipy.optimize import brentq
 
 from dynamics.compliant.law.linear_response import predicted_rms
 from dynamics.compliant.law.roughness import Roughness
-from dynamics.compliant.law.tabulated import HERTZ_STIFFNESS, LawTable
+from dynamics.compliant.law.tabulated import LAW_COLUMNS, LawTable
 
 SCATTER_NODES = np.linspace(-6.0, 6.0, 241)
 """Nodes of the integral over a Gaussian variable, in standard deviations."""
@@ -41,7 +41,7 @@ def _factor(table, roughness, inclination, load, speed, rounds):
     """Return the factor at one inclination, load and speed, by fixed-point iteration."""
     at = np.array([inclination])
     factor = 1.0
-    K0 = table.columns(at)[0, HERTZ_STIFFNESS]
+    K0 = table.columns(at)[0, LAW_COLUMNS.hertz_stiffness]
     alone = table.springs(at, load)[0].kn[0]
     for _ in range(rounds):
         rms = predicted_rms(table, roughness, at, factor * load, speed, above=0.0)[0]

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.interpolate import CubicSpline, PchipInterpolator, PPoly
@@ -29,21 +29,27 @@ BISECTION_STEPS = 40
 evaluated.
 """
 
-# Columns of the tabulated law; springs, lengths and the ellipse are those under the weight.
-HERTZ_STIFFNESS = 0
-"""K [N/m^1.5]"""
-HALF_LENGTH = 1
-"""Half-length a of the ellipse [m]."""
-STIFFNESS_1 = 2
-"""Tangential stiffness k1 along the rolling direction [N/m]."""
-STIFFNESS_2 = 3
-"""Tangential stiffness k2 across it [N/m]."""
-RELAXATION_LENGTH_1 = 4
-"""Creep length l1 along the rolling direction [m]."""
-RELAXATION_LENGTH_2 = 5
-"""Creep length l2 across it [m]."""
-LOSS_COEFFICIENT = 6
-"""c of N = K d^1.5 (1 + c d') [s/m]."""
+
+class LawColumns(NamedTuple):
+    """Columns of the tabulated law; springs, lengths and the ellipse are those under the weight."""
+
+    hertz_stiffness: int
+    """K [N/m^1.5]"""
+    half_length: int
+    """Half-length a of the ellipse [m]."""
+    stiffness_1: int
+    """Tangential stiffness k1 along the rolling direction [N/m]."""
+    stiffness_2: int
+    """Tangential stiffness k2 across it [N/m]."""
+    relaxation_length_1: int
+    """Creep length l1 along the rolling direction [m]."""
+    relaxation_length_2: int
+    """Creep length l2 across it [m]."""
+    loss_coefficient: int
+    """c of N = K d^1.5 (1 + c d') [s/m]."""
+
+
+LAW_COLUMNS = LawColumns(*range(len(LawColumns._fields)))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -72,7 +78,7 @@ class LawTable:
 
     @cached_property
     def grid(self) -> np.ndarray:
-        """Nodes (n,) of x, from below LEAST_INCLINATION to upright."""
+        """Nodes (n,) of x, from below MIN_CONTACT_INCLINATION to upright."""
         return GRID_STEP * np.arange(np.floor(np.log(MIN_CONTACT_INCLINATION / 2) / GRID_STEP), 1)
 
     @property
@@ -88,7 +94,7 @@ class LawTable:
     @cached_property
     def stiffness(self) -> PPoly:
         """K [N/m^1.5] as a piecewise polynomial of x."""
-        return PPoly(self.spline.c[:, :, HERTZ_STIFFNESS], self.grid)
+        return PPoly(self.spline.c[:, :, LAW_COLUMNS.hertz_stiffness], self.grid)
 
     def _tabulated(self) -> np.ndarray:
         """Columns of the law (n, 7) at the nodes."""
@@ -118,20 +124,24 @@ class LawTable:
         return self.spline(np.log(np.sin(inclination)))
 
     def springs(self, inclination, load):
-        """Return the Springs, the half-length (k,) [m] and the damping (k,) [N s/m] under loads
+        """Return the ContactSprings, the half-length (k,) [m] and the damping (k,) [N s/m] under loads
         (k,) [N].
         """
         value = self.columns(inclination).T
         root = np.cbrt(load / self.law.disk.weight)
-        kn = 1.5 * value[HERTZ_STIFFNESS] ** (2 / 3) * np.cbrt(load)
+        kn = 1.5 * value[LAW_COLUMNS.hertz_stiffness] ** (2 / 3) * np.cbrt(load)
         springs = ContactSprings(
-            value[STIFFNESS_1] * root,
-            value[STIFFNESS_2] * root,
+            value[LAW_COLUMNS.stiffness_1] * root,
+            value[LAW_COLUMNS.stiffness_2] * root,
             kn,
-            value[RELAXATION_LENGTH_1] * root,
-            value[RELAXATION_LENGTH_2] * root,
+            value[LAW_COLUMNS.relaxation_length_1] * root,
+            value[LAW_COLUMNS.relaxation_length_2] * root,
         )
-        return springs, value[HALF_LENGTH] * root, value[LOSS_COEFFICIENT] * load
+        return (
+            springs,
+            value[LAW_COLUMNS.half_length] * root,
+            value[LAW_COLUMNS.loss_coefficient] * load,
+        )
 
     def system(self, inclination, load, speed=0.0, rolls=True) -> LinearContact:
         """Return the linearised contact at inclinations [rad], loads [N] and speeds along the path
@@ -263,8 +273,10 @@ class SeriesLawTable(LawTable):
     def _tabulated(self) -> np.ndarray:
         columns = super()._tabulated()
         one = np.ones(len(self.grid))
-        kn = 1.5 * columns[:, HERTZ_STIFFNESS] ** (2 / 3) * np.cbrt(self.law.disk.weight)
-        held = np.column_stack([columns[:, [STIFFNESS_1, STIFFNESS_2]], kn])
+        kn = (
+            1.5 * columns[:, LAW_COLUMNS.hertz_stiffness] ** (2 / 3) * np.cbrt(self.law.disk.weight)
+        )
+        held = np.column_stack([columns[:, [LAW_COLUMNS.stiffness_1, LAW_COLUMNS.stiffness_2]], kn])
         yields = super().flexibility(self.inclinations)
         first, second, normal = (1 / (1 + held * np.diagonal(yields, axis1=-2, axis2=-1))).T
         return columns * np.column_stack(

@@ -2,50 +2,64 @@
 law.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
-from dynamics.compliant.stepping.state_layout import (
-    AXIS,
-    LAW_FRACTION,
-    LAW_INTERVAL,
-    SIN_INCLINATION,
-)
+from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.numba_kernels import kernel
 
 
+class LawCubics(NamedTuple):
+    """Tabulated law as cubics over ln(sin(beta)).
+
+    Attributes
+    ----------
+    grid_start : float
+        First node.
+    intervals_per_unit : float
+        Reciprocal distance of the nodes.
+    cubics : (intervals, columns, 4) array
+        Coefficients over the position within each interval (0 to 1), highest power first.
+    """
+
+    grid_start: float
+    intervals_per_unit: float
+    cubics: np.ndarray
+
+
 @kernel
-def law_interval(sine, grid_start, intervals_per_unit, size):
+def law_interval(law, sine):
     """Return the interval of the tabulated law that contains ln(sine), and the position within it
     (0 to 1).
     """
-    x = (np.log(sine) - grid_start) * intervals_per_unit
-    i = min(max(int(x), 0), size - 1)
+    x = (np.log(sine) - law.grid_start) * law.intervals_per_unit
+    i = min(max(int(x), 0), len(law.cubics) - 1)
     return i, x - i
 
 
 @kernel
-def locate_in_law(y, grid_start, intervals_per_unit, cubics):
+def locate_in_law(y, law):
     """Store the position of the present inclination in the tabulated law in the state."""
-    y[SIN_INCLINATION] = np.sqrt(y[AXIS] * y[AXIS] + y[AXIS + 1] * y[AXIS + 1])
-    y[LAW_INTERVAL], y[LAW_FRACTION] = law_interval(
-        y[SIN_INCLINATION],
-        grid_start,
-        intervals_per_unit,
-        len(cubics),
+    y[STATE.sin_inclination] = np.sqrt(
+        y[STATE.axis] * y[STATE.axis] + y[STATE.axis + 1] * y[STATE.axis + 1]
     )
+    y[STATE.law_interval], y[STATE.law_fraction] = law_interval(law, y[STATE.sin_inclination])
 
 
 @kernel
-def law_column(cubics, i, u, column):
-    """Return a column of the law from its cubics (n, columns, 4)."""
+def law_column(law, i, u, column):
+    """Return a column of the law at the fraction u of the interval i."""
+    cubics = law.cubics
     return cubics[i, column, 3] + u * (
         cubics[i, column, 2] + u * (cubics[i, column, 1] + u * cubics[i, column, 0])
     )
 
 
 @kernel
-def law_slope(cubics, i, u, column):
+def law_slope(law, i, u, column):
     """Return the derivative of a column by ln sin(beta), divided by the intervals per unit."""
+    cubics = law.cubics
     return cubics[i, column, 2] + u * (2 * cubics[i, column, 1] + u * 3 * cubics[i, column, 0])
 
 

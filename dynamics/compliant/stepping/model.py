@@ -1,7 +1,7 @@
 """Full compliant motion: a rigid disk on an elastic, rough contact with creep, slip and loss of
 contact.
 
-Valid from the upright disk down to LEAST_INCLINATION, where the contact is no longer one ellipse,
+Valid from the upright disk down to MIN_CONTACT_INCLINATION, where the contact is no longer one ellipse,
 and while the roughness under the ellipse makes one contact (roughness.shift_of_contact below 1).
 The normal force follows the gap in every step. The tangential springs and the length of the ellipse
 are those under the weight, at the inclination of the step.
@@ -19,17 +19,11 @@ from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
 from dynamics.compliant.law.linearised import inertias, required_step_rate
 from dynamics.compliant.law.sections import Imperfection
 from dynamics.compliant.law.tabulated import GRID_STEP, LawTable
+from dynamics.compliant.stepping.contact_energy import LawCubics
 from dynamics.compliant.stepping.rim_modes import NO_RIM_MODES, RimModes
-from dynamics.compliant.stepping.state_layout import AXIS, STATE_SIZE
+from dynamics.compliant.stepping.state_layout import STATE, STATE_SIZE, ModelConstants
 from dynamics.compliant.stepping.table_modes import modes_at_rest, settle_modes, wavy_table
-from dynamics.compliant.stepping.time_loop import (
-    CONTINUES,
-    IS_AIRBORNE,
-    LIES_FLAT,
-    STANDS_UPRIGHT,
-    UNSOLVED,
-    step_motion,
-)
+from dynamics.compliant.stepping.time_loop import EndReason, step_motion
 from dynamics.disk import MAX_FINITE_FRICTION, Friction
 from dynamics.film.wedge import Film
 
@@ -43,12 +37,12 @@ NODES_PER_RATE_CHECK = 10
 Linear interpolation between them is accurate to 2e-4.
 """
 END_REASONS = {
-    LIES_FLAT: "the inclination reached its final value; below it the contact is not one ellipse",
-    STANDS_UPRIGHT: "the disk stood upright on its lateral surface; the contact passes to the "
+    EndReason.LIES_FLAT: "the inclination reached its final value; below it the contact is not one ellipse",
+    EndReason.STANDS_UPRIGHT: "the disk stood upright on its lateral surface; the contact passes to the "
     "other rim",
-    UNSOLVED: "the roughness turned the disk too far in one step: several contacts, or too low a "
+    EndReason.UNSOLVED: "the roughness turned the disk too far in one step: several contacts, or too low a "
     "rate",
-    IS_AIRBORNE: "the air film carried the disk; without a contact it is not a wedge",
+    EndReason.IS_AIRBORNE: "the air film carried the disk; without a contact it is not a wedge",
 }
 """Reasons for the end of a motion."""
 
@@ -97,7 +91,7 @@ class MotionPiece(NamedTuple):
     slips : (s, 2) array
         Begin and end [s] of each slip that ended.
     why : int
-        Reason of the end, CONTINUES if the motion continues.
+        Reason of the end, EndReason.CONTINUES if the motion continues.
     """
 
     t: np.ndarray
@@ -155,8 +149,8 @@ class CompliantModel:
     rate: float = DEFAULT_STEP_RATE
 
     @cached_property
-    def constants(self) -> np.ndarray:
-        """The model constants in the order of state.py."""
+    def constants(self) -> ModelConstants:
+        """The constants of the model."""
         disk = self.table.law.disk
         f = self.friction
         body = disk.mass, *inertias(disk), disk.radius, disk.thickness / 2, disk.weight
@@ -171,21 +165,15 @@ class CompliantModel:
         energy = disk.mass * disk.radius**2 / disk.time_unit**2
         units = energy * chi, energy * chi, chi**2, chi, energy, 1.0
         air = np.multiply(self.film or np.zeros(len(units)), units)  # type: ignore[arg-type]
-        return np.array([*body, *friction, self.impedance, *self.viscous, *air, float(self.fitted)])
+        values = *body, *friction, self.impedance, *self.viscous, *air, self.fitted
+        return ModelConstants(*map(float, values))
 
     @cached_property
-    def cubics(self) -> np.ndarray:
-        """The tabulated law as cubics (intervals, columns, 4) over the position within each
-        interval.
-        """
-        return np.ascontiguousarray(
-            self.table.spline.c.transpose(
-                1,
-                2,
-                0,
-            )
-            * GRID_STEP ** np.array([3, 2, 1, 0])
-        )
+    def cubics(self) -> LawCubics:
+        """The tabulated law for the time loop."""
+        powers = GRID_STEP ** np.array([3, 2, 1, 0])
+        cubics = self.table.spline.c.transpose(1, 2, 0) * powers
+        return LawCubics(float(self.table.grid[0]), 1 / GRID_STEP, np.ascontiguousarray(cubics))
 
     @cached_property
     def _needed(self) -> np.ndarray:
@@ -247,16 +235,15 @@ class CompliantModel:
             If the step rate is too low for the stiffness of the contact; the message names the
             required rate.
         """
-        law = self.constants, np.reshape(np.array(self.powers, dtype=float), (-1, 2))
-        table = (self.table.grid[0], 1 / GRID_STEP, self.cubics, *self.profiles)
+        powers = np.reshape(np.array(self.powers, dtype=float), (-1, 2))
         sine = np.sin(max(last, MIN_CONTACT_INCLINATION))
         waves = waves or self.waves(y)
         count = 0
         left = int(np.ceil(stop * self.rate / every - 1e-9))
-        why = CONTINUES
+        why = EndReason.CONTINUES
         flying = [np.nan, np.nan, 0.0]
         slipping = [np.nan, np.nan]
-        while left > 0 and why == CONTINUES:
+        while left > 0 and why == EndReason.CONTINUES:
             self._hold(y)
             rows = np.empty((min(max(STEPS_PER_CALL // every, 1), left), STATE_SIZE))
             forces = np.empty((len(rows) * parts, 3))
@@ -267,8 +254,10 @@ class CompliantModel:
             why, n, flown, slid = step_motion(
                 y,
                 count,
-                *law,
-                *table,
+                self.constants,
+                powers,
+                self.cubics,
+                *self.profiles,
                 waves,
                 1 / self.rate,
                 every,
@@ -280,7 +269,7 @@ class CompliantModel:
             slipping = slips[slid]
             count = count + every * n
             left = left - n
-            if left == 0 or why != CONTINUES:  # events that continue end with the motion
+            if left == 0 or why != EndReason.CONTINUES:  # events that continue end with the motion
                 flying[1] = slipping[1] = end = count / self.rate
                 flown = flown + (flying[0] < end)
                 slid = slid + (slipping[0] < end)
@@ -306,7 +295,7 @@ class CompliantModel:
     def _hold(self, y):
         """Raise ValueError if a resonance turns too far in one step."""
         fastest = np.interp(
-            np.hypot(*y[AXIS : AXIS + 2]),
+            np.hypot(*y[STATE.axis : STATE.axis + 2]),
             np.exp(self.table.grid[::NODES_PER_RATE_CHECK]),
             self._needed,
         )

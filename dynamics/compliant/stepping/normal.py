@@ -28,8 +28,7 @@ The balance holds once the scalar equation for N is solved.
 import numpy as np
 
 from dynamics.compliant.law.height_profile import mean_height
-from dynamics.compliant.law.tabulated import HALF_LENGTH, HERTZ_STIFFNESS, LOSS_COEFFICIENT
-from dynamics.compliant.stepping import state_layout as at
+from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     approach_root,
     law_column,
@@ -37,6 +36,7 @@ from dynamics.compliant.stepping.contact_energy import (
     law_slope,
     mean_force,
 )
+from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.numba_kernels import kernel
 
 FORCE_TOLERANCE = 1e-12
@@ -116,21 +116,20 @@ def midpoint_velocities(
 
 
 @kernel
-def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
+def step_normal(y, constants, law, table, rim, h):
     """Advance the state y by the normal part of a step h; return False if the normal force has no
     solution.
     """
-    m = law[at.MASS]
-    J = law[at.J1]
-    R = law[at.RADIUS]
-    H = law[at.HALF_THICKNESS]
-    weight = law[at.WEIGHT]
+    m = constants.mass
+    J = constants.diametral_inertia
+    R = constants.radius
+    H = constants.half_thickness
+    weight = constants.weight
     step_over_2m = h / (2 * m)
     step_over_2J = h / (2 * J)
-    table_yield = h / law[at.TABLE_IMPEDANCE]
+    table_yield = h / constants.table_impedance
     inverse_inertia = 1 / J
-    e = 1 / law[at.J2] - 1 / J
-    interval_count = len(cubics)
+    e = 1 / constants.axial_inertia - 1 / J
     n0 = y[6]
     n1 = y[7]
     n2 = y[8]
@@ -138,20 +137,20 @@ def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
     L1 = y[10]
     L2 = y[11]
     # begin of the step: contact energy, stiffness K and its loss
-    s0 = y[at.SIN_INCLINATION]
+    s0 = y[STATE.sin_inclination]
     c0 = n2
     axial_momentum = L0 * n0 + L1 * n1 + L2 * n2
-    i = int(y[at.LAW_INTERVAL])
-    u = y[at.LAW_FRACTION]
-    K0 = law_column(cubics, i, u, HERTZ_STIFFNESS)
-    loss = law_column(cubics, i, u, LOSS_COEFFICIENT)
-    dK = law_slope(cubics, i, u, HERTZ_STIFFNESS) * intervals_per_unit / s0
+    i = int(y[STATE.law_interval])
+    u = y[STATE.law_fraction]
+    K0 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
+    loss = law_column(law, i, u, LAW_COLUMNS.loss_coefficient)
+    dK = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s0
     loss = loss / h
-    half_length = law_column(cubics, i, u, HALF_LENGTH)
-    zt0 = y[at.ROUGHNESS_HEIGHTS]
-    zr0 = y[at.ROUGHNESS_HEIGHTS + 1]
-    gap0 = y[at.GAP]
-    r0 = approach_root(y[at.GAP])
+    half_length = law_column(law, i, u, LAW_COLUMNS.half_length)
+    zt0 = y[STATE.roughness_heights]
+    zr0 = y[STATE.roughness_heights + 1]
+    gap0 = y[STATE.gap]
+    r0 = approach_root(y[STATE.gap])
     U0 = 0.4 * r0**5
     # directions d (to the contact) and t (path) at mid-step; a = reach e3 - lever d, b = -(R/s) d
     p0, p1, p2 = rotation_step(
@@ -174,7 +173,9 @@ def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
     # first estimate: the gap without the heights is far smoother than the force
     N = 0.0
     g = 0.0
-    predicted_gap_change = 3 * (y[at.GAP_CHANGES] - y[at.GAP_CHANGES + 1]) + y[at.GAP_CHANGES + 2]
+    predicted_gap_change = (
+        3 * (y[STATE.gap_changes] - y[STATE.gap_changes + 1]) + y[STATE.gap_changes + 2]
+    )
     A0 = 2 * p0
     A1 = 2 * p1
     A2 = 2 * p2
@@ -206,8 +207,8 @@ def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
         ):
             read_path = dpath
             read_edge = dedge
-            zt1 = height_after(table, y[at.TABLE_PATH], dpath, half_length, zt0)
-            zr1 = height_after(rim, y[at.EDGE_PATH], dedge, half_length, zr0)
+            zt1 = height_after(table, y[STATE.table_path], dpath, half_length, zt0)
+            zr1 = height_after(rim, y[STATE.edge_path], dedge, half_length, zr0)
             mt = mean_slope(zt0, zt1, dpath)
             mr = mean_slope(zr0, zr1, dedge)
             if iterations_left == MAX_ITERATIONS - 1:
@@ -244,9 +245,9 @@ def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
         wd = (M0 * d0 + M1 * d1) * inverse_inertia + mean * (A0 * d0 + A1 * d1)
         dedge = -h * rim_lever * wd
         dpath = h * (d0 * V1 - d1 * V0 + reach * (M2 * inverse_inertia + mean * A2) - lever * wd)
-        i, u = law_interval(s1, grid_start, intervals_per_unit, interval_count)
-        K1 = law_column(cubics, i, u, HERTZ_STIFFNESS)
-        dK1 = law_slope(cubics, i, u, HERTZ_STIFFNESS) * intervals_per_unit / s1
+        i, u = law_interval(law, s1)
+        K1 = law_column(law, i, u, LAW_COLUMNS.hertz_stiffness)
+        dK1 = law_slope(law, i, u, LAW_COLUMNS.hertz_stiffness) * law.intervals_per_unit / s1
         dgap = h * V2 + table_yield * (N - weight) - arm * ds - (zt1 - zt0) - (zr1 - zr0)
         r1 = approach_root(gap0 + dgap)
         elastic_force = (K0 + K1) / 2 * mean_force(r0, r1, gap0, gap0 + dgap)
@@ -296,14 +297,14 @@ def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
     q2 = b0 * A1 - b1 * A0
     ds = (A0 * q0 + A1 * q1) * inverse_sine_sum
     dgap += h * (V2 - previous_V2) + table_yield * correction - arm * ds
-    u += intervals_per_unit * ds / s1
+    u += law.intervals_per_unit * ds / s1
     elastic_force = (
-        (K0 + law_column(cubics, i, u, HERTZ_STIFFNESS))
+        (K0 + law_column(law, i, u, LAW_COLUMNS.hertz_stiffness))
         / 2
         * mean_force(r0, approach_root(gap0 + dgap), gap0, gap0 + dgap)
     )
-    y[at.ENERGY_LOSSES] += (elastic_force - N) * dgap
-    y[at.ENERGY_LOSSES + 4] += table_yield * (N - weight) ** 2
+    y[STATE.contact_loss] += (elastic_force - N) * dgap
+    y[STATE.table_loss] += table_yield * (N - weight) ** 2
     y[0] = y[0] + h * V0
     y[1] = y[1] + h * V1
     y[2] = y[2] + h * V2
@@ -316,18 +317,18 @@ def step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h):
     y[9] = 2 * M0 - L0
     y[10] = 2 * M1 - L1
     y[11] = 2 * M2 - L2
-    y[at.TABLE_PATH] = y[at.TABLE_PATH] + dpath
-    y[at.EDGE_PATH] = y[at.EDGE_PATH] + dedge
-    y[at.TABLE_RISE] = y[at.TABLE_RISE] - table_yield * (N - weight)
-    y[at.GAP_CHANGES + 2] = y[at.GAP_CHANGES + 1]
-    y[at.GAP_CHANGES + 1] = y[at.GAP_CHANGES]
-    y[at.GAP_CHANGES] = dgap + (zt1 - zt0) + (zr1 - zr0)
-    y[at.NORMAL_FORCE] = N
-    y[at.PATH_SPEED] = abs(dpath) / h
-    y[at.GAP] = gap0 + dgap
-    y[at.ROUGHNESS_HEIGHTS] = zt1
-    y[at.ROUGHNESS_HEIGHTS + 1] = zr1
-    y[at.SIN_INCLINATION] = s1 + ds
-    y[at.LAW_INTERVAL] = i
-    y[at.LAW_FRACTION] = u
+    y[STATE.table_path] = y[STATE.table_path] + dpath
+    y[STATE.edge_path] = y[STATE.edge_path] + dedge
+    y[STATE.table_rise] = y[STATE.table_rise] - table_yield * (N - weight)
+    y[STATE.gap_changes + 2] = y[STATE.gap_changes + 1]
+    y[STATE.gap_changes + 1] = y[STATE.gap_changes]
+    y[STATE.gap_changes] = dgap + (zt1 - zt0) + (zr1 - zr0)
+    y[STATE.normal_force] = N
+    y[STATE.path_speed] = abs(dpath) / h
+    y[STATE.gap] = gap0 + dgap
+    y[STATE.roughness_heights] = zt1
+    y[STATE.roughness_heights + 1] = zr1
+    y[STATE.sin_inclination] = s1 + ds
+    y[STATE.law_interval] = i
+    y[STATE.law_fraction] = u
     return True

@@ -21,8 +21,7 @@ table, which would do a little work on the centre.
 import numpy as np
 
 from dynamics.compliant.law.hertz_mindlin import MIN_CONTACT_INCLINATION
-from dynamics.compliant.law.tabulated import HALF_LENGTH, HERTZ_STIFFNESS, LOSS_COEFFICIENT
-from dynamics.compliant.stepping import state_layout as at
+from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import (
     approach_root,
     law_column,
@@ -31,10 +30,9 @@ from dynamics.compliant.stepping.contact_energy import (
 )
 from dynamics.compliant.stepping.normal import FORCE_TOLERANCE, MAX_ITERATIONS, rotation_step
 from dynamics.compliant.stepping.rim_modes import twist_rate
+from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE
 from dynamics.compliant.stepping.table_modes import (
-    CONTACT_ANGLE,
-    GAP_STIFFNESS,
-    TWIST_ANGLE,
+    CONTACT,
     advance_modes,
     angle_between,
     predict_free_motion,
@@ -51,27 +49,27 @@ MAX_ROLLING_TURN = 0.3
 
 
 @kernel
-def update_gap_stiffness(y, modes, cubics):
+def update_gap_stiffness(y, modes, law):
     """Update the contact stiffness to the present inclination, and keep either the force or the
     approach.
     """
-    K0 = modes.contact[GAP_STIFFNESS]
-    K1 = law_column(cubics, int(y[at.LAW_INTERVAL]), y[at.LAW_FRACTION], HERTZ_STIFFNESS)
-    r0 = approach_root(y[at.GAP])
+    K0 = modes.contact[CONTACT.gap_stiffness]
+    K1 = law_column(
+        law, int(y[STATE.law_interval]), y[STATE.law_fraction], LAW_COLUMNS.hertz_stiffness
+    )
+    r0 = approach_root(y[STATE.gap])
     if r0 > 0 and K0 > 0:
         r1 = r0 * min(1.0, (K0 / K1) ** (1 / 3))
-        y[at.ENERGY_LOSSES] += 0.4 * (K0 * r0**5 - K1 * r1**5)
-        y[at.GAP] = -r1 * r1
-    modes.contact[GAP_STIFFNESS] = K1
+        y[STATE.contact_loss] += 0.4 * (K0 * r0**5 - K1 * r1**5)
+        y[STATE.gap] = -r1 * r1
+    modes.contact[CONTACT.gap_stiffness] = K1
 
 
 @kernel
 def step_normal_with_modes(
     y,
+    constants,
     law,
-    grid_start,
-    intervals_per_unit,
-    cubics,
     table,
     rim,
     modes,
@@ -82,17 +80,17 @@ def step_normal_with_modes(
 
     Returns False if the normal force has no solution.
     """
-    m = law[at.MASS]
-    J = law[at.J1]
-    R = law[at.RADIUS]
-    H = law[at.HALF_THICKNESS]
-    weight = law[at.WEIGHT]
+    m = constants.mass
+    J = constants.diametral_inertia
+    R = constants.radius
+    H = constants.half_thickness
+    weight = constants.weight
     step_over_2J = h / (2 * J)
-    i = int(y[at.LAW_INTERVAL])
-    u = y[at.LAW_FRACTION]
-    update_gap_stiffness(y, modes, cubics)
-    stiff = modes.contact[GAP_STIFFNESS]
-    loss = law_column(cubics, i, u, LOSS_COEFFICIENT) / h
+    i = int(y[STATE.law_interval])
+    u = y[STATE.law_fraction]
+    update_gap_stiffness(y, modes, law)
+    stiff = modes.contact[CONTACT.gap_stiffness]
+    loss = law_column(law, i, u, LAW_COLUMNS.loss_coefficient) / h
     v0 = y[3]
     v1 = y[4]
     v2 = y[5]
@@ -107,21 +105,23 @@ def step_normal_with_modes(
     a1 = n1 + p1
     a2 = n2 + p2
     predict_free_motion(modes, h)
-    previous_angle = modes.contact[CONTACT_ANGLE]
-    twist_change = h * twist_rate(law, n0, n1, n2, L0, L1, L2)
-    modes.contact[TWIST_ANGLE] += twist_change
-    table_path = y[at.TABLE_PATH] + h * (v1 * np.cos(previous_angle) - v0 * np.sin(previous_angle))
-    edge_path = y[at.EDGE_PATH] + R * (
+    previous_angle = modes.contact[CONTACT.angle]
+    twist_change = h * twist_rate(constants, n0, n1, n2, L0, L1, L2)
+    modes.contact[CONTACT.twist_angle] += twist_change
+    table_path = y[STATE.table_path] + h * (
+        v1 * np.cos(previous_angle) - v0 * np.sin(previous_angle)
+    )
+    edge_path = y[STATE.edge_path] + R * (
         angle_between(
             np.arctan2(n1, n0),
             previous_angle,
         )
         - twist_change
     )
-    rough = table, rim, table_path, edge_path, law_column(cubics, i, u, HALF_LENGTH)
+    rough = table, rim, table_path, edge_path, law_column(law, i, u, LAW_COLUMNS.half_length)
     angle, height, path_change = track_contact(
         modes,
-        law,
+        constants,
         y[0] + h * v0,
         y[1] + h * v1,
         a0,
@@ -130,16 +130,18 @@ def step_normal_with_modes(
         rough,
         scratch,
     )
-    rise = height - y[at.ROUGHNESS_HEIGHTS] - y[at.ROUGHNESS_HEIGHTS + 1]
+    rise = height - y[STATE.roughness_heights] - y[STATE.roughness_heights + 1]
     D, E, P, S = work_sums(modes, h)
     e0 = (np.cos(previous_angle) + np.cos(angle)) / 2
     e1 = (np.sin(previous_angle) + np.sin(angle)) / 2
     c0 = np.cos(angle) - np.cos(previous_angle)
     c1 = np.sin(angle) - np.sin(previous_angle)
     W = 1 / m + R * R / J
-    gap0 = y[at.GAP]
-    r0 = approach_root(y[at.GAP])
-    N = max(0.0, 3 * (y[at.NORMAL_FORCE] - y[at.PREVIOUS_FORCES]) + y[at.PREVIOUS_FORCES + 1])
+    gap0 = y[STATE.gap]
+    r0 = approach_root(y[STATE.gap])
+    N = max(
+        0.0, 3 * (y[STATE.normal_force] - y[STATE.previous_forces]) + y[STATE.previous_forces + 1]
+    )
     gap = gap0
     M0 = L0
     M1 = L1
@@ -194,11 +196,11 @@ def step_normal_with_modes(
         )
     if iterations_left == 0:
         return False
-    y[at.ENERGY_LOSSES] += (elastic_force - N) * (gap - gap0)
-    y[at.EDGE_PATH] += R * (np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1) - twist_change)
+    y[STATE.contact_loss] += (elastic_force - N) * (gap - gap0)
+    y[STATE.edge_path] += R * (np.arctan2(n0 * a1 - n1 * a0, n0 * a0 + n1 * a1) - twist_change)
     table, body = advance_modes(modes, N, h)
-    y[at.ENERGY_LOSSES + 4] = y[at.ENERGY_LOSSES + 4] + table
-    y[at.ENERGY_LOSSES + 6] = y[at.ENERGY_LOSSES + 6] + body
+    y[STATE.table_loss] = y[STATE.table_loss] + table
+    y[STATE.body_loss] = y[STATE.body_loss] + body
     y[0] = y[0] + h * v0
     y[1] = y[1] + h * v1
     y[2] = y[2] + h * V2
@@ -210,42 +212,39 @@ def step_normal_with_modes(
     y[10] = 2 * M1 - L1
     y[11] = 2 * M2 - L2
     turn = abs(angle_between(previous_angle, angle))
-    y[at.TABLE_PATH] = table_path + path_change
-    y[at.ROUGHNESS_HEIGHTS] = height
-    y[at.ROUGHNESS_HEIGHTS + 1] = 0.0
+    y[STATE.table_path] = table_path + path_change
+    y[STATE.roughness_heights] = height
+    y[STATE.roughness_heights + 1] = 0.0
     if turn < MAX_ROLLING_TURN:
-        y[at.PATH_SPEED] = R * turn / h
-    modes.contact[CONTACT_ANGLE] = angle
-    y[at.PREVIOUS_FORCES + 1] = y[at.PREVIOUS_FORCES]
-    y[at.PREVIOUS_FORCES] = y[at.NORMAL_FORCE]
-    y[at.NORMAL_FORCE] = N
-    y[at.GAP] = gap
-    add_kinetic_energy(y, law, modes, N * T)
-    y[at.SIN_INCLINATION] = np.sqrt(a0 * a0 + a1 * a1)
-    y[at.LAW_INTERVAL], y[at.LAW_FRACTION] = law_interval(
-        max(y[at.SIN_INCLINATION], MIN_CONTACT_INCLINATION),
-        grid_start,
-        intervals_per_unit,
-        len(cubics),
+        y[STATE.path_speed] = R * turn / h
+    modes.contact[CONTACT.angle] = angle
+    y[STATE.previous_forces + 1] = y[STATE.previous_forces]
+    y[STATE.previous_forces] = y[STATE.normal_force]
+    y[STATE.normal_force] = N
+    y[STATE.gap] = gap
+    add_kinetic_energy(y, constants, modes, N * T)
+    y[STATE.sin_inclination] = np.sqrt(a0 * a0 + a1 * a1)
+    y[STATE.law_interval], y[STATE.law_fraction] = law_interval(
+        law, max(y[STATE.sin_inclination], MIN_CONTACT_INCLINATION)
     )
     return True
 
 
 @kernel
-def step_tangential_with_modes(y, law, powers, cubics, modes, h):
+def step_tangential_with_modes(y, constants, powers, law, modes, h):
     """Advance the state y by the tangential part of a step h.
 
     Away from the lowest point of the rim, t and d are not exactly the principal directions of the
     mobility. The energy error of the midpoint rule is returned to the velocities.
     """
-    energy_before = kinetic_energy(y, law) + stored_and_lost_energy(y)
-    angle = modes.contact[CONTACT_ANGLE]
-    step_tangential_at(y, law, powers, cubics, np.cos(angle), np.sin(angle), h)
+    energy_before = kinetic_energy(y, constants) + stored_and_lost_energy(y)
+    angle = modes.contact[CONTACT.angle]
+    step_tangential_at(y, constants, powers, law, np.cos(angle), np.sin(angle), h)
     add_kinetic_energy(
         y,
-        law,
+        constants,
         modes,
-        energy_before - kinetic_energy(y, law) - stored_and_lost_energy(y),
+        energy_before - kinetic_energy(y, constants) - stored_and_lost_energy(y),
     )
 
 
@@ -253,37 +252,39 @@ def step_tangential_with_modes(y, law, powers, cubics, modes, h):
 def stored_and_lost_energy(y):
     """Return the energy of springs and squeezed air plus the energy lost so far."""
     springs = (
-        y[at.SPRING_STIFFNESS] * y[at.SPRING_STRETCH] ** 2
-        + y[at.SPRING_STIFFNESS + 1] * y[at.SPRING_STRETCH + 1] ** 2
+        y[STATE.spring_stiffness] * y[STATE.spring_stretch] ** 2
+        + y[STATE.spring_stiffness + 1] * y[STATE.spring_stretch + 1] ** 2
     )
     return (
         springs / 2
-        + y[at.SQUEEZED_AIR_ENERGY]
-        + y[at.ENERGY_LOSSES + 1]
-        + y[at.ENERGY_LOSSES + 2]
-        + y[at.ENERGY_LOSSES + 3]
-        + y[at.ENERGY_LOSSES + 5]
+        + y[STATE.squeezed_air_energy]
+        + y[STATE.creep_loss]
+        + y[STATE.slip_loss]
+        + y[STATE.moment_loss]
+        + y[STATE.film_loss]
     )
 
 
 @kernel
-def kinetic_energy(y, law):
+def kinetic_energy(y, constants):
     """Return the kinetic energy of the disk."""
     spin = y[6] * y[9] + y[7] * y[10] + y[8] * y[11]
-    e = 1 / law[at.J2] - 1 / law[at.J1]
-    turning = (y[9] * y[9] + y[10] * y[10] + y[11] * y[11]) / law[at.J1] + e * spin * spin
-    return (law[at.MASS] * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) + turning) / 2
+    e = 1 / constants.axial_inertia - 1 / constants.diametral_inertia
+    turning = (
+        y[9] * y[9] + y[10] * y[10] + y[11] * y[11]
+    ) / constants.diametral_inertia + e * spin * spin
+    return (constants.mass * (y[3] * y[3] + y[4] * y[4] + y[5] * y[5]) + turning) / 2
 
 
 @kernel
-def add_kinetic_energy(y, law, modes, work):
+def add_kinetic_energy(y, constants, modes, work):
     """Add `work` to the kinetic energy of the disk by scaling all its velocities.
 
     Where the disk has too little kinetic energy, the contact energy supplies the rest, then the
-    velocities of the modes. The remainder is recorded as ENERGY_DEFICIT, and the motion ends. This
+    velocities of the modes. The remainder is recorded as STATE.energy_deficit, and the motion ends. This
     happens only where an almost flat disk jumps to another wave of the table.
     """
-    energy = kinetic_energy(y, law)
+    energy = kinetic_energy(y, constants)
     change = max(work, -energy)
     scale = np.sqrt(1 + change / energy) if energy > 0 else 0.0
     for i in range(3):
@@ -291,18 +292,18 @@ def add_kinetic_energy(y, law, modes, work):
     if energy > 0 and change == work:
         return
     missing = change - work
-    compression_root = approach_root(y[at.GAP])
-    contact_energy = 0.4 * modes.contact[GAP_STIFFNESS] * compression_root**5
+    compression_root = approach_root(y[STATE.gap])
+    contact_energy = 0.4 * modes.contact[CONTACT.gap_stiffness] * compression_root**5
     if contact_energy > 0 and missing > 0:
-        y[at.GAP] *= max(0.0, 1 - missing / contact_energy) ** 0.4
+        y[STATE.gap] *= max(0.0, 1 - missing / contact_energy) ** 0.4
     missing -= min(missing, contact_energy)
     mode_energy = 0.0
     for m in range(len(modes.state)):
-        mode_energy += modes.state[m, at.MODE_VELOCITY] ** 2 / 2
+        mode_energy += modes.state[m, MODE_STATE.velocity] ** 2 / 2
     if mode_energy > 0 and missing > 0:
         scale = np.sqrt(max(0.0, 1 - missing / mode_energy))
         for m in range(len(modes.state)):
-            modes.state[m, at.MODE_VELOCITY] *= scale
+            modes.state[m, MODE_STATE.velocity] *= scale
         missing -= min(missing, mode_energy)
-    y[at.ENERGY_LOSSES] = y[at.ENERGY_LOSSES] - missing
-    y[at.ENERGY_DEFICIT] = y[at.ENERGY_DEFICIT] + missing
+    y[STATE.contact_loss] = y[STATE.contact_loss] - missing
+    y[STATE.energy_deficit] = y[STATE.energy_deficit] + missing

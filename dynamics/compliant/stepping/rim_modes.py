@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from dynamics.compliant.stepping.state_layout import FREE_CHANGE, J1, J2, MODE_AMPLITUDE
+from dynamics.compliant.stepping.state_layout import MODE_STATE
 from dynamics.numba_kernels import kernel
 
 MAX_MOVING_FREQUENCY = 20e3
@@ -20,28 +20,36 @@ MAX_MOVING_FREQUENCY = 20e3
 [Hz].
 """
 
-# Columns of the shapes of `RimModes`.
-SHAPE_ORDER = 0
-SHAPE_PHASE = 1
-"""[rad]"""
-AXIAL_MOTION = 2
-"""A [kg^-1/2]"""
-RADIAL_MOTION = 3
-"""B [kg^-1/2]"""
-
 
 class RimModes(NamedTuple):
-    """d modes of a free disk: `shapes` (d, 4) with order, phase [rad], A and B [kg^-1/2]; `squared`
-    (d,), the squared angular frequencies [1/s^2]; `decay` (d,), the decay rates [1/s].
+    """Modes of a free disk, with one entry (d,) for each mode.
+
+    Attributes
+    ----------
+    order : array
+        Number n of waves round the rim.
+    phase : array
+        Phase [rad].
+    axial, radial : arrays
+        Motion A along the axis and B along the radius [kg^-1/2].
+    squared : array
+        Squared angular frequency [1/s^2].
+    decay : array
+        Decay rate [1/s].
     """
 
-    shapes: np.ndarray
+    order: np.ndarray
+    phase: np.ndarray
+    axial: np.ndarray
+    radial: np.ndarray
     squared: np.ndarray
     decay: np.ndarray
 
 
-NO_RIM_MODES = RimModes(np.zeros((0, 4)), np.zeros(0), np.zeros(0))
+NO_RIM_MODES = RimModes(*np.zeros((6, 0)))
 """Modes of a rigid disk."""
+RIM_COLUMNS = RimModes(*range(len(RimModes._fields)))
+"""Columns of an array (d, 6) of the fields of `RimModes`."""
 
 
 def moving_rim_modes(edge, loss_factor: float) -> RimModes:
@@ -53,57 +61,69 @@ def moving_rim_modes(edge, loss_factor: float) -> RimModes:
     moves = np.flatnonzero(
         (edge.squared < (2 * np.pi * MAX_MOVING_FREQUENCY) ** 2) & (edge.shapes[:, 2] != 0)
     )
-    pairs = [(i, phase) for i in moves for phase in ((0.0, np.pi / 2) if edge.order[i] else (0.0,))]
-    shapes = np.array(
-        [(edge.order[i], phase, edge.shapes[i, 2], edge.shapes[i, 0]) for i, phase in pairs]
+    pairs = []
+    for mode in moves:
+        pairs.append((mode, 0.0))
+        if edge.order[mode]:
+            pairs.append((mode, np.pi / 2))
+    members = [mode for mode, _ in pairs]
+    squared = edge.squared[members]
+    return RimModes(
+        order=edge.order[members].astype(float),
+        phase=np.array([phase for _, phase in pairs]),
+        axial=edge.shapes[members, 2],
+        radial=edge.shapes[members, 0],
+        squared=squared,
+        decay=loss_factor / 2 * np.sqrt(squared),
     )
-    squared = edge.squared[[i for i, _ in pairs]]
-    return RimModes(shapes.reshape(-1, 4), squared, loss_factor / 2 * np.sqrt(squared))
 
 
 def rim_shapes(body: RimModes, angle, inclination: float) -> np.ndarray:
     """Return the lowering (k, d) [kg^-1/2] of the rim by the modes at angles (k,) [rad] on the
     disk.
     """
-    order, phase, axial, radial = body.shapes.T
-    return np.cos(np.outer(angle, order) - phase) * (
-        np.sin(inclination) * radial - np.cos(inclination) * axial
-    )
+    lowering = np.sin(inclination) * body.radial - np.cos(inclination) * body.axial
+    return np.cos(np.outer(angle, body.order) - body.phase) * lowering
 
 
 @kernel
-def twist_rate(law, n0, n1, n2, L0, L1, L2):
+def twist_rate(constants, n0, n1, n2, L0, L1, L2):
     """Return the twist rate of the disk about its axis [rad/s]."""
+    J1 = constants.diametral_inertia
     spin = n0 * L0 + n1 * L1 + n2 * L2
-    return (spin + L2) / (law[J1] * (1 + n2)) + (1 / law[J2] - 1 / law[J1]) * spin
+    return (spin + L2) / (J1 * (1 + n2)) + (1 / constants.axial_inertia - 1 / J1) * spin
 
 
 @kernel
-def store_rim_shapes(shapes, state, angle, down, up, into):
-    """Store the lowering of the rim by the modes in the column `into` of the last rows of `state`.
+def store_rim_shapes(rim, angle, down, up, shapes):
+    """Store the lowering of the rim by the modes in the last entries of `shapes`.
 
     `down` and `up` are n.e and n_z of the axis.
     """
-    first = len(state) - len(shapes)
-    for m in range(len(shapes)):
-        lowers = down * shapes[m, RADIAL_MOTION] - up * shapes[m, AXIAL_MOTION]
-        state[first + m, into] = lowers * np.cos(
-            shapes[m, SHAPE_ORDER] * angle - shapes[m, SHAPE_PHASE]
+    first = shapes.size - len(rim)
+    for m in range(len(rim)):
+        lowers = down * rim[m, RIM_COLUMNS.radial] - up * rim[m, RIM_COLUMNS.axial]
+        shapes[first + m] = lowers * np.cos(
+            rim[m, RIM_COLUMNS.order] * angle - rim[m, RIM_COLUMNS.phase]
         )
 
 
 @kernel
-def evaluate_rim_ripple(shapes, state, angle, down, up, out):
+def evaluate_rim_ripple(modes, angle, down, up, out):
     """Write the lowering of the rim at the end of the step and its first two derivatives by the
     angle to `out`.
     """
     out[0:3] = 0.0
-    first = len(state) - len(shapes)
-    for m in range(len(shapes)):
-        n = shapes[m, SHAPE_ORDER]
-        moved = state[first + m, MODE_AMPLITUDE] + state[first + m, FREE_CHANGE]
-        lowers = moved * (down * shapes[m, RADIAL_MOTION] - up * shapes[m, AXIAL_MOTION])
-        turn = n * angle - shapes[m, SHAPE_PHASE]
+    rim = modes.rim
+    first = len(modes.state) - len(rim)
+    for m in range(len(rim)):
+        n = rim[m, RIM_COLUMNS.order]
+        moved = (
+            modes.state[first + m, MODE_STATE.amplitude]
+            + modes.state[first + m, MODE_STATE.free_change]
+        )
+        lowers = moved * (down * rim[m, RIM_COLUMNS.radial] - up * rim[m, RIM_COLUMNS.axial])
+        turn = n * angle - rim[m, RIM_COLUMNS.phase]
         c = lowers * np.cos(turn)
         s = lowers * np.sin(turn)
         out[0] = out[0] + c

@@ -1,108 +1,142 @@
-"""Layout of the state array and of the array of model constants of the compliant motion."""
+"""Layout of the state array and the model constants of the compliant motion."""
 
-# First index of each entry of the state y, an array (STATE_SIZE,).
-POSITION = 0
-"""Centre of the disk (3) [m]; its height is measured from that of the disk lying flat."""
-VELOCITY = 3
-"""Velocity of the centre (3) [m/s]."""
-AXIS = 6
-"""Unit vector n along the axis of the disk (3)."""
-ANGULAR_MOMENTUM = 9
-"""Angular momentum about the centre (3) [kg m^2/s]."""
-SPRING_STRETCH = 12
-"""Stretch of the tangential springs (2) [m], along t (the path) and d (towards the contact)."""
-TABLE_PATH = 14
-"""Path length of the contact on the table [m]."""
-EDGE_PATH = 15
-"""Path length of the contact on the edge of the disk [m]."""
-TABLE_RISE = 16
-"""Rise of the table under the contact [m]."""
-NORMAL_FORCE = 17
-"""Normal force in the last step [N]."""
-PREVIOUS_FORCES = 18
-"""Normal forces in the two steps before the last (2) [N]."""
-PATH_SPEED = 20
-"""Speed of the contact along its path [m/s]."""
-GAP = 21
-"""Gap between edge and table [m]; negative while they are in contact."""
-IS_SLIDING = 22
-"""1 while the contact slides, else 0."""
-ROUGHNESS_HEIGHTS = 23
-"""Heights of table and edge under the contact (2) [m]."""
-SPRING_STIFFNESS = 25
-"""Stiffness of the tangential springs (2) [N/m]."""
-TANGENTIAL_FORCE = 27
-"""Force on the disk along t and d (2) [N]."""
-ENERGY_LOSSES = 29
-"""Energy lost to each of CAUSES since the start (7) [J]."""
-SIN_INCLINATION = 36
-"""Sine of the inclination."""
-LAW_INTERVAL = 37
-"""Interval of the tabulated law that contains the inclination."""
-LAW_FRACTION = 38
-"""Position within that interval, 0 to 1."""
-FRICTION_EXCESS = 39
-"""Largest excess of the friction over its cone so far [N]."""
-TABLE_MODE_ENERGY = 40
-"""Energy of the modes of the table [J]."""
-RELIEVED_FRICTION_ENERGY = 41
-"""Energy not taken by fitted friction, because contact and creep had already taken it [J]."""
-FILM_LIFT = 42
-"""Lift of the air film [N]."""
-FLIGHT_DURATION = 43
-"""Duration of the current loss of contact [s]."""
-FLIGHT_LIFT_IMPULSE = 44
-"""Impulse of the film's lift during the current loss of contact [N s]."""
-SQUEEZED_AIR_ENERGY = 45
-"""Energy of the compressed air in the film [J]."""
-ENERGY_DEFICIT = 46
-"""Energy required by a jump of the contact to another wave of the table and held by no moving part
-[J].
-"""
-DISK_MODE_ENERGY = 47
-"""Energy of the modes of the disk [J]."""
-GAP_CHANGES = 48
-"""Opening of the gap in each of the last three steps, without the change of the heights (3) [m]."""
-STATE_SIZE = 51
-"""Length of the state."""
+from itertools import accumulate
+from typing import Annotated, NamedTuple, get_type_hints
 
-# Index of each entry of the model constants, in SI units.
-MASS = 0
-J1 = 1
-"""Moment of inertia about a diameter [kg m^2]."""
-J2 = 2
-"""Moment of inertia about the axis [kg m^2]."""
-RADIUS = 3
-HALF_THICKNESS = 4
-WEIGHT = 5
-MU_S = 6
-"""Static coefficient of friction."""
-MU_D = 7
-"""Dynamic coefficient of friction."""
-RESISTING_ARMS = 8
-"""Arms k1, k2, k3 of the resisting moments (3) [m]."""
-TABLE_IMPEDANCE = 11
-"""Impedance of the table [N s/m]."""
-VISCOUS_MOMENT = 12
-"""Moment per angular velocity [N m s]."""
-VISCOUS_FORCE = 13
-"""Force per velocity [N s/m]."""
-FILM_TURNING = 14
-"""First constant of `film_parts`; the five others follow in its order."""
-FILM_FALLING = 15
-FILM_INERTIA = 16
-FILM_NUMBER = 17
-FILM_AMBIENT = 18
-FILM_SLIP = 19
-FRICTION_IS_FITTED = 20
-"""1 if the friction was fitted to a rough disk and includes its losses, else 0."""
+Pair = Annotated[int, 2]
+"""First of two successive entries."""
+Vector = Annotated[int, 3]
+"""First of three successive entries."""
 
-# Columns of the state of the modes.
-MODE_AMPLITUDE = 0
-MODE_VELOCITY = 1
-SHAPE_BEFORE = 2
-"""Mode shape at the contact at the begin of the step."""
-SHAPE_AFTER = 3
-"""Mode shape at the contact at the end of the step."""
-FREE_CHANGE = 4
-"""Change of the amplitude in the step without a contact force."""
+
+def first_indices(layout):
+    """Return the `layout`, a NamedTuple class, with the index of the first entry of each field."""
+    hints = get_type_hints(layout, include_extras=True).values()
+    sizes = [getattr(hint, "__metadata__", (1,))[0] for hint in hints]
+    return layout(*accumulate(sizes[:-1], initial=0)), sum(sizes)
+
+
+class StateLayout(NamedTuple):
+    """First index of each quantity in the state y, an array (STATE_SIZE,)."""
+
+    position: Vector
+    """Centre of the disk [m]; its height is measured from that of the disk lying flat."""
+    velocity: Vector
+    """Velocity of the centre [m/s]."""
+    axis: Vector
+    """Unit vector n along the axis of the disk."""
+    angular_momentum: Vector
+    """Angular momentum about the centre [kg m^2/s]."""
+    spring_stretch: Pair
+    """Stretch of the tangential springs [m], along t (the path) and d (towards the contact)."""
+    table_path: int
+    """Path length of the contact on the table [m]."""
+    edge_path: int
+    """Path length of the contact on the edge of the disk [m]."""
+    table_rise: int
+    """Rise of the table under the contact [m]."""
+    normal_force: int
+    """Normal force in the last step [N]."""
+    previous_forces: Pair
+    """Normal forces in the two steps before the last [N]."""
+    path_speed: int
+    """Speed of the contact along its path [m/s]."""
+    gap: int
+    """Gap between edge and table [m]; negative while they are in contact."""
+    is_sliding: int
+    """1 while the contact slides, else 0."""
+    roughness_heights: Pair
+    """Heights of table and edge under the contact [m]."""
+    spring_stiffness: Pair
+    """Stiffness of the tangential springs [N/m]."""
+    tangential_force: Pair
+    """Force on the disk along t and d [N]."""
+    contact_loss: int
+    """Energy lost since the start [J]: in the compression of the contact; the fields down to
+    `body_loss` are in the order of CAUSES."""
+    creep_loss: int
+    slip_loss: int
+    moment_loss: int
+    table_loss: int
+    film_loss: int
+    body_loss: int
+    sin_inclination: int
+    """Sine of the inclination."""
+    law_interval: int
+    """Interval of the tabulated law that contains the inclination."""
+    law_fraction: int
+    """Position within that interval, 0 to 1."""
+    friction_excess: int
+    """Largest excess of the friction over its cone so far [N]."""
+    table_mode_energy: int
+    """Energy of the modes of the table [J]."""
+    relieved_friction_energy: int
+    """Energy not taken by fitted friction, because contact and creep had already taken it [J]."""
+    film_lift: int
+    """Lift of the air film [N]."""
+    flight_duration: int
+    """Duration of the current loss of contact [s]."""
+    flight_lift_impulse: int
+    """Impulse of the film's lift during the current loss of contact [N s]."""
+    squeezed_air_energy: int
+    """Energy of the compressed air in the film [J]."""
+    energy_deficit: int
+    """Energy missing after a jump of the contact to another wave of the table [J]."""
+    disk_mode_energy: int
+    """Energy of the modes of the disk [J]."""
+    gap_changes: Vector
+    """Opening of the gap in each of the last three steps, without the change of the heights [m]."""
+
+
+STATE, STATE_SIZE = first_indices(StateLayout)
+ENERGY_LOSSES = slice(STATE.contact_loss, STATE.body_loss + 1)
+"""Energies lost to each of CAUSES in the state [J]."""
+
+
+class ModelConstants(NamedTuple):
+    """Constants of a compliant model, in SI units.
+
+    The constants of the film are those of `film_parts`.
+    """
+
+    mass: float
+    diametral_inertia: float
+    axial_inertia: float
+    radius: float
+    half_thickness: float
+    weight: float
+    mu_static: float
+    mu_dynamic: float
+    arm_nutation: float
+    arm_rolling: float
+    arm_pivoting: float
+    table_impedance: float
+    """[N s/m]"""
+    viscous_moment: float
+    """Moment per angular velocity [N m s]."""
+    viscous_force: float
+    """Force per velocity [N s/m]."""
+    film_turning: float
+    film_falling: float
+    film_inertia: float
+    film_number: float
+    film_ambient: float
+    film_slip: float
+    friction_is_fitted: float
+    """1 if the friction was fitted to a rough disk and includes its losses, else 0."""
+
+
+class ModeState(NamedTuple):
+    """Columns of the state of the modes."""
+
+    amplitude: int
+    velocity: int
+    shape_before: int
+    """Mode shape at the contact at the begin of the step."""
+    shape_after: int
+    """Mode shape at the contact at the end of the step."""
+    free_change: int
+    """Change of the amplitude in the step without a contact force."""
+
+
+MODE_STATE, _ = first_indices(ModeState)

@@ -21,22 +21,7 @@ from dynamics.compliant.stepping.rim_modes import (
     rim_shapes,
     store_rim_shapes,
 )
-from dynamics.compliant.stepping.state_layout import (
-    ANGULAR_MOMENTUM,
-    AXIS,
-    DISK_MODE_ENERGY,
-    FREE_CHANGE,
-    HALF_THICKNESS,
-    J1,
-    MODE_AMPLITUDE,
-    MODE_VELOCITY,
-    NORMAL_FORCE,
-    RADIUS,
-    SHAPE_AFTER,
-    SHAPE_BEFORE,
-    SPRING_STRETCH,
-    TABLE_MODE_ENERGY,
-)
+from dynamics.compliant.stepping.state_layout import MODE_STATE, STATE, first_indices
 from dynamics.numba_kernels import kernel
 
 RIM_SCAN_POINTS = 48
@@ -52,29 +37,27 @@ BENT_TABLE_RATIO = 1e-3
 MAX_GAP_MINIMA = 4
 """Minima of the gap that are followed at the same time."""
 
-# Columns of the constants of a mode.
-MODE_STIFFNESS = 0
-"""k [1/s^2]"""
-MODE_DAMPING = 1
-"""c [1/s]"""
-MODE_COMPLIANCE = 2
-"""1/(1 + h c/2 + h^2 k/4)"""
 
-# Indices of the data of the contact, an array (MINIMUM_ANGLES + MAX_GAP_MINIMA,).
-CONTACT_ANGLE = 0
-"""Direction from the centre to the contact [rad]."""
-STEPS_TO_SCAN = 1
-"""Steps until the next scan of the rim."""
-GAP_STIFFNESS = 2
-"""Contact stiffness K [N/m^1.5]."""
-FLAT_STEPS = 3
-"""Steps since the disk has been flat."""
-MINIMUM_COUNT = 4
-"""Number of minima of the gap."""
-TWIST_ANGLE = 5
-"""Rotation of the disk about its axis [rad]."""
-MINIMUM_ANGLES = 6
-"""Directions of the minima of the gap [rad]."""
+class ContactLayout(NamedTuple):
+    """First index of each quantity in the data of the contact on a table with modes."""
+
+    angle: int
+    """Direction from the centre to the contact [rad]."""
+    steps_to_scan: int
+    """Steps until the next scan of the rim."""
+    gap_stiffness: int
+    """Contact stiffness K [N/m^1.5]."""
+    flat_steps: int
+    """Steps since the disk has been flat."""
+    minimum_count: int
+    """Number of minima of the gap."""
+    twist_angle: int
+    """Rotation of the disk about its axis [rad]."""
+    minimum_angles: int
+    """Directions of the minima of the gap (MAX_GAP_MINIMA) [rad]."""
+
+
+CONTACT, _ = first_indices(ContactLayout)
 
 
 class ContactModes(NamedTuple):
@@ -87,27 +70,31 @@ class ContactModes(NamedTuple):
         Spline coefficients of the shapes of the t table modes.
     knots_x, knots_y : arrays
         Knots of the splines [m].
-    constants : (m, 3) array
-        MODE_STIFFNESS, MODE_DAMPING and MODE_COMPLIANCE of each mode.
     place : (2,) array
         Origin [m] in the frame of the splines: of the table (`stays` = 1) or of the centre of the
         disk (`stays` = 0).
     stays : float
         0 if the modes move with the disk, as modes given by numbers do; else 1.
+    stiffness, damping : (m,) arrays
+        Constants k [1/s^2] and c [1/s] of the modes.
+    compliance : (m,) array
+        1/(1 + h c/2 + h^2 k/4) for the step h.
     state : (m, 5) array
-        Amplitude, velocity, shape before and after the step, free change.
-    contact : (MINIMUM_ANGLES + MAX_GAP_MINIMA,) array
-        Data of the contact.
-    rim : (d, 4) array
-        Shapes of `RimModes`.
+        State of the modes, see `ModeState`.
+    contact : array
+        Data of the contact, see `ContactLayout`.
+    rim : (d, 6) array
+        Fields of `RimModes`.
     """
 
     coefficients: np.ndarray
     knots_x: np.ndarray
     knots_y: np.ndarray
-    constants: np.ndarray
     place: np.ndarray
     stays: float
+    stiffness: np.ndarray
+    damping: np.ndarray
+    compliance: np.ndarray
     state: np.ndarray
     contact: np.ndarray
     rim: np.ndarray
@@ -120,52 +107,50 @@ def modes_at_rest(modes=None, h: float = 1.0, body: RimModes = NO_RIM_MODES) -> 
     Without a table there are no modes.
     """
     if modes is None or not len(modes.frequency):
-        return _with_zero_state(
+        nothing = np.zeros(0)
+        return _at_rest(
             np.zeros((0, 0, 0)),
-            np.zeros(0),
-            np.zeros(0),
-            np.zeros((0, 3)),
-            np.zeros(2),
-            1.0,
-            NO_RIM_MODES,
+            nothing,
+            nothing,
+            place=np.zeros(2),
+            stays=1.0,
+            stiffness=nothing,
+            damping=nothing,
+            compliance=nothing,
+            rim=np.column_stack(NO_RIM_MODES),
         )
     decay = np.append(modes.decay_rate, body.decay)
-    pole = -decay + 1j * np.sqrt(
-        np.append(
-            (2 * np.pi * modes.frequency) ** 2,
-            body.squared,
-        )
-        - decay**2
-        + 0j
-    )
+    squared = np.append((2 * np.pi * modes.frequency) ** 2, body.squared)
+    pole = -decay + 1j * np.sqrt(squared - decay**2 + 0j)
     midpoint = 2 / h * np.tanh(pole * h / 2)
     k = np.abs(midpoint) ** 2
     c = -2 * midpoint.real
-    constants = np.column_stack([k, c, 1 / (1 + h * c / 2 + h * h * k / 4)])
     # copies, since read-only arrays have another Numba type
-    splines = [np.array(part, order="C") for part in (modes.coefficients, *modes.knots)]
-    stays = float(modes.mass > 0)  # modes given by numbers have no mass
-    return _with_zero_state(*splines, constants, np.array(modes.place, dtype=float), stays, body)
+    return _at_rest(
+        *(np.array(part, order="C") for part in (modes.coefficients, *modes.knots)),
+        place=np.array(modes.place, dtype=float),
+        stays=float(modes.mass > 0),  # modes given by numbers have no mass
+        stiffness=k,
+        damping=c,
+        compliance=1 / (1 + h * c / 2 + h * h * k / 4),
+        rim=np.column_stack(body),
+    )
 
 
-def _with_zero_state(coefficients, knots_x, knots_y, constants, place, stays, rim_modes):
+def _at_rest(coefficients, knots_x, knots_y, **constants):
     """Return the `ContactModes` with zero state."""
-    state = np.zeros((len(constants), 5))
-    contact = np.zeros(MINIMUM_ANGLES + MAX_GAP_MINIMA)
+    m = len(constants["stiffness"])
     return ContactModes(
         coefficients,
         knots_x,
         knots_y,
-        constants,
-        place,
-        stays,
-        state,
-        contact,
-        rim_modes.shapes,
+        **constants,
+        state=np.zeros((m, len(MODE_STATE))),
+        contact=np.zeros(CONTACT.minimum_angles + MAX_GAP_MINIMA),
     )
 
 
-def wavy_table(imperfection, y, law) -> ContactModes:
+def wavy_table(imperfection, y, constants) -> ContactModes:
     """Return a rigid, wavy table as one mode with constant amplitude, and raise the disk of the
     state y onto it.
 
@@ -173,8 +158,8 @@ def wavy_table(imperfection, y, law) -> ContactModes:
     do. The angle is measured from the crest under the initial contact.
     """
     n = imperfection.order
-    R = law[RADIUS]
-    a = y[AXIS : AXIS + 2] / np.hypot(*y[AXIS : AXIS + 2])
+    R = constants.radius
+    a = y[STATE.axis : STATE.axis + 2] / np.hypot(*y[STATE.axis : STATE.axis + 2])
     x = np.linspace(-R, R, 4 + 8 * n)
     height = imperfection.amplitude * (((x[:, None] + 1j * x) * (a[0] - 1j * a[1]) / R) ** n).real
     spline = make_interp_spline(x, make_interp_spline(x, height).c, axis=1)
@@ -182,13 +167,17 @@ def wavy_table(imperfection, y, law) -> ContactModes:
         coefficients=np.ascontiguousarray(spline.c.T[:, :, None]),
         knots_x=spline.t,
         knots_y=spline.t,
-        constants=np.zeros((1, 3)),
         stays=0.0,
-        state=np.array([[1.0, 0, 0, 0, 0]]),
+        stiffness=np.zeros(1),
+        damping=np.zeros(1),
+        compliance=np.zeros(1),
+        state=np.eye(1, len(MODE_STATE)),  # unit amplitude
     )
-    waves.contact[CONTACT_ANGLE] = np.arctan2(a[1], a[0])
-    store_table_shapes(waves, *(R * a), np.zeros((3, 4)), np.zeros((3, 4)), SHAPE_BEFORE)
-    y[2] += waves.state[0, SHAPE_BEFORE]
+    waves.contact[CONTACT.angle] = np.arctan2(a[1], a[0])
+    store_table_shapes(
+        waves, *(R * a), np.zeros((3, 4)), np.zeros((3, 4)), waves.state[:, MODE_STATE.shape_before]
+    )
+    y[2] += waves.state[0, MODE_STATE.shape_before]
     return waves
 
 
@@ -234,20 +223,19 @@ def cubic_basis(knots, x, out):
 
 
 @kernel
-def store_table_shapes(waves, x, y, bx, by, into):
-    """Store the shapes of the table modes at (x, y) [m] in the column `into` of the mode state."""
+def store_table_shapes(waves, x, y, bx, by, shapes):
+    """Store the shapes of the table modes at (x, y) [m] in `shapes`."""
     i = cubic_basis(waves.knots_x, x + waves.place[0], bx)
     j = cubic_basis(waves.knots_y, y + waves.place[1], by)
     modes = waves.coefficients.shape[2]
-    state = waves.state
     for m in range(modes):
-        state[m, into] = 0.0
+        shapes[m] = 0.0
     for a in range(4):
         for b in range(4):
             share = bx[0, a] * by[0, b]
             row = waves.coefficients[i + a, j + b]
             for m in range(modes):
-                state[m, into] += share * row[m]
+                shapes[m] += share * row[m]
 
 
 @kernel
@@ -263,7 +251,9 @@ def table_deflection(waves, x, y, bx, by, out):
             row = waves.coefficients[i + a, j + b]
             value = 0.0
             for m in range(row.size):
-                value += row[m] * (waves.state[m, MODE_AMPLITUDE] + waves.state[m, FREE_CHANGE])
+                value += row[m] * (
+                    waves.state[m, MODE_STATE.amplitude] + waves.state[m, MODE_STATE.free_change]
+                )
             out[0] += bx[0, a] * by[0, b] * value
             out[1] += bx[1, a] * by[0, b] * value
             out[2] += bx[0, a] * by[1, b] * value
@@ -279,7 +269,7 @@ def angle_between(before, after):
 
 
 @kernel
-def evaluate_gap(waves, law, x, y, n0, n1, n2, angle, scratch):
+def evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch):
     """Evaluate table and rim at an angle of the rim of a disk with the axis (n0, n1, n2) and its
     centre at (x, y).
 
@@ -289,7 +279,7 @@ def evaluate_gap(waves, law, x, y, n0, n1, n2, angle, scratch):
     c = np.cos(angle)
     s = np.sin(angle)
     down = n0 * c + n1 * s
-    reach = law[RADIUS] * n2 - down * law[HALF_THICKNESS]
+    reach = constants.radius * n2 - down * constants.half_thickness
     table_deflection(
         waves,
         x + reach * c,
@@ -299,9 +289,8 @@ def evaluate_gap(waves, law, x, y, n0, n1, n2, angle, scratch):
         scratch[6],
     )
     evaluate_rim_ripple(
-        waves.rim,
-        waves.state,
-        angle - waves.contact[TWIST_ANGLE],
+        waves,
+        angle - waves.contact[CONTACT.twist_angle],
         down,
         n2,
         scratch[7],
@@ -310,12 +299,12 @@ def evaluate_gap(waves, law, x, y, n0, n1, n2, angle, scratch):
 
 
 @kernel
-def scan_rim(waves, law, x, y, n0, n1, n2, scratch):
+def scan_rim(waves, constants, x, y, n0, n1, n2, scratch):
     """Scan the whole rim for minima of the gap and store the directions of at most MAX_GAP_MINIMA.
 
     A minimum near the contact keeps the direction of the contact.
     """
-    R = law[RADIUS]
+    R = constants.radius
     highest = -np.inf
     lowest = np.inf
     count = 0
@@ -323,7 +312,7 @@ def scan_rim(waves, law, x, y, n0, n1, n2, scratch):
     for n in range(RIM_SCAN_POINTS + 2):
         _, _, _, down = evaluate_gap(
             waves,
-            law,
+            constants,
             x,
             y,
             n0,
@@ -338,45 +327,45 @@ def scan_rim(waves, law, x, y, n0, n1, n2, scratch):
         value = risen + R * down
         if n > 1 and current >= previous and current > value and count < MAX_GAP_MINIMA:
             turn = angle_between(
-                waves.contact[CONTACT_ANGLE],
+                waves.contact[CONTACT.angle],
                 2 * np.pi * (n - 1) / RIM_SCAN_POINTS,
             )
-            waves.contact[MINIMUM_ANGLES + count] = waves.contact[CONTACT_ANGLE] + (
+            waves.contact[CONTACT.minimum_angles + count] = waves.contact[CONTACT.angle] + (
                 turn if abs(turn) > SAME_CONTACT_ANGLE else 0.0
             )
             count += 1
         previous = current
         current = value
-    waves.contact[MINIMUM_COUNT] = count
+    waves.contact[CONTACT.minimum_count] = count
     bends = highest - lowest > BENT_TABLE_RATIO * R * np.sqrt(n0 * n0 + n1 * n1)
-    waves.contact[STEPS_TO_SCAN] = BENT_SCAN_INTERVAL if bends else LEVEL_SCAN_INTERVAL
+    waves.contact[CONTACT.steps_to_scan] = BENT_SCAN_INTERVAL if bends else LEVEL_SCAN_INTERVAL
 
 
 @kernel
-def track_contact(waves, law, x, y, n0, n1, n2, rough, scratch):
+def track_contact(waves, constants, x, y, n0, n1, n2, rough, scratch):
     """Find the direction in which a disk with the axis (n0, n1, n2) and its centre at (x, y)
     touches the table.
 
     One Newton step updates each minimum of the gap; the lowest one is the contact. `rough` holds
     the height profiles of table and edge, the path lengths [m] on them at the previous contact, and
     the half-length of the ellipse. The function stores the mode shapes at the contact as
-    SHAPE_AFTER. Returns the direction, the heights of table and edge [m], and the path length from
+    `shape_after`. Returns the direction, the heights of table and edge [m], and the path length from
     the previous contact [m].
     """
     field = scratch[6]
     rim_field = scratch[7]
-    R = law[RADIUS]
+    R = constants.radius
     x = waves.stays * x
     y = waves.stays * y
-    waves.contact[STEPS_TO_SCAN] -= 1
-    if waves.contact[STEPS_TO_SCAN] < 0:
-        scan_rim(waves, law, x, y, n0, n1, n2, scratch)
-    last = waves.contact[CONTACT_ANGLE]
+    waves.contact[CONTACT.steps_to_scan] -= 1
+    if waves.contact[CONTACT.steps_to_scan] < 0:
+        scan_rim(waves, constants, x, y, n0, n1, n2, scratch)
+    last = waves.contact[CONTACT.angle]
     lowest_gap = -np.inf
     contact_angle = last
-    for n in range(int(waves.contact[MINIMUM_COUNT])):
-        angle = waves.contact[MINIMUM_ANGLES + n]
-        c, s, reach, down = evaluate_gap(waves, law, x, y, n0, n1, n2, angle, scratch)
+    for n in range(int(waves.contact[CONTACT.minimum_count])):
+        angle = waves.contact[CONTACT.minimum_angles + n]
+        c, s, reach, down = evaluate_gap(waves, constants, x, y, n0, n1, n2, angle, scratch)
         down = R * down  # height and slope of the rim
         side = R * (n1 * c - n0 * s)
         add_rim_heights(*rough, reach, R, angle_between(last, angle), rim_field)
@@ -385,29 +374,28 @@ def track_contact(waves, law, x, y, n0, n1, n2, rough, scratch):
         bend += rim_field[2] - reach * (field[1] * c + field[2] * s)
         step = slope / max(down - bend, 0.1 * R * np.sqrt(n0 * n0 + n1 * n1) + 1e-300)
         step = min(max(step, -0.1), 0.1)
-        waves.contact[MINIMUM_ANGLES + n] = angle + step
+        waves.contact[CONTACT.minimum_angles + n] = angle + step
         value = field[0] + rim_field[0] + down + step * slope / 2
         if value > lowest_gap:
             lowest_gap = value
             contact_angle = angle + step
     c = np.cos(contact_angle)
     s = np.sin(contact_angle)
-    reach = R * n2 - (n0 * c + n1 * s) * law[HALF_THICKNESS]
+    reach = R * n2 - (n0 * c + n1 * s) * constants.half_thickness
     store_table_shapes(
         waves,
         x + reach * c,
         y + reach * s,
         scratch[0:3, 0:4],
         scratch[3:6, 0:4],
-        SHAPE_AFTER,
+        waves.state[:, MODE_STATE.shape_after],
     )
     store_rim_shapes(
         waves.rim,
-        waves.state,
-        contact_angle - waves.contact[TWIST_ANGLE],
+        contact_angle - waves.contact[CONTACT.twist_angle],
         n0 * c + n1 * s,
         n2,
-        SHAPE_AFTER,
+        waves.state[:, MODE_STATE.shape_after],
     )
     rim_field[:] = 0.0
     add_rim_heights(*rough, reach, R, angle_between(last, contact_angle), rim_field)
@@ -417,13 +405,11 @@ def track_contact(waves, law, x, y, n0, n1, n2, rough, scratch):
 @kernel
 def predict_free_motion(waves, h):
     """Store the change of each amplitude in a step without a contact force."""
-    for m in range(waves.state.shape[0]):
-        q = waves.state[m, MODE_AMPLITUDE]
-        v = waves.state[m, MODE_VELOCITY]
-        waves.state[m, FREE_CHANGE] = (
-            h
-            * waves.constants[m, MODE_COMPLIANCE]
-            * (v - h / 2 * waves.constants[m, MODE_STIFFNESS] * q)
+    for m in range(len(waves.state)):
+        q = waves.state[m, MODE_STATE.amplitude]
+        v = waves.state[m, MODE_STATE.velocity]
+        waves.state[m, MODE_STATE.free_change] = (
+            h * waves.compliance[m] * (v - h / 2 * waves.stiffness[m] * q)
         )
 
 
@@ -431,13 +417,17 @@ def predict_free_motion(waves, h):
 def work_sums(waves, h):
     """Return D, E, P, S of the sums over the modes sum w~ dq = D - E N and sum q~ dw = P - S N."""
     D = E = P = S = 0.0
-    for m in range(waves.state.shape[0]):
-        mean = (waves.state[m, SHAPE_BEFORE] + waves.state[m, SHAPE_AFTER]) / 2
-        change = waves.state[m, SHAPE_AFTER] - waves.state[m, SHAPE_BEFORE]
-        compliance = h * h / 2 * waves.constants[m, MODE_COMPLIANCE] * mean
-        D = D + mean * waves.state[m, FREE_CHANGE]
+    for m in range(len(waves.state)):
+        mean = (
+            waves.state[m, MODE_STATE.shape_before] + waves.state[m, MODE_STATE.shape_after]
+        ) / 2
+        change = waves.state[m, MODE_STATE.shape_after] - waves.state[m, MODE_STATE.shape_before]
+        compliance = h * h / 2 * waves.compliance[m] * mean
+        D = D + mean * waves.state[m, MODE_STATE.free_change]
         E = E + compliance * mean
-        P = P + change * (waves.state[m, MODE_AMPLITUDE] + waves.state[m, FREE_CHANGE] / 2)
+        P = P + change * (
+            waves.state[m, MODE_STATE.amplitude] + waves.state[m, MODE_STATE.free_change] / 2
+        )
         S = S + change * compliance / 2
     return D, E, P, S
 
@@ -449,15 +439,15 @@ def advance_modes(waves, N, h):
     """
     lost = total = 0.0
     first = len(waves.state) - len(waves.rim)
-    for m in range(waves.state.shape[0]):
-        mean = (waves.state[m, SHAPE_BEFORE] + waves.state[m, SHAPE_AFTER]) / 2
-        change = (
-            waves.state[m, FREE_CHANGE] - h * h / 2 * waves.constants[m, MODE_COMPLIANCE] * mean * N
-        )
-        waves.state[m, MODE_AMPLITUDE] += change
-        waves.state[m, MODE_VELOCITY] = 2 * change / h - waves.state[m, MODE_VELOCITY]
-        waves.state[m, SHAPE_BEFORE] = waves.state[m, SHAPE_AFTER]
-        total += waves.constants[m, MODE_DAMPING] * change * change / h
+    for m in range(len(waves.state)):
+        mean = (
+            waves.state[m, MODE_STATE.shape_before] + waves.state[m, MODE_STATE.shape_after]
+        ) / 2
+        change = waves.state[m, MODE_STATE.free_change] - h * h / 2 * waves.compliance[m] * mean * N
+        waves.state[m, MODE_STATE.amplitude] += change
+        waves.state[m, MODE_STATE.velocity] = 2 * change / h - waves.state[m, MODE_STATE.velocity]
+        waves.state[m, MODE_STATE.shape_before] = waves.state[m, MODE_STATE.shape_after]
+        total += waves.damping[m] * change * change / h
         if m < first:
             lost = total
     return lost, total - lost
@@ -468,10 +458,10 @@ def mode_energies(waves):
     """Return the energies of the table modes and of the disk modes [J]."""
     energy = total = 0.0
     first = len(waves.state) - len(waves.rim)
-    for m in range(waves.state.shape[0]):
-        q = waves.state[m, MODE_AMPLITUDE]
-        v = waves.state[m, MODE_VELOCITY]
-        total += (v * v + waves.constants[m, MODE_STIFFNESS] * q * q) / 2
+    for m in range(len(waves.state)):
+        q = waves.state[m, MODE_STATE.amplitude]
+        v = waves.state[m, MODE_STATE.velocity]
+        total += (v * v + waves.stiffness[m] * q * q) / 2
         if m < first:
             energy = total
     return energy, total - energy
@@ -485,18 +475,18 @@ def settle_modes(waves: ContactModes, modes, model, y) -> None:
     """
     if modes is None or not len(waves.state):
         return
-    law = model.constants
-    n = y[AXIS:ANGULAR_MOMENTUM]
+    constants = model.constants
+    n = y[STATE.axis : STATE.angular_momentum]
     s = np.hypot(n[0], n[1])
     start = np.arctan2(n[1], n[0])
-    reach = law[RADIUS] * n[2] - law[HALF_THICKNESS] * s
+    reach = constants.radius * n[2] - constants.half_thickness * s
     turning = (
         (
             np.cross(
-                y[ANGULAR_MOMENTUM:SPRING_STRETCH],
+                y[STATE.angular_momentum : STATE.spring_stretch],
                 n,
             )[:2]
-            / law[J1]
+            / constants.diametral_inertia
         )
         @ np.array([-n[1], n[0]])
         / s**2
@@ -516,14 +506,17 @@ def settle_modes(waves: ContactModes, modes, model, y) -> None:
         ]
     )
     rate = 1j * turning * np.fft.fftfreq(RIM_SCAN_POINTS, 1 / RIM_SCAN_POINTS)[:, None]
-    k = waves.constants[:, MODE_STIFFNESS]
-    c = waves.constants[:, MODE_DAMPING]
+    k = waves.stiffness
+    c = waves.damping
     responses = (
-        -y[NORMAL_FORCE] * np.fft.fft(shapes, axis=0) / RIM_SCAN_POINTS / (k + c * rate + rate**2)
+        -y[STATE.normal_force]
+        * np.fft.fft(shapes, axis=0)
+        / RIM_SCAN_POINTS
+        / (k + c * rate + rate**2)
     )
-    waves.contact[CONTACT_ANGLE] = start
-    waves.state[:, MODE_AMPLITUDE] = responses.sum(axis=0).real
-    waves.state[:, MODE_VELOCITY] = (rate * responses).sum(axis=0).real
-    waves.state[:, SHAPE_BEFORE] = shapes[0]
-    y[TABLE_MODE_ENERGY], y[DISK_MODE_ENERGY] = mode_energies(waves)
-    y[2] += waves.state[:, MODE_AMPLITUDE] @ shapes[0]
+    waves.contact[CONTACT.angle] = start
+    waves.state[:, MODE_STATE.amplitude] = responses.sum(axis=0).real
+    waves.state[:, MODE_STATE.velocity] = (rate * responses).sum(axis=0).real
+    waves.state[:, MODE_STATE.shape_before] = shapes[0]
+    y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(waves)
+    y[2] += waves.state[:, MODE_STATE.amplitude] @ shapes[0]

@@ -21,14 +21,9 @@ pressure once its energy is used up, whatever the contact does.
 
 import numpy as np
 
-from dynamics.compliant.law.tabulated import (
-    RELAXATION_LENGTH_1,
-    RELAXATION_LENGTH_2,
-    STIFFNESS_1,
-    STIFFNESS_2,
-)
-from dynamics.compliant.stepping import state_layout as at
+from dynamics.compliant.law.tabulated import LAW_COLUMNS
 from dynamics.compliant.stepping.contact_energy import law_column
+from dynamics.compliant.stepping.state_layout import STATE
 from dynamics.film.forces import film_parts, squeezed_air_energy
 from dynamics.numba_kernels import kernel
 
@@ -39,64 +34,64 @@ MIN_PRECESSION_RATE = 1e-30
 
 
 @kernel
-def step_tangential(y, law, powers, cubics, h):
+def step_tangential(y, constants, powers, law, h):
     """Advance the state y by the tangential part of a step h, with the contact at the lowest point
     of the rim.
     """
     step_tangential_at(
         y,
-        law,
+        constants,
         powers,
-        cubics,
-        y[6] / y[at.SIN_INCLINATION],
-        y[7] / y[at.SIN_INCLINATION],
+        law,
+        y[6] / y[STATE.sin_inclination],
+        y[7] / y[STATE.sin_inclination],
         h,
     )
 
 
 @kernel
-def step_tangential_at(y, law, powers, cubics, d0, d1, h):
+def step_tangential_at(y, constants, powers, law, d0, d1, h):
     """Advance the state y by the tangential part of a step h, with the contact in the horizontal
     direction d.
     """
-    m = law[at.MASS]
-    J = law[at.J1]
-    R = law[at.RADIUS]
-    H = law[at.HALF_THICKNESS]
+    m = constants.mass
+    J = constants.diametral_inertia
+    R = constants.radius
+    H = constants.half_thickness
     down = y[6] * d0 + y[7] * d1
     c = y[8]
-    i = int(y[at.LAW_INTERVAL])
-    u = y[at.LAW_FRACTION]
-    s = max(y[at.SIN_INCLINATION], 1e-9)
+    i = int(y[STATE.law_interval])
+    u = y[STATE.law_fraction]
+    s = max(y[STATE.sin_inclination], 1e-9)
     reach = R - down * (R * down / (1 + c) + H)
     rise = R * down + H * c
     for side in range(2):
-        k = law_column(cubics, i, u, STIFFNESS_1 if side == 0 else STIFFNESS_2)
-        q = y[at.SPRING_STRETCH + side]
-        before = y[at.SPRING_STIFFNESS + side]
-        y[at.SPRING_STRETCH + side] = q * min(1.0, before / k)
-        y[at.SPRING_STIFFNESS + side] = k
-        y[at.ENERGY_LOSSES + 1] += (before * q * q - k * y[at.SPRING_STRETCH + side] ** 2) / 2
-    apply_resisting_moments(y, law, powers, s, c, d0, d1, h)
-    if law[at.FILM_TURNING] > 0:
-        apply_film(y, law, s, c, d0, d1, reach, h)
-    e = 1 / law[at.J2] - 1 / J
+        k = law_column(law, i, u, LAW_COLUMNS.stiffness_1 if side == 0 else LAW_COLUMNS.stiffness_2)
+        q = y[STATE.spring_stretch + side]
+        before = y[STATE.spring_stiffness + side]
+        y[STATE.spring_stretch + side] = q * min(1.0, before / k)
+        y[STATE.spring_stiffness + side] = k
+        y[STATE.creep_loss] += (before * q * q - k * y[STATE.spring_stretch + side] ** 2) / 2
+    apply_resisting_moments(y, constants, powers, s, c, d0, d1, h)
+    if constants.film_turning > 0:
+        apply_film(y, constants, s, c, d0, d1, reach, h)
+    e = 1 / constants.axial_inertia - 1 / J
     spin = e * (y[9] * y[6] + y[10] * y[7] + y[11] * y[8])
     wd = (y[9] * d0 + y[10] * d1) / J + spin * down
     wt = (y[10] * d0 - y[9] * d1) / J
     ut = y[4] * d0 - y[3] * d1 + reach * (y[11] / J + spin * c) + rise * wd
     ud = y[3] * d0 + y[4] * d1 - rise * wt
-    Wt = 1 / m + R * R / law[at.J2] + H * H / J
+    Wt = 1 / m + R * R / constants.axial_inertia + H * H / J
     Wd = 1 / m + rise * rise / J
     pt, pd = advance_springs(
         y,
-        law,
+        constants,
         ut,
         ud,
         Wt,
         Wd,
-        law_column(cubics, i, u, RELAXATION_LENGTH_1),
-        law_column(cubics, i, u, RELAXATION_LENGTH_2),
+        law_column(law, i, u, LAW_COLUMNS.relaxation_length_1),
+        law_column(law, i, u, LAW_COLUMNS.relaxation_length_2),
         h,
     )
     # the force -p acts at reach d - rise e3
@@ -105,29 +100,29 @@ def step_tangential_at(y, law, powers, cubics, d0, d1, h):
     y[9] = y[9] - h * rise * (pt * d0 + pd * d1)
     y[10] = y[10] - h * rise * (pt * d1 - pd * d0)
     y[11] -= h * reach * pt
-    y[at.TANGENTIAL_FORCE] = -pt
-    y[at.TANGENTIAL_FORCE + 1] = -pd
+    y[STATE.tangential_force] = -pt
+    y[STATE.tangential_force + 1] = -pd
 
 
 @kernel
-def advance_springs(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
+def advance_springs(y, constants, ut, ud, Wt, Wd, length_t, length_d, h):
     """Advance the springs; return their mean force on the contact point along t and d."""
-    kt = y[at.SPRING_STIFFNESS]
-    kd = y[at.SPRING_STIFFNESS + 1]
-    N = y[at.NORMAL_FORCE]
-    creep_t = h * y[at.PATH_SPEED] / length_t
-    creep_d = h * y[at.PATH_SPEED] / length_d
+    kt = y[STATE.spring_stiffness]
+    kd = y[STATE.spring_stiffness + 1]
+    N = y[STATE.normal_force]
+    creep_t = h * y[STATE.path_speed] / length_t
+    creep_d = h * y[STATE.path_speed] / length_d
     Ct = (1 + creep_t / 2) / kt + h * h / 4 * Wt
     Cd = (1 + creep_d / 2) / kd + h * h / 4 * Wd
-    qt = y[at.SPRING_STRETCH]
-    qd = y[at.SPRING_STRETCH + 1]
-    limit = law[at.MU_D] * N
+    qt = y[STATE.spring_stretch]
+    qd = y[STATE.spring_stretch + 1]
+    limit = constants.mu_dynamic * N
     spring_energy_before = kt * qt * qt + kd * qd * qd
     pt = (qt + h / 2 * ut) / Ct
     pd = (qd + h / 2 * ud) / Cd
     trial_force = np.sqrt(pt * pt + pd * pd)
-    slides = y[at.IS_SLIDING] > 0
-    if trial_force > (limit if slides else law[at.MU_S] * N):
+    slides = y[STATE.is_sliding] > 0
+    if trial_force > (limit if slides else constants.mu_static * N):
         if not slides:
             qt, qd = limit_stretch(qt, qd, kt, kd, limit)
             pt = (qt + h / 2 * ut) / Ct
@@ -142,18 +137,17 @@ def advance_springs(y, law, ut, ud, Wt, Wd, length_t, length_d, h):
         qt = 2 * pt / kt - qt
         qd = 2 * pd / kd - qd
     if N > 0:
-        y[at.IS_SLIDING] = 1.0 if slides else 0.0
-    y[at.SPRING_STRETCH] = qt
-    y[at.SPRING_STRETCH + 1] = qd
-    y[at.FRICTION_EXCESS] = max(
-        y[at.FRICTION_EXCESS], np.sqrt(pt * pt + pd * pd) - (limit if slides else law[at.MU_S] * N)
+        y[STATE.is_sliding] = 1.0 if slides else 0.0
+    y[STATE.spring_stretch] = qt
+    y[STATE.spring_stretch + 1] = qd
+    y[STATE.friction_excess] = max(
+        y[STATE.friction_excess],
+        np.sqrt(pt * pt + pd * pd) - (limit if slides else constants.mu_static * N),
     )
     creep = creep_t * pt * pt / kt + creep_d * pd * pd / kd
     work = h * (pt * (ut - h / 2 * Wt * pt) + pd * (ud - h / 2 * Wd * pd))
-    y[at.ENERGY_LOSSES + 1] += creep
-    y[at.ENERGY_LOSSES + 2] += (
-        work - (kt * qt * qt + kd * qd * qd - spring_energy_before) / 2 - creep
-    )
+    y[STATE.creep_loss] += creep
+    y[STATE.slip_loss] += work - (kt * qt * qt + kd * qd * qd - spring_energy_before) / 2 - creep
     return pt, pd
 
 
@@ -184,33 +178,32 @@ def project_on_friction_circle(pt, pd, Ct, Cd, limit, trial_force):
 
 
 @kernel
-def apply_resisting_moments(y, law, powers, s, c, d0, d1, h):
+def apply_resisting_moments(y, constants, powers, s, c, d0, d1, h):
     """Apply the moments of k1, k2, k3, the power laws (n, 2) of the precession rate, and the
     viscous loads as impulses.
     """
-    J = law[at.J1]
-    e = 1 / law[at.J2] - 1 / law[at.J1]
+    J = constants.diametral_inertia
+    e = 1 / constants.axial_inertia - 1 / constants.diametral_inertia
+    arms = constants.arm_nutation, constants.arm_rolling, constants.arm_pivoting
     for i in range(3):
         a0, a1, a2 = (-d1, d0, 0.0) if i == 0 else (d0, d1, 0.0) if i == 1 else (0.0, 0.0, 1.0)
-        size = h * law[at.RESISTING_ARMS + i] * y[at.NORMAL_FORCE]
-        held = 0.0 if i != 1 else law[at.FRICTION_IS_FITTED]
+        size = h * arms[i] * y[STATE.normal_force]
+        held = 0.0 if i != 1 else constants.friction_is_fitted
         apply_angular_impulse(
             y,
             a0,
             a1,
             a2,
             size,
-            h * law[at.VISCOUS_MOMENT],
+            h * constants.viscous_moment,
             J,
             e,
-            at.ENERGY_LOSSES + 3,
+            STATE.moment_loss,
             held,
         )
-    if law[at.VISCOUS_FORCE] > 0:
-        left = max(0.0, 1 - h * law[at.VISCOUS_FORCE] / law[at.MASS])
-        y[at.ENERGY_LOSSES + 3] += (
-            law[at.MASS] / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
-        )
+    if constants.viscous_force > 0:
+        left = max(0.0, 1 - h * constants.viscous_force / constants.mass)
+        y[STATE.moment_loss] += constants.mass / 2 * (y[3] * y[3] + y[4] * y[4]) * (1 - left * left)
         y[3] = left * y[3]
         y[4] = left * y[4]
     for i in range(len(powers)):
@@ -228,31 +221,31 @@ def apply_resisting_moments(y, law, powers, s, c, d0, d1, h):
             0.0,
             J,
             e,
-            at.ENERGY_LOSSES + 3,
-            law[at.FRICTION_IS_FITTED],
+            STATE.moment_loss,
+            constants.friction_is_fitted,
         )
 
 
 @kernel
-def apply_film(y, law, s, c, d0, d1, reach, h):
+def apply_film(y, constants, s, c, d0, d1, reach, h):
     """Apply the air film as impulses: drag about e_3, pressure of the falling disk, pressure of the
     compressed air.
     """
     a0 = -c * d0
     a1 = -c * d1
     a2 = s
-    J = law[at.J1]
-    m = law[at.MASS]
+    J = constants.diametral_inertia
+    m = constants.mass
     rate = (y[9] * a0 + y[10] * a1 + y[11] * a2) / (J * s) + MIN_PRECESSION_RATE
     drag, fall, lever, tip, lift = film_parts_kernel(
         s,
         rate,
-        law[at.FILM_TURNING],
-        law[at.FILM_FALLING],
-        law[at.FILM_INERTIA],
-        law[at.FILM_NUMBER],
-        law[at.FILM_AMBIENT],
-        law[at.FILM_SLIP],
+        constants.film_turning,
+        constants.film_falling,
+        constants.film_inertia,
+        constants.film_number,
+        constants.film_ambient,
+        constants.film_slip,
     )
     apply_angular_impulse(
         y,
@@ -263,37 +256,39 @@ def apply_film(y, law, s, c, d0, d1, reach, h):
         h * drag / (rate * s),
         J,
         0.0,
-        at.ENERGY_LOSSES + 5,
+        STATE.film_loss,
         0.0,
     )
-    lever /= law[at.RADIUS]
+    lever /= constants.radius
     arm = reach - 1 / lever
     v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
     mobility = 1 / m + arm * arm / J
     fall_impulse = v / mobility * np.expm1(-h * lever * lever * fall * mobility)
-    y[at.ENERGY_LOSSES + 5] -= fall_impulse * (v + fall_impulse * mobility / 2)
+    y[STATE.film_loss] -= fall_impulse * (v + fall_impulse * mobility / 2)
     y[5] = y[5] + fall_impulse / m
     y[9] = y[9] + arm * fall_impulse * d1
     y[10] = y[10] - arm * fall_impulse * d0
-    lift_impulse = h * lift / law[at.RADIUS]
+    lift_impulse = h * lift / constants.radius
     if lift_impulse > 0:
-        arm = reach - law[at.RADIUS] * tip / lift
+        arm = reach - constants.radius * tip / lift
         v = y[5] - arm * (y[10] * d0 - y[9] * d1) / J
         mobility = 1 / m + arm * arm / J
-        speed = np.sqrt(v * v + 2 * mobility * y[at.SQUEEZED_AIR_ENERGY])
+        speed = np.sqrt(v * v + 2 * mobility * y[STATE.squeezed_air_energy])
         lift_impulse = min(lift_impulse, (speed - v) / mobility)  # at most the stored energy
         work = lift_impulse * (v + lift_impulse * mobility / 2)
-        y[at.SQUEEZED_AIR_ENERGY] = max(0.0, y[at.SQUEEZED_AIR_ENERGY] - work)
+        y[STATE.squeezed_air_energy] = max(0.0, y[STATE.squeezed_air_energy] - work)
         y[5] = y[5] + lift_impulse / m
         y[9] = y[9] + arm * lift_impulse * d1
         y[10] = y[10] - arm * lift_impulse * d0
     stored_energy = min(
-        y[at.SQUEEZED_AIR_ENERGY],
-        squeezed_air_kernel(s, rate, law[at.FILM_NUMBER], law[at.FILM_AMBIENT], law[at.FILM_SLIP]),
+        y[STATE.squeezed_air_energy],
+        squeezed_air_kernel(
+            s, rate, constants.film_number, constants.film_ambient, constants.film_slip
+        ),
     )
-    y[at.ENERGY_LOSSES + 5] = y[at.ENERGY_LOSSES + 5] + y[at.SQUEEZED_AIR_ENERGY] - stored_energy
-    y[at.SQUEEZED_AIR_ENERGY] = stored_energy
-    y[at.FILM_LIFT] = (fall_impulse + lift_impulse) / h
+    y[STATE.film_loss] = y[STATE.film_loss] + y[STATE.squeezed_air_energy] - stored_energy
+    y[STATE.squeezed_air_energy] = stored_energy
+    y[STATE.film_lift] = (fall_impulse + lift_impulse) / h
 
 
 @kernel
@@ -312,11 +307,11 @@ def apply_angular_impulse(y, a0, a1, a2, size, per_rate, J, e, cause, fitted):
     )
     mobility = 1 / J + e * n * n
     available_relief = (
-        fitted * (y[at.ENERGY_LOSSES] + y[at.ENERGY_LOSSES + 1]) - y[at.RELIEVED_FRICTION_ENERGY]
+        fitted * (y[STATE.contact_loss] + y[STATE.creep_loss]) - y[STATE.relieved_friction_energy]
     )
     if fitted > 0 and available_relief > 0 and rate != 0:
         relief = min(size, available_relief / abs(rate))
-        y[at.RELIEVED_FRICTION_ENERGY] = y[at.RELIEVED_FRICTION_ENERGY] + relief * abs(rate)
+        y[STATE.relieved_friction_energy] = y[STATE.relieved_friction_energy] + relief * abs(rate)
         size = size - relief
     turn = -np.sign(rate) * min(size + per_rate * abs(rate), abs(rate) / mobility)
     y[9] = y[9] + turn * a0

@@ -2,6 +2,8 @@
 events.
 """
 
+from enum import IntEnum, auto
+
 import numpy as np
 
 from dynamics.compliant.law import height_profile
@@ -22,22 +24,8 @@ from dynamics.compliant.stepping.normal_with_modes import (
     step_tangential_with_modes,
     update_gap_stiffness,
 )
-from dynamics.compliant.stepping.state_layout import (
-    DISK_MODE_ENERGY,
-    ENERGY_DEFICIT,
-    FILM_LIFT,
-    FILM_TURNING,
-    FLIGHT_DURATION,
-    FLIGHT_LIFT_IMPULSE,
-    GAP,
-    IS_SLIDING,
-    NORMAL_FORCE,
-    SIN_INCLINATION,
-    TABLE_MODE_ENERGY,
-    TANGENTIAL_FORCE,
-    WEIGHT,
-)
-from dynamics.compliant.stepping.table_modes import FLAT_STEPS, mode_energies
+from dynamics.compliant.stepping.state_layout import STATE
+from dynamics.compliant.stepping.table_modes import CONTACT, mode_energies
 from dynamics.compliant.stepping.tangential import step_tangential
 from dynamics.film import forces
 from dynamics.numba_kernels import fingerprint, kernel, outermost
@@ -59,24 +47,26 @@ AIRBORNE_DURATION = 2e-3
 AIRBORNE_LIFT_SHARE = 0.5
 """The air film carries the disk if its mean lift exceeds this fraction of the weight."""
 
-# Reasons for the return of `step_motion`.
-CONTINUES = 0
-LIES_FLAT = 1
-STANDS_UPRIGHT = 2
-UNSOLVED = 3
-"""The equation for the normal force has no solution."""
-IS_AIRBORNE = 4
+
+class EndReason(IntEnum):
+    """Reason for the end of a call of `step_motion`."""
+
+    CONTINUES = auto()
+    """The rows are full; the motion continues."""
+    LIES_FLAT = auto()
+    STANDS_UPRIGHT = auto()
+    UNSOLVED = auto()
+    """The equation for the normal force has no solution."""
+    IS_AIRBORNE = auto()
 
 
 @kernel
 def _step_rows(
     y,
     steps_before,
-    law,
+    constants,
     powers,
-    grid_start,
-    intervals_per_unit,
-    cubics,
+    law,
     table,
     rim,
     modes,
@@ -95,7 +85,7 @@ def _step_rows(
     slip = 0
     forces[:] = 0.0
     scratch = np.zeros((8, 6))
-    has_modes = modes.state.shape[0] > 0
+    has_modes = len(modes.state) > 0
     steps_per_force = steps_per_row * len(rows) // len(forces)  # steps averaged in each mean force
     previous_force = 0
     current_force = 0
@@ -103,51 +93,54 @@ def _step_rows(
     half_weight = 1 / (2 * steps_per_force)
     for row in range(len(rows)):
         if row == 0 or not has_modes:
-            locate_in_law(y, grid_start, intervals_per_unit, cubics)
+            locate_in_law(y, law)
         for i in range(steps_per_row + 1):
             tangential_step = h / 2 if i in (0, steps_per_row) else h
             if has_modes:
-                step_tangential_with_modes(y, law, powers, cubics, modes, tangential_step)
+                step_tangential_with_modes(y, constants, powers, law, modes, tangential_step)
             else:
-                step_tangential(y, law, powers, cubics, tangential_step)
+                step_tangential(y, constants, powers, law, tangential_step)
             for k in range(
                 2
             ):  # half of each tangential step belongs to the force before, half to the next
                 if i > 0:
-                    forces[previous_force, k] += half_weight * y[TANGENTIAL_FORCE + k]
+                    forces[previous_force, k] += half_weight * y[STATE.tangential_force + k]
                 if i < steps_per_row:
-                    forces[current_force, k] += half_weight * y[TANGENTIAL_FORCE + k]
-            if (y[IS_SLIDING] > 0) != sliding:
+                    forces[current_force, k] += half_weight * y[STATE.tangential_force + k]
+            if (y[STATE.is_sliding] > 0) != sliding:
                 slips[slip, 1 if sliding else 0] = steps_before * h
                 slip += 1 if sliding else 0
                 sliding = not sliding
             if i == steps_per_row:
                 break
-            gap_before = y[GAP]
-            sine_before = y[SIN_INCLINATION]
+            gap_before = y[STATE.gap]
+            sine_before = y[STATE.sin_inclination]
             if has_modes:
                 solved = step_normal_with_modes(
                     y,
+                    constants,
                     law,
-                    grid_start,
-                    intervals_per_unit,
-                    cubics,
                     table,
                     rim,
                     modes,
                     scratch,
                     h,
                 )
-                modes.contact[FLAT_STEPS] = (
-                    modes.contact[FLAT_STEPS] + 1 if y[SIN_INCLINATION] < FLAT_INCLINATION else 0
+                modes.contact[CONTACT.flat_steps] = (
+                    modes.contact[CONTACT.flat_steps] + 1
+                    if y[STATE.sin_inclination] < FLAT_INCLINATION
+                    else 0
                 )
-                flat = modes.contact[FLAT_STEPS] * h > REST_DURATION or y[ENERGY_DEFICIT] > 0
+                flat = (
+                    modes.contact[CONTACT.flat_steps] * h > REST_DURATION
+                    or y[STATE.energy_deficit] > 0
+                )
             else:
-                solved = step_normal(y, law, grid_start, intervals_per_unit, cubics, table, rim, h)
-                flat = y[SIN_INCLINATION] < MIN_INCLINATION_RATIO * sine_before
+                solved = step_normal(y, constants, law, table, rim, h)
+                flat = y[STATE.sin_inclination] < MIN_INCLINATION_RATIO * sine_before
             if not solved:
-                return UNSOLVED, row, flight, slip
-            forces[current_force, 2] += 2 * half_weight * y[NORMAL_FORCE]
+                return EndReason.UNSOLVED, row, flight, slip
+            forces[current_force, 2] += 2 * half_weight * y[STATE.normal_force]
             previous_force = current_force
             steps_left = steps_left - 1
             if steps_left == 0:
@@ -158,37 +151,45 @@ def _step_rows(
                 flight,
                 flying,
                 gap_before,
-                y[GAP],
+                y[STATE.gap],
                 steps_before * h,
                 h,
             )
             steps_before += 1
             if flat:
-                return LIES_FLAT, row, flight, slip
-            if law[FILM_TURNING] > 0 and update_airborne(y, law, h):
-                return IS_AIRBORNE, row, flight, slip
+                return EndReason.LIES_FLAT, row, flight, slip
+            if constants.film_turning > 0 and update_airborne(y, constants, h):
+                return EndReason.IS_AIRBORNE, row, flight, slip
         if has_modes:
-            update_gap_stiffness(y, modes, cubics)
-            y[TABLE_MODE_ENERGY], y[DISK_MODE_ENERGY] = mode_energies(modes)
+            update_gap_stiffness(y, modes, law)
+            y[STATE.table_mode_energy], y[STATE.disk_mode_energy] = mode_energies(modes)
         for j in range(
             len(y)
         ):  # `rows[row] = y` would compile an error message, which takes seconds
             rows[row, j] = y[j]
-        if (y[SIN_INCLINATION] < final_sine and not has_modes) or y[8] <= 0:
-            return (STANDS_UPRIGHT if y[8] <= 0 else LIES_FLAT), row + 1, flight, slip
-    return CONTINUES, len(rows), flight, slip
+        if (y[STATE.sin_inclination] < final_sine and not has_modes) or y[8] <= 0:
+            return (
+                (EndReason.STANDS_UPRIGHT if y[8] <= 0 else EndReason.LIES_FLAT),
+                row + 1,
+                flight,
+                slip,
+            )
+    return EndReason.CONTINUES, len(rows), flight, slip
 
 
 @kernel
-def update_airborne(y, law, h):
+def update_airborne(y, constants, h):
     """Update duration and lift impulse of a flight; return True if the air film carries the
     disk."""
-    in_flight = 1.0 if y[GAP] > 0 else 0.0
-    y[FLIGHT_DURATION] = in_flight * (y[FLIGHT_DURATION] + h)
-    y[FLIGHT_LIFT_IMPULSE] = in_flight * (y[FLIGHT_LIFT_IMPULSE] + h * y[FILM_LIFT])
+    in_flight = 1.0 if y[STATE.gap] > 0 else 0.0
+    y[STATE.flight_duration] = in_flight * (y[STATE.flight_duration] + h)
+    y[STATE.flight_lift_impulse] = in_flight * (
+        y[STATE.flight_lift_impulse] + h * y[STATE.film_lift]
+    )
     return (
-        y[FLIGHT_DURATION] > AIRBORNE_DURATION
-        and y[FLIGHT_LIFT_IMPULSE] > AIRBORNE_LIFT_SHARE * law[WEIGHT] * y[FLIGHT_DURATION]
+        y[STATE.flight_duration] > AIRBORNE_DURATION
+        and y[STATE.flight_lift_impulse]
+        > AIRBORNE_LIFT_SHARE * constants.weight * y[STATE.flight_duration]
     )
 
 
@@ -213,14 +214,12 @@ def _compiled(version):
     """Compile `step_motion` with the fingerprint of its sources as a part of the cache key."""
 
     @outermost
-    def march(
+    def step_motion(
         y,
         steps_before,
-        law,
+        constants,
         powers,
-        grid_start,
-        intervals_per_unit,
-        cubics,
+        law,
         table,
         rim,
         modes,
@@ -240,12 +239,12 @@ def _compiled(version):
             State, which is advanced.
         steps_before : int
             Number of steps since the start of the motion.
-        law : array
-            Model constants in the order of state.py.
+        constants : ModelConstants
+            Constants of the model.
         powers : (n, 2) array
             Power laws (c [W s^b], b) of the precession rate.
-        grid_start, intervals_per_unit, cubics
-            Grid and cubics of the tabulated contact law over ln sin(inclination).
+        law : LawCubics
+            Tabulated contact law.
         table, rim : Profile
             Height profiles of table and edge.
         modes : ContactModes
@@ -274,11 +273,9 @@ def _compiled(version):
         return _step_rows(
             y,
             steps_before,
-            law,
+            constants,
             powers,
-            grid_start,
-            intervals_per_unit,
-            cubics,
+            law,
             table,
             rim,
             modes,
@@ -290,7 +287,7 @@ def _compiled(version):
             events,
         )
 
-    return march
+    return step_motion
 
 
 step_motion = _compiled(
