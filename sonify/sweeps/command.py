@@ -18,7 +18,7 @@ from sonify.scene_errors import InputError, SceneError
 from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.executors import Submit, cores, engine, machine, rows_of
 from sonify.sweeps.row_processes import Hand
-from sonify.sweeps.store import NAME, Table, read_table
+from sonify.sweeps.store import RUNS_FILE, RunStore, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
 
 UNASKED = 1_000_000
@@ -98,14 +98,14 @@ def sweep(
     axes = [key for axis in asked.points.axes for key in axis.keys]
     with (
         engine(scheduler, processes) as (submit, capacity),
-        Table(folder, asked.identity, axes, asked.points.count, retry) as table,
+        RunStore(folder, asked.identity, axes, asked.points.count, retry) as table,
         stages.stage("runs") as watch,
     ):
         for rows in _rows(asked, _tasks(asked, table, folder.absolute()), submit, capacity):
             table.add(rows)
             note = f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
             watch(table.done.mean(), note if capacity() else f"{note}, waiting for workers")
-    held = read_table(folder / NAME)[0].num_rows
+    held = read_table(folder / RUNS_FILE)[0].num_rows
     if held < asked.points.count:
         raise OutputError(
             f"{folder}: holds {held} of {asked.points.count} rows: its files were changed meanwhile"
@@ -115,10 +115,10 @@ def sweep(
 
         draw_maps(folder, asked.find)
     if asked.name in CONCLUSIONS:
-        told = CONCLUSIONS[asked.name](read_table(folder / NAME)[0])
+        told = CONCLUSIONS[asked.name](read_table(folder / RUNS_FILE)[0])
         with whole(folder / "conclusion.md") as temporary:
             temporary.write_text("\n".join(told) + "\n", "utf-8")
-    return folder / NAME
+    return folder / RUNS_FILE
 
 
 def says(path: str | Path) -> tuple[list[str], bool]:

@@ -8,7 +8,7 @@ from sonify.scene_errors import InputError
 from sonify.scene_keys import keys as scene_keys
 from sonify.suggestions import did_you_mean
 from sonify.sweeps.axes import Samples, points_of
-from sonify.sweeps.store import NAME, read_table
+from sonify.sweeps.store import RUNS_FILE, read_table
 
 RESULT_UNITS = {"t_end": "s", "sound_seconds": "s", "peak_pascal": "Pa"}
 """Units of the result columns."""
@@ -79,7 +79,7 @@ def _verdict(holds: bool | None, value: float | None) -> str | None:
 
 def draw_maps(folder: Path, find=()):
     """Draw the columns named in `find`, or the USUAL ones, of the table in `folder`."""
-    table, _ = read_table(folder / NAME)
+    table, _ = read_table(folder / RUNS_FILE)
     for of in [name for name in find if name in table.column_names] or USUAL:
         if of in table.column_names and table[of].null_count < len(table):
-            make_map(folder / NAME, of)
+            make_map(folder / RUNS_FILE, of)
