@@ -17,7 +17,7 @@ from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
 from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.executors import Submit, cores, engine, machine, rows_of
-from sonify.sweeps.row_processes import Hand
+from sonify.sweeps.row_processes import RowProcess
 from sonify.sweeps.store import RUNS_FILE, RunStore, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
 
@@ -190,11 +190,11 @@ def _measured(asked, start, stride):
     """Return the times [s] of two runs in a new process; the first includes the process start."""
     seconds = []
     began = perf_counter()
-    hand = Hand()
-    if hand.version is None:
+    process = RowProcess()
+    if process.version is None:
         raise BrokenOffError("python -m sonify.sweeps.worker_loop does not start")
     for run in islice(_possible(asked, start, stride), 2):
-        row = hand.row(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
+        row = process.solve(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
         seconds.append(perf_counter() - began)
         if row is None:  # the process died
             break

@@ -12,7 +12,7 @@ from typing import Any
 
 from sonify.runtime.signals import BrokenOffError
 from sonify.scene_errors import InputError
-from sonify.sweeps.row_processes import EndedError, end_all, solve_apart
+from sonify.sweeps.row_processes import ProcessesEndedError, end_all_processes, solve_isolated
 from sonify.sweeps.version import version
 
 LOCAL = "local"
@@ -61,9 +61,9 @@ def machine(processes: int):
         yield threads.submit, lambda: processes
     finally:
         threads.shutdown(wait=False, cancel_futures=True)
-        end_all()
+        end_all_processes()
         threads.shutdown()
-        end_all()
+        end_all_processes()
 
 
 def dask():
@@ -148,7 +148,7 @@ def rows_of(
     running = dict[Future, int]()
     while True:
         for run, task in islice(tasks, max(AHEAD * max(processes(), 1) - len(running), 0)):
-            running[submit(solve_apart, task, limit)] = run
+            running[submit(solve_isolated, task, limit)] = run
         if not running:
             return
         done, _ = wait(running, timeout=1, return_when=FIRST_COMPLETED)
@@ -158,7 +158,7 @@ def rows_of(
 def _row(future):
     try:
         row = future.result()
-    except (CancelledError, EndedError) as error:
+    except (CancelledError, ProcessesEndedError) as error:
         raise BrokenOffError(f"{GONE}: {error or 'the scheduler does not answer'}") from None
     except Exception as error:  # e.g. KilledWorker of Dask: the run killed several workers
         return {

@@ -101,7 +101,7 @@ def _committed(folder):
                 return 0
 
 
-def hands(process):
+def workers(process):
     """Return the worker processes started by a process or its descendants."""
     below = psutil.Process(process.pid).children(recursive=True)
     return [one for one in below if WORKER in one.cmdline()]
@@ -109,7 +109,7 @@ def hands(process):
 
 def test_a_killed_driver(file, truth):
     with begun(file) as driver:
-        left = hands(driver)
+        left = workers(driver)
         driver.kill()
         until(
             lambda: (
@@ -123,7 +123,7 @@ def test_a_killed_driver(file, truth):
 
 def test_a_killed_process_that_solves(file, truth):
     with begun(file) as driver:
-        hands(driver)[0].kill()
+        workers(driver)[0].kill()
         _, told = driver.communicate(timeout=PATIENCE)
     assert driver.returncode == 0, told
     assert found(file.parent / "out" / RUNS_FILE).equals(truth)

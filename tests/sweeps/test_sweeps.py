@@ -31,7 +31,7 @@ from sonify.sweeps import command, required_stages, run_row
 from sonify.sweeps.axes import Samples, points_of
 from sonify.sweeps.command import RunTime, plan, run_time, says
 from sonify.sweeps.conclusions import CONCLUSIONS
-from sonify.sweeps.row_processes import Hand, solve_apart
+from sonify.sweeps.row_processes import RowProcess, solve_isolated
 from sonify.sweeps.store import DATABASE_FILE, RUNS_FILE, RunStore, read_table
 from sonify.sweeps.sweep import load_sweep, shipped_sweeps
 from sonify.sweeps.version import version
@@ -227,7 +227,7 @@ def test_a_run_time_is_measured_on_runs_that_are_possible(monkeypatch):
     solved = []
     note = solved.append
     monkeypatch.setattr(
-        Hand, "row", lambda _, task, limit: note(task["document"]["friction"]) or {}
+        RowProcess, "solve", lambda _, task, limit: note(task["document"]["friction"]) or {}
     )
     corner = QUICK | {"axes": {"friction.mu_dynamic": [0.3, 0.9]}}
     time = run_time(load_sweep(corner), 2, Stages())
@@ -337,7 +337,7 @@ def test_a_table_has_a_row_for_every_run(done):
 
 def test_the_same_sweep_again_runs_nothing_and_another_is_refused(done, monkeypatch):
     before = done.read_bytes()
-    monkeypatch.setattr("sonify.sweeps.executors.solve_apart", None)
+    monkeypatch.setattr("sonify.sweeps.executors.solve_isolated", None)
     assert sonify.sweep(QUICK, out=done.parent) == done
     assert done.read_bytes() == before
     with pytest.raises(InputError, match="the table of another sweep"):
@@ -503,7 +503,7 @@ def disturb(monkeypatch, change):
 
     monkeypatch.setattr(command, "rows_of", disturbed)
     monkeypatch.setattr(
-        "sonify.sweeps.executors.solve_apart", lambda *_: {"version": version(), "seconds": 1.0}
+        "sonify.sweeps.executors.solve_isolated", lambda *_: {"version": version(), "seconds": 1.0}
     )
 
 
@@ -544,13 +544,13 @@ def test_what_is_not_finite_is_no_value_and_axes_keep_it(tmp_path):
 @pytest.mark.slow
 def test_a_run_that_takes_too_long_or_kills_its_process_is_a_row(monkeypatch):
     task = {"document": load_scene("published").document, "stages": ["motion"]}
-    assert solve_apart(task, 1e-3)["error"] == "took longer than the limit of 0.001 s"
-    monkeypatch.setattr(Hand, "row", lambda hand, *_: hand.process.kill())
-    assert solve_apart(task, 60)["error"] == "its process ended with status -9, 2 times"
+    assert solve_isolated(task, 1e-3)["error"] == "took longer than the limit of 0.001 s"
+    monkeypatch.setattr(RowProcess, "solve", lambda process, *_: process.worker.process.kill())
+    assert solve_isolated(task, 60)["error"] == "its process ended with status -9, 2 times"
 
 
 def test_processes_that_cannot_start_stop_the_sweep(monkeypatch, tmp_path):
-    monkeypatch.setattr("sonify.sweeps.row_processes.sys.executable", "/bin/false")
+    monkeypatch.setattr("sys.executable", "/bin/false")
     with pytest.raises(BrokenOffError, match="does not start"):
         sonify.sweep(QUICK, out=tmp_path)
     assert read_table(tmp_path / RUNS_FILE)[0].num_rows == 0
