@@ -21,8 +21,9 @@ from sweep_files import QUICK, found
 
 import sonify
 from dynamics import simulate
-from sonify import load_scene, solve, summary
+from sonify import load_scene, pipeline, solve, summary
 from sonify.__main__ import main
+from sonify.report.render_worker import painter
 from sonify.runtime.files import OutputError
 from sonify.runtime.progress import Stages, duration_in_words
 from sonify.runtime.signals import BrokenOffError
@@ -273,11 +274,12 @@ def test_a_row_is_the_summary_of_its_run_and_modes_are_solved_once(monkeypatch):
     """Rows of single stages agree with the full run; a stage without dependencies has all its
     quantities."""
     solved = []
-    alone = run_row.eigenmodes
+    alone = pipeline.eigenmodes
     monkeypatch.setattr(
-        run_row, "eigenmodes", lambda scene, **asked: solved.append(1) or alone(scene, **asked)
+        pipeline, "eigenmodes", lambda scene, **asked: solved.append(1) or alone(scene, **asked)
     )
-    run_row._modes_of.cache_clear()
+    pipeline._modes_of.cache_clear()
+    painter.cache_clear()
     whole = summary(solve(FALLING))
     for arm in (3e-3, 2.9e-3):
         scene = FALLING.replace(f"friction.arm_rolling={arm}")
