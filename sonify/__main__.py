@@ -347,7 +347,7 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     """Run the scenes of SWEEP, a shipped name or a TOML file, of which a table has no row yet; draw
     the table."""
     from sonify.console import Console
-    from sonify.sweeps.command import plan, says
+    from sonify.sweeps.command import plan, summarize
     from sonify.sweeps.command import sweep as run_all
 
     if planned:
@@ -358,7 +358,7 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     with Console() as stages:
         table = run_all(sweep, scheduler, out, processes, yes, retry, stages)
     click.echo(str(table))
-    lines, passed = says(table)
+    lines, passed = summarize(table)
     for line in lines:
         click.echo(line)
     sys.exit(0 if passed else 1)

@@ -11,8 +11,8 @@ from annotated_types import Ge, Le
 
 from sonify.scene_errors import InputError
 
-RANGE = {"from", "to", "n", "scale"}
-SHAPES = ("disk", "material", "support", "surface", "numerics", "audio")
+RANGE_KEYS = {"from", "to", "n", "scale"}
+MODE_SECTIONS = ("disk", "material", "support", "surface", "numerics", "audio")
 """Sections that the modes depend on; their axes come first, so that successive runs share modes."""
 
 
@@ -130,7 +130,7 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
         axis_of(name, least | given if isinstance(given, dict) else given)
         for name, given in axes.items()
     ]
-    found.sort(key=lambda axis: not _shapes(axis))
+    found.sort(key=lambda axis: not _changes_modes(axis))
     keys = [key for axis in found for key in axis.keys]
     if twice := [key for key in keys if keys.count(key) > 1]:
         raise InputError(f"axes.{twice[0]}: on more than one axis")
@@ -154,7 +154,7 @@ def axis_of(name: str, given: Any) -> Axis:
 
 
 def _range(name, keys, given):
-    if unknown := set(given) - RANGE:
+    if unknown := set(given) - RANGE_KEYS:
         raise InputError(f"axes.{name}.{min(unknown)}: unknown key; known: from, to, n, scale")
     if missing := [key for key in ("from", "to", "n") if key not in given]:
         raise InputError(f"axes.{name}.{missing[0]}: missing")
@@ -193,5 +193,5 @@ def _number(value):
     return isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
 
 
-def _shapes(axis):
-    return any(key.partition(".")[0] in SHAPES for key in axis.keys)
+def _changes_modes(axis):
+    return any(key.partition(".")[0] in MODE_SECTIONS for key in axis.keys)

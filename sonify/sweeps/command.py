@@ -16,12 +16,12 @@ from sonify.runtime.signals import BrokenOffError
 from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
 from sonify.sweeps.conclusions import CONCLUSIONS
-from sonify.sweeps.executors import Submit, cores, engine, machine, rows_of
+from sonify.sweeps.executors import Submit, cores, local_executor, open_executor, solve_tasks
 from sonify.sweeps.row_processes import RowProcess
 from sonify.sweeps.store import RUNS_FILE, RunStore, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
 
-UNASKED = 1_000_000
+MAX_UNCONFIRMED_RUNS = 1_000_000
 """Largest number of runs that start without `yes`."""
 
 
@@ -90,14 +90,14 @@ def sweep(
     asked = load_sweep(source)
     stages = stages or Stages()
     folder = Path(out or Path("outputs") / "sweeps" / asked.name)
-    if asked.points.count > UNASKED and not yes:
+    if asked.points.count > MAX_UNCONFIRMED_RUNS and not yes:
         count = asked.points.count
         processes = processes or cores()
         time = duration_in_words(run_time(asked, processes, stages).total(count, processes))
         raise InputError(f"{count} runs, about {time} on this machine: add --yes to begin them")
     axes = [key for axis in asked.points.axes for key in axis.keys]
     with (
-        engine(scheduler, processes) as (submit, capacity),
+        open_executor(scheduler, processes) as (submit, capacity),
         RunStore(folder, asked.identity, axes, asked.points.count, retry) as table,
         stages.stage("runs") as watch,
     ):
@@ -121,7 +121,7 @@ def sweep(
     return folder / RUNS_FILE
 
 
-def says(path: str | Path) -> tuple[list[str], bool]:
+def summarize(path: str | Path) -> tuple[list[str], bool]:
     """Return a one-line summary of a table, and True if no self-check failed."""
     table = read_table(path)[0].to_pydict()
     ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
@@ -174,8 +174,8 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     starts = [(2 * k + 1) * asked.points.count // (2 * count) for k in range(count)]
     first = []
     later = []
-    with stages.stage("estimate") as watch, machine(count) as (submit, _):
-        futures = [submit(_measured, asked, start, count) for start in starts]
+    with stages.stage("estimate") as watch, local_executor(count) as (submit, _):
+        futures = [submit(_measure_two_runs, asked, start, count) for start in starts]
         for done, found in enumerate(futures, 1):
             seconds = found.result()
             first += seconds[:1]
@@ -186,14 +186,14 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     return RunTime(float(np.mean(first)), float(np.mean(later or first)), len(first) + len(later))
 
 
-def _measured(asked, start, stride):
+def _measure_two_runs(asked, start, stride):
     """Return the times [s] of two runs in a new process; the first includes the process start."""
     seconds = []
     began = perf_counter()
     process = RowProcess()
     if process.version is None:
         raise BrokenOffError("python -m sonify.sweeps.worker_loop does not start")
-    for run in islice(_possible(asked, start, stride), 2):
+    for run in islice(_valid_runs(asked, start, stride), 2):
         row = process.solve(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
         seconds.append(perf_counter() - began)
         if row is None:  # the process died
@@ -202,7 +202,7 @@ def _measured(asked, start, stride):
     return seconds
 
 
-def _possible(asked, start, stride, tries=1000):
+def _valid_runs(asked, start, stride, tries=1000):
     """Yield runs with a valid scene: every `stride`-th one from `start`, then those before it."""
     runs = chain(range(start, asked.points.count, stride), range(start % stride, start, stride))
     for run in islice(runs, tries):
@@ -229,5 +229,5 @@ def _task(asked, run, folder):
 
 def _rows(asked, tasks, submit: Submit, capacity) -> Iterator[list[dict]]:
     """Yield lists of finished rows, including the values of the axes."""
-    for found in rows_of(tasks, asked.limit, submit, capacity):
+    for found in solve_tasks(tasks, asked.limit, submit, capacity):
         yield [{"run": run} | asked.columns(run) | {"error": None} | row for run, row in found]

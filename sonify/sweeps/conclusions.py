@@ -7,19 +7,19 @@ import pyarrow as pa
 
 from dynamics.air import STANDARD_PRESSURE
 
-HELD = 100.0
+MAX_VERIFIED_COMPRESSIBILITY = 100.0
 """Largest compressibility number Lam at which the film law was compared with solutions."""
 
 
-def friction(table: pa.Table) -> list[str]:
+def friction_conclusion(table: pa.Table) -> list[str]:
     """Describe how end time and number of slips depend on Coulomb friction and rolling arm."""
     mu, arm, end, slips = columns(
         table, "friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips"
     )
     settled = np.array([outcome == "SETTLED" for outcome in table["outcome"].to_pylist()])
-    (by_arm, by_mu), off = powers(end[settled], arm[settled], mu[settled])
+    (by_arm, by_mu), off = fit_powers(end[settled], arm[settled], mu[settled])
     often = settled & (slips > 0)
-    (slips_by_arm, slips_by_mu), _ = powers(slips[often], arm[often], mu[often])
+    (slips_by_arm, slips_by_mu), _ = fit_powers(slips[often], arm[often], mu[often])
     others = mu[~settled]
     so = (
         ": friction decides how often, not for how long"
@@ -43,7 +43,7 @@ def friction(table: pa.Table) -> list[str]:
     ]
 
 
-def halt(table: pa.Table) -> list[str]:
+def halt_conclusion(table: pa.Table) -> list[str]:
     """Describe where the last energy of a steel disk on glass goes and whether contact is lost.
 
     Runs outside the validated range of the film law are reported separately.
@@ -51,10 +51,14 @@ def halt(table: pa.Table) -> list[str]:
     pressure, moment, squeezed = columns(
         table, "air.pressure", "dissipation.contour_moment", "film_squeezed"
     )
-    held = [p for p in np.unique(pressure) if (squeezed[pressure >= p] < HELD).all()]
+    held = [
+        p
+        for p in np.unique(pressure)
+        if (squeezed[pressure >= p] < MAX_VERIFIED_COMPRESSIBILITY).all()
+    ]
     known = pressure >= min(held, default=np.inf)
-    airborne = is_in(table, "outcome", "AIRBORNE")
-    by_air = is_in(table, "ended_by", "the film of air")
+    airborne = contains_text(table, "outcome", "AIRBORNE")
+    by_air = contains_text(table, "ended_by", "the film of air")
     still = by_air & ~known
     return [
         f"From {pressure[known].min() / STANDARD_PRESSURE:.2g} atmospheres on, where the law of "
@@ -68,25 +72,26 @@ def halt(table: pa.Table) -> list[str]:
         f"much faster "
         f"the disk falls than its air leaves, is up to {squeezed.max():.1g} there, and the law "
         f"has been held against "
-        f"solutions up to {HELD:g}: by it the film takes most in {still.sum()} "
+        f"solutions up to {MAX_VERIFIED_COMPRESSIBILITY:g}: by it the film takes most in "
+        f"{still.sum()} "
         f"of them, down to {pressure[still].min(initial=np.inf) / STANDARD_PRESSURE:.2g} "
         f"atmospheres."
         if not known.all()
         else f"At the end Lam, how far the film squeezes its air, is up to {squeezed.max():.2g}, "
-        f"below the {HELD:g} "
+        f"below the {MAX_VERIFIED_COMPRESSIBILITY:g} "
         "up to which solutions have been held against it: the law of the film holds in all runs.",
     ]
 
 
-def halt_table(table: pa.Table) -> list[str]:
+def halt_table_conclusion(table: pa.Table) -> list[str]:
     """Describe what ends the motion on a table with one mode, over modal mass and air pressure."""
     mass, pressure, kept, end = columns(
         table, "surface.modes.0.modal_mass", "air.pressure", "contact_kept", "t_end"
     )
     (back,) = columns(table, "dissipation_never_falls")
-    air = is_in(table, "ended_by", "the film of air")
+    air = contains_text(table, "ended_by", "the film of air")
     solved = ~np.isnan(kept)
-    waves = is_in(table, "ended_by", "the table")
+    waves = contains_text(table, "ended_by", "the table")
     failed = table["passed"].to_pylist().count(False)
     light, heavy = (np.nanmedian(end[mass == m]) for m in (mass.min(), mass.max()))
     over_air = max(np.ptp(end[solved & (mass == m)]) for m in np.unique(mass[solved]))
@@ -101,7 +106,7 @@ def halt_table(table: pa.Table) -> list[str]:
         f"Vibration breaks the contact in {(kept == 0).sum()} of {solved.sum()} runs before the "
         f"end, at which the air "
         f"carries the disk in "
-        f"{is_in(table, 'outcome', 'AIRBORNE').sum()}{gives if failed else ''}.",
+        f"{contains_text(table, 'outcome', 'AIRBORNE').sum()}{gives if failed else ''}.",
         f"Most of the last tenth of the energy goes into the film of air in {air.sum()} runs, from "
         f"{pressure[air].min(initial=np.inf) / STANDARD_PRESSURE:.2g} atmospheres on, into the "
         f"table in {waves.sum()}, "
@@ -110,11 +115,11 @@ def halt_table(table: pa.Table) -> list[str]:
     ]
 
 
-def pitch(table: pa.Table) -> list[str]:
+def pitch_conclusion(table: pa.Table) -> list[str]:
     """Describe whether plate or disk emits the rising tone, over plate thickness and distance."""
     thickness, distance = columns(table, "surface.thickness", "audio.distance")
     over, late = columns(table, "table_carries_the_tone", "table_takes_little")
-    (by_thickness,), _ = powers(late, thickness)
+    (by_thickness,), _ = fit_powers(late, thickness)
     heard = ~np.isnan(over)
     plate = heard & (over > 0)
     steps = [np.ptp(over[heard & (thickness == t)]) for t in np.unique(thickness[heard])]
@@ -133,7 +138,7 @@ def pitch(table: pa.Table) -> list[str]:
     ]
 
 
-def is_in(table: pa.Table, name: str, text: str) -> np.ndarray:
+def contains_text(table: pa.Table, name: str, text: str) -> np.ndarray:
     """Return a mask (n,) of the rows in which column `name` equals `text`."""
     return np.array([value == text for value in table[name].to_pylist()])
 
@@ -145,7 +150,7 @@ def columns(table: pa.Table, *names: str) -> list[np.ndarray]:
     ]
 
 
-def powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
+def fit_powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
     """Fit `value` (n,) by a product of powers of k positive quantities (n,) each.
 
     The fit is a least-squares fit of the logarithms. Returns the exponents (k,), rounded to two
@@ -157,9 +162,9 @@ def powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
 
 
 CONCLUSIONS: dict[str, Callable[[pa.Table], list[str]]] = {
-    "friction": friction,
-    "halt": halt,
-    "halt-table": halt_table,
-    "pitch": pitch,
+    "friction": friction_conclusion,
+    "halt": halt_conclusion,
+    "halt-table": halt_table_conclusion,
+    "pitch": pitch_conclusion,
 }
 """Shipped sweep -> function that returns the conclusions from its table."""

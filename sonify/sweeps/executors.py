@@ -15,15 +15,9 @@ from sonify.scene_errors import InputError
 from sonify.sweeps.row_processes import ProcessesEndedError, end_all_processes, solve_isolated
 from sonify.sweeps.version import version
 
-LOCAL = "local"
+LOCAL_SCHEDULER = "local"
 """Replaces an address: a Dask scheduler for this sweep, with one multithreaded worker."""
-AHEAD = 3
-"""Submitted tasks per process, waiting or running; enough to keep each process busy."""
-PATIENCE = 4.0
-"""Timeout for the answer of a scheduler [s]."""
-WORKER_PATIENCE = 5.0
-"""Timeout for the first worker to join a scheduler [s]."""
-GONE = "what has been found is kept, but the processes are gone"
+PROCESSES_LOST = "what has been found is kept, but the processes are gone"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
 
@@ -35,26 +29,30 @@ def cores() -> int:
 
 
 @contextmanager
-def engine(
+def open_executor(
     scheduler: str | None, processes: int | None
 ) -> Iterator[tuple[Submit, Callable[[], int]]]:
     """Yield a function that submits a call, and one that returns the number of processes.
 
-    If `scheduler` is LOCAL, a scheduler is started on this machine. Raises InputError if the
+    If `scheduler` is LOCAL_SCHEDULER, a scheduler is started on this machine. Raises InputError if the
     scheduler does not answer, has no workers, or has workers with another version of this program.
     """
-    if scheduler == LOCAL:
+    if scheduler == LOCAL_SCHEDULER:
         count = processes or cores()
-        local = dask().LocalCluster(n_workers=1, threads_per_worker=count, dashboard_address=None)
-        with local, cluster(local.scheduler_address) as made:
+        local = import_dask().LocalCluster(
+            n_workers=1, threads_per_worker=count, dashboard_address=None
+        )
+        with local, dask_executor(local.scheduler_address) as made:
             yield made
     else:
-        with cluster(scheduler) if scheduler else machine(processes or cores()) as made:
+        with (
+            dask_executor(scheduler) if scheduler else local_executor(processes or cores()) as made
+        ):
             yield made
 
 
 @contextmanager
-def machine(processes: int):
+def local_executor(processes: int):
     """Yield an executor with `processes` processes of this machine; exit kills them."""
     threads = ThreadPoolExecutor(processes)
     try:
@@ -66,7 +64,7 @@ def machine(processes: int):
         end_all_processes()
 
 
-def dask():
+def import_dask():
     """Import and return the Dask package. Raises InputError if it is not installed."""
     try:
         import distributed
@@ -76,33 +74,34 @@ def dask():
 
 
 @contextmanager
-def cluster(address: str):
+def dask_executor(address: str):
     """Yield an executor for the workers of the Dask scheduler at `address`."""
-    distributed = dask()
+    distributed = import_dask()
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
-        client = distributed.Client(address, timeout=PATIENCE)
+        client = distributed.Client(address, timeout=4.0)
     except Exception as error:  # another kind of server may answer
         raise InputError(f"--scheduler {address}: no scheduler answers: {error}") from None
     try:
         _require_worker(client, address)
-        _same_version(client)
-        yield client.get_executor(pure=False).submit, _capacity(client)
+        _require_same_version(client)
+        yield client.get_executor(pure=False).submit, _worker_counter(client)
     finally:
         client.close(timeout=1)
 
 
 def _require_worker(client, address):
     """Wait for the first worker. Raises InputError if none joins the scheduler."""
+    timeout = 5.0  # s
     try:
-        client.wait_for_workers(1, timeout=WORKER_PATIENCE)
+        client.wait_for_workers(1, timeout=timeout)
     except TimeoutError:
         remedy = f"start one with: dask worker {address}"
-        fault = f"--scheduler {address}: no worker within {WORKER_PATIENCE:g} s; {remedy}"
+        fault = f"--scheduler {address}: no worker within {timeout:g} s; {remedy}"
         raise InputError(fault) from None
 
 
-def _capacity(client):
+def _worker_counter(client):
     """Return a function that counts the worker threads, with at most one query per second.
 
     The size of a cluster may change during the sweep.
@@ -116,14 +115,14 @@ def _capacity(client):
             try:
                 found = sum(client.nthreads().values())
             except (OSError, TimeoutError) as error:
-                raise BrokenOffError(f"{GONE}: {error}") from None
+                raise BrokenOffError(f"{PROCESSES_LOST}: {error}") from None
             asked = monotonic()
         return found
 
     return count
 
 
-def _same_version(client):
+def _require_same_version(client):
     """Raise InputError unless all workers have this version of the program.
 
     The workers import its functions by name.
@@ -136,7 +135,7 @@ def _same_version(client):
             )
 
 
-def rows_of(
+def solve_tasks(
     tasks: Iterable[tuple[int, dict]], limit: float, submit: Submit, processes: Callable[[], int]
 ):
     """Solve `tasks`, pairs (run number, task); yield lists of (run number, row) in any order.
@@ -146,8 +145,11 @@ def rows_of(
     """
     tasks = iter(tasks)
     running = dict[Future, int]()
+    tasks_per_process = 3  # running or waiting; enough to keep each process busy
     while True:
-        for run, task in islice(tasks, max(AHEAD * max(processes(), 1) - len(running), 0)):
+        for run, task in islice(
+            tasks, max(tasks_per_process * max(processes(), 1) - len(running), 0)
+        ):
             running[submit(solve_isolated, task, limit)] = run
         if not running:
             return
@@ -159,7 +161,9 @@ def _row(future):
     try:
         row = future.result()
     except (CancelledError, ProcessesEndedError) as error:
-        raise BrokenOffError(f"{GONE}: {error or 'the scheduler does not answer'}") from None
+        raise BrokenOffError(
+            f"{PROCESSES_LOST}: {error or 'the scheduler does not answer'}"
+        ) from None
     except Exception as error:  # e.g. KilledWorker of Dask: the run killed several workers
         return {
             "error": f"{type(error).__name__}: {' '.join(str(error).split())}",

@@ -12,7 +12,7 @@ from sonify.sweeps.store import RUNS_FILE, read_table
 
 RESULT_UNITS = {"t_end": "s", "sound_seconds": "s", "peak_pascal": "Pa"}
 """Units of the result columns."""
-USUAL = ("outcome", "t_end")
+DEFAULT_COLUMNS = ("outcome", "t_end")
 """Columns that are drawn by default."""
 
 
@@ -78,8 +78,8 @@ def _verdict(holds: bool | None, value: float | None) -> str | None:
 
 
 def draw_maps(folder: Path, find=()):
-    """Draw the columns named in `find`, or the USUAL ones, of the table in `folder`."""
+    """Draw the columns named in `find`, or DEFAULT_COLUMNS, of the table in `folder`."""
     table, _ = read_table(folder / RUNS_FILE)
-    for of in [name for name in find if name in table.column_names] or USUAL:
+    for of in [name for name in find if name in table.column_names] or DEFAULT_COLUMNS:
         if of in table.column_names and table[of].null_count < len(table):
             make_map(folder / RUNS_FILE, of)

@@ -14,19 +14,24 @@ from sonify.suggestions import did_you_mean
 
 STAGES = ("motion", "modes", "sound")
 """Stages of a run; the sound stage includes the results of the other two."""
-SCALARS = dict.fromkeys(("outcome", "t_end", "passed", "ended_by", "film_squeezed"), "motion")
-SCALARS |= dict.fromkeys(
+STAGE_OF_SCALAR = dict.fromkeys(
+    ("outcome", "t_end", "passed", "ended_by", "film_squeezed"), "motion"
+)
+STAGE_OF_SCALAR |= dict.fromkeys(
     ("sound_seconds", "peak_pascal", "energy_below_100_hz", "energy_below_300_hz"), "sound"
 )
-READ = {"motion": {"motion", "scene", "film law"}, "modes": {"modes", "scene"}}
+READABLE_FIELDS = {"motion": {"motion", "scene", "film law"}, "modes": {"modes", "scene"}}
 """Stage -> inputs available to its findings; findings with other inputs need the sound stage."""
-HOOKS = {"motion": ("motion_findings", "motion_checks"), "modes": ("mode_findings", "mode_checks")}
+STAGE_HOOKS = {
+    "motion": ("motion_findings", "motion_checks"),
+    "modes": ("mode_findings", "mode_checks"),
+}
 """Stage -> names of the functions in `sonify.claims` that judge this stage without the sound."""
-KEPT = {"arrays": "motion", "wav": "sound", "page": "sound"}
+STAGE_OF_OUTPUT = {"arrays": "motion", "wav": "sound", "page": "sound"}
 """Kind of output file -> stage that it needs."""
 
 
-def hooked(hook: str) -> list[Callable[..., list]]:
+def hook_functions(hook: str) -> list[Callable[..., list]]:
     """Return the functions named `hook`, e.g. motion_findings, that the claim modules define."""
     found = [getattr(module, hook, None) for module in modules()]
     return [
@@ -36,14 +41,14 @@ def hooked(hook: str) -> list[Callable[..., list]]:
     ]
 
 
-def found_by(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
+def findings_of_stage(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
     """Return the findings of all functions named `hook`.
 
     These functions take either (solved,) or (scene, solved).
     """
     return [
         finding
-        for judge in hooked(hook)
+        for judge in hook_functions(hook)
         for finding in judge(*[scene, solved][-len(inspect.signature(judge).parameters) :])
     ]
 
@@ -51,7 +56,7 @@ def found_by(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
 @cache
 def stage_of() -> dict[str, str]:
     """Return a map from each scalar, finding and check to the stage that computes it."""
-    return SCALARS | {
+    return STAGE_OF_SCALAR | {
         key: _stage(set(judge.needs), judge.function.__module__) for key, judge in judges().items()
     }
 
@@ -64,22 +69,25 @@ def _stage(needs, module):
     """
     own = {
         stage
-        for stage, hooks in HOOKS.items()
+        for stage, hooks in STAGE_HOOKS.items()
         for hook in hooks
-        for f in hooked(hook)
+        for f in hook_functions(hook)
         if f.__module__ == module
     }
-    return next((stage for stage, read in READ.items() if needs <= read and stage in own), "sound")
+    return next(
+        (stage for stage, read in READABLE_FIELDS.items() if needs <= read and stage in own),
+        "sound",
+    )
 
 
-def needed(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:
+def stages_for(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:
     """Return the stages needed for the quantities in `find` and for the files in `keep`.
 
     `find` names stages, scalars, findings or checks; if it is empty, the sound stage is needed.
     Raises InputError for an unknown name.
     """
     known = stage_of() | {stage: stage for stage in STAGES}
-    stages = {KEPT[kind] for kind in keep}
+    stages = {STAGE_OF_OUTPUT[kind] for kind in keep}
     for name in find:
         key = name.removesuffix("_holds").removesuffix("_passed")
         if key not in known:

@@ -16,7 +16,7 @@ from sonify.report.write import judged, summary, timed, write_json, write_motion
 from sonify.runtime.progress import Stages
 from sonify.scene import from_document
 from sonify.sound.wav import write_sound
-from sonify.sweeps.required_stages import found_by
+from sonify.sweeps.required_stages import findings_of_stage
 
 
 def row_of(
@@ -60,14 +60,16 @@ def _motion(scene, folder):
     row = {"outcome": motion.outcome.name, "t_end": float(motion.t[-1])} | air_scalars(
         scene, motion
     )
-    return row | judged(found_by("motion_findings", scene, motion), motion_checks(scene, motion))
+    return row | judged(
+        findings_of_stage("motion_findings", scene, motion), motion_checks(scene, motion)
+    )
 
 
 def _modes(scene, folder):
     _, modes = planned(scene, cached_modes)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
-    return judged(found_by("mode_findings", scene, modes), mode_checks(scene, modes))
+    return judged(findings_of_stage("mode_findings", scene, modes), mode_checks(scene, modes))
 
 
 def _arrays(result, folder, _):

@@ -14,10 +14,10 @@ from sonify.runtime.toml_files import named, read, shipped
 from sonify.scene import from_document, load_scene
 from sonify.scene_errors import ContradictionError, InputError, SceneError, explain
 from sonify.sweeps.axes import Points, Samples, points_of
-from sonify.sweeps.required_stages import needed
+from sonify.sweeps.required_stages import stages_for
 
-SWEEPS = Path(__file__).parent / "shipped"
-MOST = 1_000_000_000
+SHIPPED_SWEEPS_FOLDER = Path(__file__).parent / "shipped"
+MAX_RUNS = 1_000_000_000
 """Largest number of runs of a sweep; the completion flags of more runs would fill the memory."""
 
 
@@ -64,7 +64,7 @@ class Sweep:
     @cached_property
     def stages(self) -> tuple[str, ...]:
         """Stages that every run solves."""
-        return needed(self.find, self.keep)
+        return stages_for(self.find, self.keep)
 
     @property
     def identity(self) -> dict[str, Any]:
@@ -77,7 +77,7 @@ class Sweep:
 
     def scene_of(self, run: int) -> dict:
         """Return the scene document of a run."""
-        return placed(self.document, self.points[run])
+        return with_values(self.document, self.points[run])
 
     def columns(self, run: int) -> dict[str, Any]:
         """Return the values of the axes in a run in the form stored in the table.
@@ -111,7 +111,7 @@ class Sweep:
             faults = []
             for value in axis.values or axis.ends:
                 own = dict(zip(axis.keys, value, strict=True))
-                documents = [placed(self.document, others | own) for others in (*ends, {})]
+                documents = [with_values(self.document, others | own) for others in (*ends, {})]
                 faults.append(_contradiction(documents))
             if all(faults):
                 raise faults[0]
@@ -136,7 +136,7 @@ def _contradiction(documents):
     raise faults[0]
 
 
-def placed(document: dict, values: dict[str, Any]) -> dict:
+def with_values(document: dict, values: dict[str, Any]) -> dict:
     """Return a copy of a document with new values at keys such as `release.omega.2`."""
     document = deepcopy(document)
     for path, value in values.items():
@@ -160,16 +160,20 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
     Raises InputError if the sweep is invalid.
     """
-    path = Path() if isinstance(source, dict) else named(source, SWEEPS, "sweep", InputError)
+    path = (
+        Path()
+        if isinstance(source, dict)
+        else named(source, SHIPPED_SWEEPS_FOLDER, "sweep", InputError)
+    )
     document = source if isinstance(source, dict) else read(path, InputError)
     try:
         sweep = TypeAdapter(Sweep).validate_json(json.dumps(document, default=str))
     except ValidationError as error:
         raise InputError(explain(error, Sweep)) from None
     object.__setattr__(sweep, "folder", path.parent)
-    if sweep.points.count > MOST:
+    if sweep.points.count > MAX_RUNS:
         raise InputError(
-            f"axes: {sweep.points.count:.3g} runs are more than {MOST:.0e}: cut the sweep into "
+            f"axes: {sweep.points.count:.3g} runs are more than {MAX_RUNS:.0e}: cut the sweep into "
             f"several"
         )
     sweep.check()
@@ -179,4 +183,4 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
 def shipped_sweeps() -> list[str]:
     """Return the names of the shipped sweeps."""
-    return shipped(SWEEPS)
+    return shipped(SHIPPED_SWEEPS_FOLDER)

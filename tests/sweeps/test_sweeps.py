@@ -30,7 +30,7 @@ from sonify.runtime.signals import BrokenOffError
 from sonify.scene_errors import InputError
 from sonify.sweeps import command, required_stages, run_row
 from sonify.sweeps.axes import Samples, points_of
-from sonify.sweeps.command import RunTime, plan, run_time, says
+from sonify.sweeps.command import RunTime, plan, run_time, summarize
 from sonify.sweeps.conclusions import CONCLUSIONS
 from sonify.sweeps.row_processes import RowProcess, solve_isolated
 from sonify.sweeps.store import DATABASE_FILE, RUNS_FILE, RunStore, read_table
@@ -251,16 +251,16 @@ def test_a_plan_is_measured_with_start_and_compilation_and_covers_every_point():
 
 
 def test_only_the_stages_that_the_question_needs():
-    assert required_stages.needed(["t_end", "repeated_slips_holds"], []) == ("motion",)
-    assert required_stages.needed(["audible_modes", "mode_errors"], []) == ("modes",)
-    assert required_stages.needed(["energy_balance", "audible_modes"], ["arrays"]) == (
+    assert required_stages.stages_for(["t_end", "repeated_slips_holds"], []) == ("motion",)
+    assert required_stages.stages_for(["audible_modes", "mode_errors"], []) == ("modes",)
+    assert required_stages.stages_for(["energy_balance", "audible_modes"], ["arrays"]) == (
         "motion",
         "modes",
     )
     assert (
-        required_stages.needed(["t_end"], ["wav"])
-        == required_stages.needed([], [])
-        == required_stages.needed(["pitch_rises"], [])
+        required_stages.stages_for(["t_end"], ["wav"])
+        == required_stages.stages_for([], [])
+        == required_stages.stages_for(["pitch_rises"], [])
         == ("sound",)
     )
 
@@ -496,14 +496,14 @@ def test_a_full_disk_loses_no_row_that_was_added(tmp_path, room):
 def disturb(monkeypatch, change):
     """Let sweeps add trivial rows, and call `change` after each addition."""
     monkeypatch.undo()
-    rows_of = command.rows_of
+    solve_tasks = command.solve_tasks
 
     def disturbed(*asked):
-        for rows in rows_of(*asked):
+        for rows in solve_tasks(*asked):
             yield rows
             change()
 
-    monkeypatch.setattr(command, "rows_of", disturbed)
+    monkeypatch.setattr(command, "solve_tasks", disturbed)
     monkeypatch.setattr(
         "sonify.sweeps.executors.solve_isolated", lambda *_: {"version": version(), "seconds": 1.0}
     )
@@ -561,7 +561,10 @@ def test_processes_that_cannot_start_stop_the_sweep(monkeypatch, tmp_path):
 def test_a_failed_check_is_told(tmp_path):
     with table(tmp_path) as written:
         written.add([ROWS[0] | {"version": "1"}, ROWS[1] | {"passed": False, "version": "1"}])
-    assert says(tmp_path / RUNS_FILE) == (["2 runs: 2 SETTLED, 1 with a FAILED self-check"], False)
+    assert summarize(tmp_path / RUNS_FILE) == (
+        ["2 runs: 2 SETTLED, 1 with a FAILED self-check"],
+        False,
+    )
 
 
 def test_found_leaves_out_times_only(done):
