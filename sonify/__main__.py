@@ -368,18 +368,18 @@ def sweep(sweep, scheduler, processes, out, planned, yes, retry):
     SWEEP is the name of a shipped sweep or a TOML file.
     """
     from sonify.console import Console
-    from sonify.sweeps.command import plan_sweep, summary_lines
+    from sonify.sweeps.command import plan, summarize
     from sonify.sweeps.command import sweep as run_all
 
     if planned:
         with Console() as stages:
-            lines = plan_sweep(sweep, processes, stages)
+            lines = plan(sweep, processes, stages)
         click.echo("\n".join(lines))
         return
     with Console() as stages:
         table = run_all(sweep, scheduler, out, processes, yes, retry, stages)
     click.echo(str(table))
-    lines, passed = summary_lines(table)
+    lines, passed = summarize(table)
     for line in lines:
         click.echo(line)
     sys.exit(0 if passed else 1)

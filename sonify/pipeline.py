@@ -40,8 +40,8 @@ from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import sound_of
 from sonify.sound.wav import write_sound
 
-MAX_CACHED_MODES = 2
-"""Number of disks with cached modes; the modes may take 100 MB."""
+MAX_CACHED_MODES = 4
+"""Number of disks with cached modes; those of one disk may take 100 MB."""
 LAST_FILES = ("run.json", "report.html")
 """Files that describe the other files; those of an earlier run are deleted before any file is
 replaced."""
@@ -245,16 +245,18 @@ def run(
         if unused := unused_keys(scene):
             stages.notice(f"unused: {', '.join(unused)} (no effect on this run)")
         pictures = Pictures()
-        result = solve(scene, stages=stages, eigenmodes=_known_modes, begin=pictures.begin)
+        result = solve(scene, stages=stages, eigenmodes=cached_modes, begin=pictures.begin)
         stages.answer(result)
         return write(result, folder, stages, pictures)
 
 
-def _known_modes(scene: Scene, below: float) -> Modes:
+def cached_modes(scene: Scene, below: float) -> Modes:
     """Return the modes of the disk below a frequency [Hz], cached for scenes with the same disk."""
     return _modes_of(body_scene(scene), below)
 
 
 @lru_cache(MAX_CACHED_MODES)
 def _modes_of(body: BodyScene, below: float) -> Modes:
+    if painter.cache_info().currsize == 0:  # no worker was started
+        return eigenmodes(body, below=below)
     return painter().call(eigenmodes, body, below=below)

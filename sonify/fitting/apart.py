@@ -1,28 +1,27 @@
 """TASKS -> ANSWERS, several at once, from processes of their own."""
 
-import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from queue import SimpleQueue
 from typing import Any
 
 from sonify.hearing.recording import RecordingError
-from sonify.runtime.signals import WorkerGoneError, call_worker, end_worker, start_worker
+from sonify.runtime.workers import WorkerDiedError, WorkerProcess
 
 
 def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
     """Yield `function(*task)` for every task, in order, from `count` processes. Raises what it
     raises."""
     idle: SimpleQueue = SimpleQueue()
-    processes = [start_worker(sys.executable, "sonify.runtime.signals") for _ in range(count)]
+    processes = [WorkerProcess() for _ in range(count)]
     for process in processes:
         idle.put(process)
 
     def done(task):
         process = idle.get()
         try:
-            return call_worker(process, function, *task)
-        except WorkerGoneError as error:
+            return process.call(function, *task)
+        except WorkerDiedError as error:
             raise RecordingError(f"{task[0]}: the process that fitted it ended: {error}") from None
         finally:
             idle.put(process)
@@ -33,4 +32,4 @@ def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
     finally:
         pool.shutdown(wait=False, cancel_futures=True)
         for process in processes:
-            end_worker(process)
+            process.kill()

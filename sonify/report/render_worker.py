@@ -13,13 +13,9 @@ from contextlib import suppress
 from functools import lru_cache
 from importlib import import_module
 from io import BytesIO
-from subprocess import PIPE, Popen
 from typing import Any
 
-from sonify.runtime.signals import WorkerGoneError, call_worker, end_worker, worker_loop
-
-MODULES = ("motion", "sound", "mode_shapes")
-"""Drawing modules of this package, which the worker imports in advance."""
+from sonify.runtime.workers import WorkerDiedError, WorkerProcess, serve_calls
 
 
 def drawn(module: str, name: str, data: dict) -> bytes:
@@ -36,10 +32,9 @@ class Painter:
     """
 
     def __init__(self):
-        self._gathering, self._waiting = (
-            ThreadPoolExecutor(1, name) for name in ("gathering", "painter")
-        )
-        self._process = self._waiting.submit(_started)
+        self._gathering = ThreadPoolExecutor(1, "gathering")
+        self._waiting = ThreadPoolExecutor(1, "painter")
+        self._worker = self._waiting.submit(WorkerProcess, __name__, single_threaded=False)
         self._loaded = False
 
     def draw(self, module: str, name: str, data: Callable[[], dict]) -> Future:
@@ -48,7 +43,9 @@ class Painter:
         A thread calls `data` while the worker draws the previous picture.
         """
         gathered = self._gathering.submit(data)
-        return self._waiting.submit(lambda: self._ask(drawn, module, name, gathered.result()))
+        return self._waiting.submit(
+            lambda: self._call_or_run(drawn, module, name, gathered.result())
+        )
 
     def call(self, function: Callable, *arguments, **options) -> Any:
         """Return the result of a module-level `function`.
@@ -57,12 +54,12 @@ class Painter:
         """
         if not self._loaded:
             return function(*arguments, **options)
-        return self._waiting.submit(self._ask, function, *arguments, **options).result()
+        return self._waiting.submit(self._call_or_run, function, *arguments, **options).result()
 
-    def _ask(self, function, *arguments, **options):
+    def _call_or_run(self, function, *arguments, **options):
         try:
-            answer = call_worker(self._process.result(), function, *arguments, **options)
-        except (OSError, WorkerGoneError):  # it was not started, or it died
+            answer = self._worker.result().call(function, *arguments, **options)
+        except (OSError, WorkerDiedError):  # it was not started, or it died
             return function(*arguments, **options)
         self._loaded = True
         return answer
@@ -70,14 +67,9 @@ class Painter:
     def close(self):
         """End the worker process."""
         with suppress(OSError):
-            end_worker(self._process.result())
-        self._process = Future()
-        self._process.set_exception(BrokenPipeError("ended"))
-
-
-def _started():
-    code = f"import sys; sys.path[:] = {sys.path!r}; from sonify.report.render_worker import serve; serve()"
-    return Popen([sys.executable, "-c", code], stdin=PIPE, stdout=PIPE, process_group=0)
+            self._worker.result().kill()
+        self._worker = Future()
+        self._worker.set_exception(BrokenPipeError("ended"))
 
 
 @lru_cache(1)
@@ -99,7 +91,11 @@ def serve():
     if sys.platform != "win32":
         os.nice(5)  # solvers have priority
     gc.disable()  # it would scan all of matplotlib about ten times per picture
-    for module in MODULES:
+    for module in ("motion", "sound", "mode_shapes"):
         import_module(f"sonify.report.{module}")
     gc.freeze()  # later collections ignore the loaded modules
-    worker_loop(gc.collect)
+    serve_calls(gc.collect)
+
+
+if __name__ == "__main__":
+    serve()

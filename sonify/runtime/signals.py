@@ -1,37 +1,23 @@
-"""Termination signals, closed output streams and worker processes."""
+"""Termination signals and closed output streams."""
 
 import errno
 import os
-import pickle
 import signal
-import subprocess
 import sys
 import threading
-from contextlib import contextmanager, redirect_stderr, redirect_stdout, suppress
-from pathlib import Path
-from queue import Empty, SimpleQueue
+from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from stat import S_ISREG
 
-ENDING_SIGNALS = [signal.SIGINT, signal.SIGTERM]
+TERMINATION_SIGNALS = [signal.SIGINT, signal.SIGTERM]
 """Signals that end a command: Ctrl-C, end of a batch job, and (not on Windows) closed terminal."""
 if sys.platform != "win32":
-    ENDING_SIGNALS.append(signal.SIGHUP)
-RETRY_INTERVAL = 0.05
-"""Interval at which a signal is repeated until an import has finished [s]."""
-READER_GONE_ERRORS = {errno.EPIPE, errno.EIO, errno.EINVAL}
+    TERMINATION_SIGNALS.append(signal.SIGHUP)
+NO_READER_ERRORS = {errno.EPIPE, errno.EIO, errno.EINVAL}
 """Error codes of a stream without a reader: closed pipe, closed terminal, closed Windows pipe."""
-
-
-THREAD_VARIABLES = ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM")
-"""Libraries limited to one thread per process, because other runs occupy the remaining cores."""
 
 
 class AbortedError(RuntimeError):
     """A command cannot continue although its input is valid; the message is one line."""
-
-
-class WorkerGoneError(Exception):
-    """The called worker process is dead."""
 
 
 @contextmanager
@@ -39,8 +25,8 @@ def orderly_exit():
     """Turn termination signals into KeyboardInterrupt(number) and ignore closed output streams."""
     with (
         _signals(),
-        redirect_stdout(ReaderlessStream(sys.stdout)),
-        redirect_stderr(ReaderlessStream(sys.stderr)),
+        redirect_stdout(AbandonableStream(sys.stdout)),
+        redirect_stderr(AbandonableStream(sys.stderr)),
     ):
         yield
 
@@ -53,17 +39,18 @@ def _signals():
     """
 
     def end(number, frame):
-        if not _imports(frame):
+        if not _is_importing(frame):
             raise KeyboardInterrupt(number)
-        threading.Timer(RETRY_INTERVAL, _send, [threading.get_ident(), number]).start()
+        interval = 0.05  # s; repeat the signal until the import has finished
+        threading.Timer(interval, _send, [threading.get_ident(), number]).start()
 
     main = threading.current_thread() is threading.main_thread()
-    heeded = [
+    handled = [
         number
-        for number in ENDING_SIGNALS
+        for number in TERMINATION_SIGNALS
         if main and signal.getsignal(number) is not signal.SIG_IGN
     ]
-    before = {number: signal.signal(number, end) for number in heeded}
+    before = {number: signal.signal(number, end) for number in handled}
     try:
         yield
     finally:
@@ -79,7 +66,7 @@ def _send(thread, number):
         signal.raise_signal(number)
 
 
-def _imports(frame):
+def _is_importing(frame):
     """Return True if a module is being imported.
 
     Some modules would mistake the interrupt for a missing dependency.
@@ -89,7 +76,7 @@ def _imports(frame):
     return frame is not None
 
 
-class ReaderlessStream:
+class AbandonableStream:
     """Text stream that discards its output once the reader has left, so that the run continues."""
 
     def __init__(self, stream):
@@ -100,102 +87,17 @@ class ReaderlessStream:
 
     def write(self, text: str) -> int:
         """Write to the stream."""
-        return self._unheard(self._stream.write, text)
+        return self._ignore_no_reader(self._stream.write, text)
 
     def flush(self):
         """Flush the stream."""
-        self._unheard(self._stream.flush)
+        self._ignore_no_reader(self._stream.flush)
 
-    def _unheard(self, act, *what):
+    def _ignore_no_reader(self, function, *arguments):
         try:
-            return act(*what)
+            return function(*arguments)
         except OSError as error:
-            if error.errno not in READER_GONE_ERRORS or S_ISREG(os.fstat(self.fileno()).st_mode):
+            if error.errno not in NO_READER_ERRORS or S_ISREG(os.fstat(self.fileno()).st_mode):
                 raise
             os.dup2(os.open(os.devnull, os.O_WRONLY), self.fileno())
-            return act(*what)
-
-
-def start_worker(python: str, module: str, **how) -> subprocess.Popen:
-    """Start a worker process with single-threaded libraries, and pipes to its input and output.
-
-    The process runs a module of this program; it does not import the script of the user.
-    """
-    home = str(Path(__file__).parent.parent)
-    environment = os.environ | {f"{name}_NUM_THREADS": "1" for name in THREAD_VARIABLES}
-    environment["PYTHONPATH"] = os.pathsep.join(filter(None, [home, os.environ.get("PYTHONPATH")]))
-    return subprocess.Popen(
-        [python, "-m", module],
-        env=environment,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        start_new_session=True,  # Ctrl-C reaches only the parent
-        **how,
-    )
-
-
-def call_worker(process, function, *arguments, **options):
-    """Call a module-level `function` in a worker process, and return its result.
-
-    The process runs `worker_loop`. Exceptions of the function are raised here. Raises GoneError
-    if the process is dead.
-    """
-    try:
-        pickle.dump((function, arguments, options), process.stdin)
-        process.stdin.flush()
-        answer, fault = pickle.load(process.stdout)
-    except (
-        OSError,
-        EOFError,
-        ValueError,
-        pickle.UnpicklingError,
-    ) as error:  # ValueError: the pipes are closed
-        raise WorkerGoneError(str(error) or "no answer") from None
-    if fault:
-        raise fault
-    return answer
-
-
-def worker_loop(rest=lambda: None, idle: float | None = None):
-    """Worker loop: serve pickled calls until the parent exits, or no call arrives for `idle` [s].
-
-    `rest` is called after each answer.
-    """
-    signal.signal(
-        signal.SIGINT, signal.SIG_IGN
-    )  # Windows sends Ctrl-C to all processes of a terminal
-    answers = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # keep the output of libraries out of the answers
-    tasks: SimpleQueue = SimpleQueue()
-    threading.Thread(target=_listen, args=(tasks,), daemon=True).start()
-    with suppress(Empty, BrokenPipeError):
-        while True:
-            function, arguments, options = tasks.get(timeout=idle)
-            try:
-                answer = function(*arguments, **options)
-                fault = None
-            except Exception as error:
-                answer = None
-                fault = error
-            pickle.dump((answer, fault), answers)
-            answers.flush()
-            rest()
-    os._exit(0)  # exit without a message about the broken pipe
-
-
-def _listen(tasks):
-    try:
-        while True:
-            tasks.put(pickle.load(sys.stdin.buffer))
-    finally:  # input ended or invalid; the exit of this process informs the parent
-        os._exit(0)
-
-
-def end_worker(process: subprocess.Popen):
-    """Kill a process, wait for its exit, and close its pipes."""
-    with suppress(OSError), process:
-        process.kill()
-
-
-if __name__ == "__main__":
-    worker_loop()
+            return function(*arguments)

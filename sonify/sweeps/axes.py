@@ -12,7 +12,7 @@ from annotated_types import Ge, Le
 from sonify.scene_errors import InputError
 
 RANGE_KEYS = {"from", "to", "n", "scale"}
-GEOMETRY_SECTIONS = ("disk", "material", "support", "surface", "numerics", "audio")
+MODE_SECTIONS = ("disk", "material", "support", "surface", "numerics", "audio")
 """Sections that the modes depend on; their axes come first, so that successive runs share modes."""
 
 
@@ -130,7 +130,7 @@ def points_of(axes: dict[str, Any], samples: Samples | None) -> Points:
         axis_of(name, least | given if isinstance(given, dict) else given)
         for name, given in axes.items()
     ]
-    found.sort(key=lambda axis: not _changes_geometry(axis))
+    found.sort(key=lambda axis: not _changes_modes(axis))
     keys = [key for axis in found for key in axis.keys]
     if twice := [key for key in keys if keys.count(key) > 1]:
         raise InputError(f"axes.{twice[0]}: on more than one axis")
@@ -144,7 +144,7 @@ def axis_of(name: str, given: Any) -> Axis:
         if not given:
             raise InputError(f"axes.{name} = []: must have at least one value")
         return Axis(
-            keys=keys, n=len(given), values=tuple(_axis_value(name, keys, value) for value in given)
+            keys=keys, n=len(given), values=tuple(_each(name, keys, value) for value in given)
         )
     if not isinstance(given, dict):
         raise InputError(
@@ -164,7 +164,7 @@ def _range(name, keys, given):
         raise InputError(f"axes.{name}.n = {n!r}: must be a whole number of at least 1")
     if scale not in ("linear", "log"):
         raise InputError(f"axes.{name}.scale = {scale!r}: must be 'linear' or 'log'")
-    ends = tuple(_axis_value(name, keys, given[end]) for end in ("from", "to"))
+    ends = tuple(_each(name, keys, given[end]) for end in ("from", "to"))
     for low, high in zip(*ends, strict=True):
         if not (_number(low) and _number(high)):
             raise InputError(
@@ -180,7 +180,7 @@ def _range(name, keys, given):
     return Axis(keys=keys, n=int(n), ends=ends, log=scale == "log")
 
 
-def _axis_value(name, keys, value):
+def _each(name, keys, value):
     """Return one value per key, from a list of that length or from a single shared value."""
     if len(keys) == 1 or not isinstance(value, list):
         return (value,) * len(keys)
@@ -193,5 +193,5 @@ def _number(value):
     return isinstance(value, int | float) and not isinstance(value, bool) and isfinite(value)
 
 
-def _changes_geometry(axis):
-    return any(key.partition(".")[0] in GEOMETRY_SECTIONS for key in axis.keys)
+def _changes_modes(axis):
+    return any(key.partition(".")[0] in MODE_SECTIONS for key in axis.keys)

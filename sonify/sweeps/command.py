@@ -16,9 +16,9 @@ from sonify.runtime.signals import AbortedError
 from sonify.scene import from_document
 from sonify.scene_errors import InputError, SceneError
 from sonify.sweeps.conclusions import CONCLUSIONS
-from sonify.sweeps.executors import Submit, core_count, executor, local_executor, rows_of
+from sonify.sweeps.executors import Submit, cores, local_executor, open_executor, solve_tasks
 from sonify.sweeps.row_processes import RowProcess
-from sonify.sweeps.store import TABLE_FILE, SweepTable, read_table
+from sonify.sweeps.store import RUNS_FILE, RunStore, read_table
 from sonify.sweeps.sweep import Sweep, load_sweep
 
 MAX_UNCONFIRMED_RUNS = 1_000_000
@@ -84,7 +84,7 @@ def sweep(
         If the table cannot be written.
     OSError
         If the disk is full.
-    BrokenOffError
+    AbortedError
         If the scheduler or the worker processes die.
     """
     asked = load_sweep(source)
@@ -92,20 +92,20 @@ def sweep(
     folder = Path(out or Path("outputs") / "sweeps" / asked.name)
     if asked.points.count > MAX_UNCONFIRMED_RUNS and not yes:
         count = asked.points.count
-        processes = processes or core_count()
+        processes = processes or cores()
         time = duration_in_words(run_time(asked, processes, stages).total(count, processes))
         raise InputError(f"{count} runs, about {time} on this machine: add --yes to begin them")
     axes = [key for axis in asked.points.axes for key in axis.keys]
     with (
-        executor(scheduler, processes) as (submit, capacity),
-        SweepTable(folder, asked.identity, axes, asked.points.count, retry) as table,
+        open_executor(scheduler, processes) as (submit, capacity),
+        RunStore(folder, asked.identity, axes, asked.points.count, retry) as table,
         stages.stage("runs") as watch,
     ):
         for rows in _rows(asked, _tasks(asked, table, folder.absolute()), submit, capacity):
             table.add(rows)
             note = f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
             watch(table.done.mean(), note if capacity() else f"{note}, waiting for workers")
-    held = read_table(folder / TABLE_FILE)[0].num_rows
+    held = read_table(folder / RUNS_FILE)[0].num_rows
     if held < asked.points.count:
         raise OutputError(
             f"{folder}: holds {held} of {asked.points.count} rows: its files were changed meanwhile"
@@ -115,13 +115,13 @@ def sweep(
 
         draw_maps(folder, asked.find)
     if asked.name in CONCLUSIONS:
-        told = CONCLUSIONS[asked.name](read_table(folder / TABLE_FILE)[0])
+        told = CONCLUSIONS[asked.name](read_table(folder / RUNS_FILE)[0])
         with atomic_write(folder / "conclusion.md") as temporary:
             temporary.write_text("\n".join(told) + "\n", "utf-8")
-    return folder / TABLE_FILE
+    return folder / RUNS_FILE
 
 
-def summary_lines(path: str | Path) -> tuple[list[str], bool]:
+def summarize(path: str | Path) -> tuple[list[str], bool]:
     """Return a one-line summary of a table, and True if no self-check failed."""
     table = read_table(path)[0].to_pydict()
     ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
@@ -137,13 +137,13 @@ def summary_lines(path: str | Path) -> tuple[list[str], bool]:
     return [f"{len(table['run'])} runs: {', '.join(told)}"], not failed
 
 
-def plan_sweep(
+def plan(
     source: str | Path | dict[str, Any], processes: int | None = None, stages: Stages | None = None
 ) -> list[str]:
     """Return the lines that describe a sweep; the run time is measured on a few runs."""
     asked = load_sweep(source)
     points = asked.points
-    processes = processes or core_count()
+    processes = processes or cores()
     time = run_time(asked, processes, stages or Stages())
     drawn = (
         f"{points.samples.method}, seed {points.samples.seed}, over"
@@ -167,7 +167,7 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     """Measure a first and a later run in each process that the sweep would use.
 
     The processes run concurrently and compete for cores and caches as in the sweep. They start at
-    points spread over the whole sweep. Each continues with the run that it would receive next, so
+    points spread over the atomic_write sweep. Each continues with the run that it would receive next, so
     modes are reused as often as in the sweep. Contradictory scenes take no time and are skipped.
     """
     count = min(processes, asked.points.count)
@@ -175,7 +175,7 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     first = []
     later = []
     with stages.stage("estimate") as watch, local_executor(count) as (submit, _):
-        futures = [submit(_measured, asked, start, count) for start in starts]
+        futures = [submit(_measure_two_runs, asked, start, count) for start in starts]
         for done, found in enumerate(futures, 1):
             seconds = found.result()
             first += seconds[:1]
@@ -186,15 +186,15 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     return RunTime(float(np.mean(first)), float(np.mean(later or first)), len(first) + len(later))
 
 
-def _measured(asked, start, stride):
+def _measure_two_runs(asked, start, stride):
     """Return the times [s] of two runs in a new process; the first includes the process start."""
     seconds = []
     began = perf_counter()
-    hand = RowProcess()
-    if hand.version is None:
+    process = RowProcess()
+    if process.version is None:
         raise AbortedError("python -m sonify.sweeps.worker_loop does not start")
-    for run in islice(_first_valid_run(asked, start, stride), 2):
-        row = hand.row(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
+    for run in islice(_valid_runs(asked, start, stride), 2):
+        row = process.solve(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
         seconds.append(perf_counter() - began)
         if row is None:  # the process died
             break
@@ -202,7 +202,7 @@ def _measured(asked, start, stride):
     return seconds
 
 
-def _first_valid_run(asked, start, stride, tries=1000):
+def _valid_runs(asked, start, stride, tries=1000):
     """Yield runs with a valid scene: every `stride`-th one from `start`, then those before it."""
     runs = chain(range(start, asked.points.count, stride), range(start % stride, start, stride))
     for run in islice(runs, tries):
@@ -229,5 +229,5 @@ def _task(asked, run, folder):
 
 def _rows(asked, tasks, submit: Submit, capacity) -> Iterator[list[dict]]:
     """Yield lists of finished rows, including the values of the axes."""
-    for found in rows_of(tasks, asked.limit, submit, capacity):
+    for found in solve_tasks(tasks, asked.limit, submit, capacity):
         yield [{"run": run} | asked.columns(run) | {"error": None} | row for run, row in found]

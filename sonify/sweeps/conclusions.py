@@ -7,7 +7,7 @@ import pyarrow as pa
 
 from dynamics.air import STANDARD_PRESSURE
 
-MIN_GRIP_FRICTION = 100.0
+MAX_VERIFIED_COMPRESSIBILITY = 100.0
 """Largest compressibility number Lam at which the film law was compared with solutions."""
 
 
@@ -17,9 +17,9 @@ def friction_conclusion(table: pa.Table) -> list[str]:
         table, "friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips"
     )
     settled = np.array([outcome == "SETTLED" for outcome in table["outcome"].to_pylist()])
-    (by_arm, by_mu), off = fitted_powers(end[settled], arm[settled], mu[settled])
+    (by_arm, by_mu), off = fit_powers(end[settled], arm[settled], mu[settled])
     often = settled & (slips > 0)
-    (slips_by_arm, slips_by_mu), _ = fitted_powers(slips[often], arm[often], mu[often])
+    (slips_by_arm, slips_by_mu), _ = fit_powers(slips[often], arm[often], mu[often])
     others = mu[~settled]
     so = (
         ": friction decides how often, not for how long"
@@ -51,7 +51,11 @@ def halt_conclusion(table: pa.Table) -> list[str]:
     pressure, moment, squeezed = columns(
         table, "air.pressure", "dissipation.contour_moment", "film_squeezed"
     )
-    held = [p for p in np.unique(pressure) if (squeezed[pressure >= p] < MIN_GRIP_FRICTION).all()]
+    held = [
+        p
+        for p in np.unique(pressure)
+        if (squeezed[pressure >= p] < MAX_VERIFIED_COMPRESSIBILITY).all()
+    ]
     known = pressure >= min(held, default=np.inf)
     airborne = contains_text(table, "outcome", "AIRBORNE")
     by_air = contains_text(table, "ended_by", "the film of air")
@@ -68,12 +72,13 @@ def halt_conclusion(table: pa.Table) -> list[str]:
         f"much faster "
         f"the disk falls than its air leaves, is up to {squeezed.max():.1g} there, and the law "
         f"has been held against "
-        f"solutions up to {MIN_GRIP_FRICTION:g}: by it the film takes most in {still.sum()} "
+        f"solutions up to {MAX_VERIFIED_COMPRESSIBILITY:g}: by it the film takes most in "
+        f"{still.sum()} "
         f"of them, down to {pressure[still].min(initial=np.inf) / STANDARD_PRESSURE:.2g} "
         f"atmospheres."
         if not known.all()
         else f"At the end Lam, how far the film squeezes its air, is up to {squeezed.max():.2g}, "
-        f"below the {MIN_GRIP_FRICTION:g} "
+        f"below the {MAX_VERIFIED_COMPRESSIBILITY:g} "
         "up to which solutions have been held against it: the law of the film holds in all runs.",
     ]
 
@@ -114,7 +119,7 @@ def pitch_conclusion(table: pa.Table) -> list[str]:
     """Describe whether plate or disk emits the rising tone, over plate thickness and distance."""
     thickness, distance = columns(table, "surface.thickness", "audio.distance")
     over, late = columns(table, "table_carries_the_tone", "table_takes_little")
-    (by_thickness,), _ = fitted_powers(late, thickness)
+    (by_thickness,), _ = fit_powers(late, thickness)
     heard = ~np.isnan(over)
     plate = heard & (over > 0)
     steps = [np.ptp(over[heard & (thickness == t)]) for t in np.unique(thickness[heard])]
@@ -145,7 +150,7 @@ def columns(table: pa.Table, *names: str) -> list[np.ndarray]:
     ]
 
 
-def fitted_powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
+def fit_powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
     """Fit `value` (n,) by a product of powers of k positive quantities (n,) each.
 
     The fit is a least-squares fit of the logarithms. Returns the exponents (k,), rounded to two

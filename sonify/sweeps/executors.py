@@ -12,22 +12,16 @@ from typing import Any
 
 from sonify.runtime.signals import AbortedError
 from sonify.scene_errors import InputError
-from sonify.sweeps.row_processes import ProcessesEndedError, end_all_processes, solve_in_process
+from sonify.sweeps.row_processes import ProcessesEndedError, end_all_processes, solve_isolated
 from sonify.sweeps.version import version
 
-LOCAL = "local"
+LOCAL_SCHEDULER = "local"
 """Replaces an address: a Dask scheduler for this sweep, with one multithreaded worker."""
-QUEUED_RUNS_PER_PROCESS = 3
-"""Submitted tasks per process, waiting or running; enough to keep each process busy."""
-SCHEDULER_TIMEOUT = 4.0
-"""Timeout for the answer of a scheduler [s]."""
-WORKER_TIMEOUT = 5.0
-"""Timeout for the first worker to join a scheduler [s]."""
-LOST_PROCESSES_TEXT = "what has been found is kept, but the processes are gone"
+PROCESSES_LOST = "what has been found is kept, but the processes are gone"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
 
-def core_count() -> int:
+def cores() -> int:
     """Return the number of CPU cores available to this process."""
     if sys.platform == "linux":
         return len(os.sched_getaffinity(0))
@@ -35,16 +29,16 @@ def core_count() -> int:
 
 
 @contextmanager
-def executor(
+def open_executor(
     scheduler: str | None, processes: int | None
 ) -> Iterator[tuple[Submit, Callable[[], int]]]:
     """Yield a function that submits a call, and one that returns the number of processes.
 
-    If `scheduler` is LOCAL, a scheduler is started on this machine. Raises InputError if the
+    If `scheduler` is LOCAL_SCHEDULER, a scheduler is started on this machine. Raises InputError if the
     scheduler does not answer, has no workers, or has workers with another version of this program.
     """
-    if scheduler == LOCAL:
-        count = processes or core_count()
+    if scheduler == LOCAL_SCHEDULER:
+        count = processes or cores()
         local = import_dask().LocalCluster(
             n_workers=1, threads_per_worker=count, dashboard_address=None
         )
@@ -52,9 +46,7 @@ def executor(
             yield made
     else:
         with (
-            dask_executor(scheduler)
-            if scheduler
-            else local_executor(processes or core_count()) as made
+            dask_executor(scheduler) if scheduler else local_executor(processes or cores()) as made
         ):
             yield made
 
@@ -87,28 +79,29 @@ def dask_executor(address: str):
     distributed = import_dask()
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     try:
-        client = distributed.Client(address, timeout=SCHEDULER_TIMEOUT)
+        client = distributed.Client(address, timeout=4.0)
     except Exception as error:  # another kind of server may answer
         raise InputError(f"--scheduler {address}: no scheduler answers: {error}") from None
     try:
         _require_worker(client, address)
         _require_same_version(client)
-        yield client.get_executor(pure=False).submit, _capacity(client)
+        yield client.get_executor(pure=False).submit, _worker_counter(client)
     finally:
         client.close(timeout=1)
 
 
 def _require_worker(client, address):
     """Wait for the first worker. Raises InputError if none joins the scheduler."""
+    timeout = 5.0  # s
     try:
-        client.wait_for_workers(1, timeout=WORKER_TIMEOUT)
+        client.wait_for_workers(1, timeout=timeout)
     except TimeoutError:
         remedy = f"start one with: dask worker {address}"
-        fault = f"--scheduler {address}: no worker within {WORKER_TIMEOUT:g} s; {remedy}"
+        fault = f"--scheduler {address}: no worker within {timeout:g} s; {remedy}"
         raise InputError(fault) from None
 
 
-def _capacity(client):
+def _worker_counter(client):
     """Return a function that counts the worker threads, with at most one query per second.
 
     The size of a cluster may change during the sweep.
@@ -122,7 +115,7 @@ def _capacity(client):
             try:
                 found = sum(client.nthreads().values())
             except (OSError, TimeoutError) as error:
-                raise AbortedError(f"{LOST_PROCESSES_TEXT}: {error}") from None
+                raise AbortedError(f"{PROCESSES_LOST}: {error}") from None
             asked = monotonic()
         return found
 
@@ -142,21 +135,22 @@ def _require_same_version(client):
             )
 
 
-def rows_of(
+def solve_tasks(
     tasks: Iterable[tuple[int, dict]], limit: float, submit: Submit, processes: Callable[[], int]
 ):
     """Solve `tasks`, pairs (run number, task); yield lists of (run number, row) in any order.
 
     After one second without a result, the list is empty. Each task has `limit` [s]. Raises
-    BrokenOffError if the processes or the scheduler are lost.
+    AbortedError if the processes or the scheduler are lost.
     """
     tasks = iter(tasks)
     running = dict[Future, int]()
+    tasks_per_process = 3  # running or waiting; enough to keep each process busy
     while True:
         for run, task in islice(
-            tasks, max(QUEUED_RUNS_PER_PROCESS * max(processes(), 1) - len(running), 0)
+            tasks, max(tasks_per_process * max(processes(), 1) - len(running), 0)
         ):
-            running[submit(solve_in_process, task, limit)] = run
+            running[submit(solve_isolated, task, limit)] = run
         if not running:
             return
         done, _ = wait(running, timeout=1, return_when=FIRST_COMPLETED)
@@ -168,7 +162,7 @@ def _row(future):
         row = future.result()
     except (CancelledError, ProcessesEndedError) as error:
         raise AbortedError(
-            f"{LOST_PROCESSES_TEXT}: {error or 'the scheduler does not answer'}"
+            f"{PROCESSES_LOST}: {error or 'the scheduler does not answer'}"
         ) from None
     except Exception as error:  # e.g. KilledWorker of Dask: the run killed several workers
         return {

@@ -8,7 +8,7 @@ from sonify.scene_errors import InputError
 from sonify.scene_keys import keys as scene_keys
 from sonify.suggestions import did_you_mean
 from sonify.sweeps.axes import Samples, points_of
-from sonify.sweeps.store import TABLE_FILE, read_table
+from sonify.sweeps.store import RUNS_FILE, read_table
 
 RESULT_UNITS = {"t_end": "s", "sound_seconds": "s", "peak_pascal": "Pa"}
 """Units of the result columns."""
@@ -78,8 +78,8 @@ def _verdict(holds: bool | None, value: float | None) -> str | None:
 
 
 def draw_maps(folder: Path, find=()):
-    """Draw the columns named in `find`, or the DEFAULT_COLUMNS ones, of the table in `folder`."""
-    table, _ = read_table(folder / TABLE_FILE)
+    """Draw the columns named in `find`, or DEFAULT_COLUMNS, of the table in `folder`."""
+    table, _ = read_table(folder / RUNS_FILE)
     for of in [name for name in find if name in table.column_names] or DEFAULT_COLUMNS:
         if of in table.column_names and table[of].null_count < len(table):
-            make_map(folder / TABLE_FILE, of)
+            make_map(folder / RUNS_FILE, of)

@@ -20,19 +20,19 @@ STAGE_OF_SCALAR = dict.fromkeys(
 STAGE_OF_SCALAR |= dict.fromkeys(
     ("sound_seconds", "peak_pascal", "energy_below_100_hz", "energy_below_300_hz"), "sound"
 )
-INPUTS_OF_STAGE = {"motion": {"motion", "scene", "film law"}, "modes": {"modes", "scene"}}
+READABLE_FIELDS = {"motion": {"motion", "scene", "film law"}, "modes": {"modes", "scene"}}
 """Stage -> inputs available to its findings; findings with other inputs need the sound stage."""
-HOOKS_OF_STAGE = {
+STAGE_HOOKS = {
     "motion": ("motion_findings", "motion_checks"),
     "modes": ("mode_findings", "mode_checks"),
 }
 """Stage -> names of the functions in `sonify.claims` that judge this stage without the sound."""
-STAGE_OF_KEPT_FILES = {"arrays": "motion", "wav": "sound", "page": "sound"}
+STAGE_OF_OUTPUT = {"arrays": "motion", "wav": "sound", "page": "sound"}
 """Kind of output file -> stage that it needs."""
 
 
 def hook_functions(hook: str) -> list[Callable[..., list]]:
-    """Return the functions named `hook`, e.g. motion_findings, that the claim modules define."""
+    """Return the functions named `hook`, e.g. motion_findings, that the claim finding_modules define."""
     found = [getattr(module, hook, None) for module in finding_modules()]
     return [
         f
@@ -41,7 +41,7 @@ def hook_functions(hook: str) -> list[Callable[..., list]]:
     ]
 
 
-def findings_of_hook(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
+def findings_of_stage(hook: str, scene: Scene, solved: Motion | Modes) -> list[Finding]:
     """Return the findings of all functions named `hook`.
 
     These functions take either (solved,) or (scene, solved).
@@ -57,12 +57,12 @@ def findings_of_hook(hook: str, scene: Scene, solved: Motion | Modes) -> list[Fi
 def stage_of() -> dict[str, str]:
     """Return a map from each scalar, finding and check to the stage that computes it."""
     return STAGE_OF_SCALAR | {
-        key: _required_stage(set(judge.needs), judge.function.__module__)
+        key: _stage(set(judge.needs), judge.function.__module__)
         for key, judge in registered_judges().items()
     }
 
 
-def _required_stage(needs, module):
+def _stage(needs, module):
     """Return the stage that computes a finding with the inputs `needs`.
 
     Motion or modes suffice if they provide all inputs and the module defines a hook for them;
@@ -70,25 +70,25 @@ def _required_stage(needs, module):
     """
     own = {
         stage
-        for stage, hooks in HOOKS_OF_STAGE.items()
+        for stage, hooks in STAGE_HOOKS.items()
         for hook in hooks
         for f in hook_functions(hook)
         if f.__module__ == module
     }
     return next(
-        (stage for stage, read in INPUTS_OF_STAGE.items() if needs <= read and stage in own),
+        (stage for stage, read in READABLE_FIELDS.items() if needs <= read and stage in own),
         "sound",
     )
 
 
-def required_stages(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:
+def stages_for(find: Iterable[str], keep: Iterable[str]) -> tuple[str, ...]:
     """Return the stages needed for the quantities in `find` and for the files in `keep`.
 
     `find` names stages, scalars, findings or checks; if it is empty, the sound stage is needed.
     Raises InputError for an unknown name.
     """
     known = stage_of() | {stage: stage for stage in STAGES}
-    stages = {STAGE_OF_KEPT_FILES[kind] for kind in keep}
+    stages = {STAGE_OF_OUTPUT[kind] for kind in keep}
     for name in find:
         key = name.removesuffix("_holds").removesuffix("_passed")
         if key not in known:

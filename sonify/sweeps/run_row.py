@@ -1,36 +1,22 @@
 """DOCUMENT -> ROW: solve one run of a sweep, limited to the stages that it needs."""
 
 from collections.abc import Callable
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 from dynamics.compliant.two_way_onset import needs_table_modes
-from modal import Modes, as_json, eigenmodes
+from modal import as_json
 from sonify.claims.air import air_scalars
 from sonify.claims.checks import mode_checks, motion_checks
-from sonify.pipeline import solve, write
-from sonify.plan.body_scene import BodyScene, body_scene
+from sonify.pipeline import cached_modes, solve, write
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import check_solvable_scene, plan_with_modes, solve_motion
 from sonify.plan.table import with_table
 from sonify.report.write import duration_columns, summary, verdict_columns, write_json, write_motion
 from sonify.runtime.progress import Stages
-from sonify.scene import Scene, from_document
+from sonify.scene import from_document
 from sonify.sound.wav import write_sound
-from sonify.sweeps.required_stages import findings_of_hook
-
-MAX_CACHED_MODES = 4
-
-
-def cached_modes(scene: Scene, **asked) -> Modes:
-    """Return the cached `eigenmodes` of a scene; scenes with equal disks share them."""
-    return _modes_of(body_scene(scene), **asked)
-
-
-@lru_cache(maxsize=MAX_CACHED_MODES)
-def _modes_of(body: BodyScene, **asked) -> Modes:
-    return eigenmodes(body, **asked)
+from sonify.sweeps.required_stages import findings_of_stage
 
 
 def row_of(
@@ -57,14 +43,14 @@ def _row(scene, stages, keep, folder, watch):
     if "sound" in stages:
         result = solve(scene, stages=watch, eigenmodes=cached_modes)
         for kind in keep:
-            KEPT_FILE_WRITERS[kind](result, folder, watch)
+            FILE_WRITERS[kind](result, folder, watch)
         return {
             key: value for key, value in summary(result).items() if not key.startswith("seconds_")
         }
     row: dict[str, Any] = {}
     for stage in stages:
         with watch.stage(stage):
-            row |= SINGLE_STAGE_ROWS[stage](scene, folder if "arrays" in keep else None)
+            row |= STAGE_FUNCTIONS[stage](scene, folder if "arrays" in keep else None)
     return row | {"passed": all(value for key, value in row.items() if key.endswith("_passed"))}
 
 
@@ -77,7 +63,7 @@ def _motion(scene, folder):
         scene, motion
     )
     return row | verdict_columns(
-        findings_of_hook("motion_findings", scene, motion), motion_checks(scene, motion)
+        findings_of_stage("motion_findings", scene, motion), motion_checks(scene, motion)
     )
 
 
@@ -86,7 +72,7 @@ def _modes(scene, folder):
     if folder:
         write_json(as_json(modes), folder / "modes.json")
     return verdict_columns(
-        findings_of_hook("mode_findings", scene, modes), mode_checks(scene, modes)
+        findings_of_stage("mode_findings", scene, modes), mode_checks(scene, modes)
     )
 
 
@@ -95,9 +81,9 @@ def _arrays(result, folder, _):
     write_json(as_json(result.modes), folder / "modes.json")
 
 
-SINGLE_STAGE_ROWS: dict[str, Callable] = {"motion": _motion, "modes": _modes}
+STAGE_FUNCTIONS: dict[str, Callable] = {"motion": _motion, "modes": _modes}
 """Stage -> function that solves it without the sound."""
-KEPT_FILE_WRITERS: dict[str, Callable] = {
+FILE_WRITERS: dict[str, Callable] = {
     "arrays": _arrays,
     "wav": lambda result, folder, watch: write_sound(result.sound, folder, lambda share: None),
     "page": write,

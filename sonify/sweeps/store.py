@@ -1,18 +1,18 @@
 """ROWS -> runs.parquet: a table that keeps every added row if the process or the machine fails.
 
-Rows are first written to a journal, one line each, and synchronized to disk. Periodically, and at
-the end, they move into the table, and the file is replaced atomically. A truncated line fails its
-checksum and is ignored.
+Rows are first committed to an SQLite database. Periodically, at the end, and when an interrupted
+sweep resumes, they are exported to the table, and the file is replaced atomically.
 """
 
+import errno
 import json
 import os
-from contextlib import ExitStack
-from io import FileIO
+import sqlite3
+from collections.abc import Iterator
+from contextlib import ExitStack, closing, contextmanager
 from pathlib import Path
 from time import monotonic
 from typing import Any
-from zlib import crc32
 
 import numpy as np
 import pyarrow as pa
@@ -23,19 +23,15 @@ from filelock import FileLock, Timeout
 from sonify.runtime.files import OutputError, atomic_write, claimed_folder
 from sonify.scene_errors import InputError
 
-TABLE_FILE = "runs.parquet"
-JOURNAL_FILE = "runs.journal"
-LOCK_FILE = ".runs.lock"
-METADATA_KEY = b"sonify.sweep"
-FIRST_COLUMNS = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
+RUNS_FILE = "runs.parquet"
+DATABASE_FILE = "runs.sqlite"
+IDENTITY_KEY = b"sonify.sweep"
+"""Key of the metadata of the Parquet file that holds the identity of the sweep."""
+LEADING_COLUMNS = ("run", "outcome", "error", "t_end", "passed", "seconds", "version")
 """Leading columns of every table; the axes follow the run number."""
-MIN_MOVE_INTERVAL = 30.0
-"""Minimum interval between moves of the journal into the table [s]."""
-MOVE_INTERVAL_RATIO = 20
-"""Minimum interval between moves as a multiple of the duration of the last one."""
 
 
-class SweepTable:
+class RunStore:
     """Context manager for the table of a sweep in `folder`, with exclusive write access.
 
     `done` (count,) is True for the runs that the table contains; with `retry`, runs with an error
@@ -49,112 +45,124 @@ class SweepTable:
         self.folder = Path(folder)
         self.identity = identity
         self.axes = axes
-        self.path, self.journal = self.folder / TABLE_FILE, self.folder / JOURNAL_FILE
+        self.path = self.folder / RUNS_FILE
+        self.database_path = self.folder / DATABASE_FILE
         self.done = np.zeros(count, bool)
         self.failed = 0
         self._retry = retry
-        self._moved = monotonic()
-        self._took = 0.0
-        self._file: FileIO | None = None
+        self._export_end = 0.0
+        self._export_seconds = 0.0
 
-    def __enter__(self):
+    def __enter__(self) -> "RunStore":
         with ExitStack() as stack:
             stack.enter_context(claimed_folder(self.folder))
-            lock = FileLock(self.folder / LOCK_FILE, timeout=0)
+            lock = FileLock(self.folder / ".runs.lock", timeout=0)
             try:
                 stack.enter_context(lock)
             except Timeout:
                 raise OutputError(f"{self.folder}: another sweep is writing this table") from None
             if not self.path.exists():
                 self._write(pa.table({"run": pa.array([], pa.int64())}))
-            if (
-                json.loads(pq.read_schema(self.path).metadata.get(METADATA_KEY, b"null"))
-                != self.identity
-            ):
-                raise InputError(
-                    f"{self.path}: the table of another sweep: give this one another name, or "
-                    f"remove it"
-                )
-            self.move()
+            metadata = pq.read_schema(self.path).metadata
+            self._require_identity(self.path, metadata.get(IDENTITY_KEY, b"null"))
+            self._database = stack.enter_context(closing(self._open_database()))
+            self.export()
             found = pq.read_table(self.path)
-            good = (
-                found.filter(pc.is_null(found["error"]))
-                if self._retry and "error" in found.column_names
-                else found
-            )
-            self.done[good["run"].to_numpy()] = True
-            self._held = stack.pop_all()
+            if self._retry and "error" in found.column_names:
+                found = found.filter(pc.is_null(found["error"]))
+            self.done[found["run"].to_numpy()] = True
+            self._resources = stack.pop_all()
         return self
 
     def __exit__(self, kind, *_):
-        with self._held:
-            if kind is None or not issubclass(
-                kind, OSError
-            ):  # on a full disk, the rows stay in the journal
-                self.move()
-            self._close()
+        with self._resources:
+            if kind is not None and issubclass(kind, OSError):
+                return  # on a full disk, the rows stay in the database
+            self.export()
+            self._database.close()
+            self.database_path.unlink(missing_ok=True)
 
     def add(self, rows: list[dict[str, Any]]):
-        """Add rows and synchronize them to disk. Raises OSError if the disk is full."""
+        """Commit rows to the database, synchronized to disk. Raises OSError if the disk is full."""
         if not rows:
             return
-        if not self._file:
-            self._file = open(self.journal, "ab", buffering=0)  # noqa: SIM115
-            self._put(self._file, _journal_line({"sweep": self.identity}))
-            _sync_folder(self.folder)
-        self._put(self._file, b"".join(map(_journal_line, rows)))
+        records = [(row["run"], json.dumps(row)) for row in rows]
+        with self._database_errors(), self._database as transaction:
+            transaction.executemany("INSERT OR REPLACE INTO runs VALUES (?, ?)", records)
         self.done[[row["run"] for row in rows]] = True
         self.failed += sum(row.get("error") is not None for row in rows)
-        if monotonic() - self._moved > max(MIN_MOVE_INTERVAL, MOVE_INTERVAL_RATIO * self._took):
-            self.move()
+        interval = max(30.0, 20 * self._export_seconds)  # s; exports take at most 5 % of the time
+        if monotonic() - self._export_end > interval:
+            self.export()
 
-    def move(self):
-        """Move the rows of the journal into the table."""
-        began = monotonic()
-        if rows := self._journalled():
-            new = _arrow_table(rows, pq.read_schema(self.path), self.axes)
+    def export(self):
+        """Move the rows of the database into the Parquet file."""
+        start = monotonic()
+        with self._database_errors():
+            records = self._database.execute("SELECT content FROM runs ORDER BY run").fetchall()
+        if records:
+            rows = [json.loads(content) for (content,) in records]
+            new = _as_table(rows, pq.read_schema(self.path), self.axes)
             old = pq.read_table(self.path)
             old = old.filter(pc.invert(pc.is_in(old["run"], new["run"])))
             self._write(pa.concat_tables([old, new], promote_options="default").sort_by("run"))
-        self._close()
-        self.journal.unlink(missing_ok=True)
-        self._moved = monotonic()
-        self._took = monotonic() - began
+            with self._database_errors(), self._database as transaction:
+                transaction.execute("DELETE FROM runs")
+        self._export_end = monotonic()
+        self._export_seconds = self._export_end - start
 
-    def _put(self, file, content):
-        try:
-            while content:
-                content = content[file.write(content) :]
-            os.fsync(file.fileno())
-        except OSError as error:
-            raise OSError(error.errno, error.strerror, str(self.journal)) from None
+    def _open_database(self) -> sqlite3.Connection:
+        """Open the database, or create it with the identity of this sweep."""
+        with self._database_errors():
+            database = sqlite3.connect(self.database_path)
+            with ExitStack() as stack:
+                stack.enter_context(closing(database))
+                # An exclusive database needs no shared memory, which network drives do not have.
+                database.execute("PRAGMA locking_mode = EXCLUSIVE")
+                database.execute("PRAGMA journal_mode = WAL")
+                database.execute("PRAGMA synchronous = FULL")
+                with database:
+                    database.execute(
+                        "CREATE TABLE IF NOT EXISTS runs (run INTEGER PRIMARY KEY, content TEXT)"
+                    )
+                    database.execute("CREATE TABLE IF NOT EXISTS sweep (identity TEXT)")
+                    database.execute(
+                        "INSERT INTO sweep SELECT ? WHERE NOT EXISTS (SELECT * FROM sweep)",
+                        [json.dumps(self.identity)],
+                    )
+                (identity,) = database.execute("SELECT identity FROM sweep").fetchone()
+                self._require_identity(self.database_path, identity)
+                stack.pop_all()
+            _sync_folder(self.folder)
+            return database
 
-    def _close(self):
-        if self._file:
-            self._file.close()
-        self._file = None
-
-    def _journalled(self):
-        """Return the last journal row of each run, sorted by run number."""
-        if not self.journal.exists():
-            return []
-        with open(self.journal, "rb") as lines:
-            records = [record for line in lines if (record := _journal_record(line)) is not None]
-        if any(record["sweep"] != self.identity for record in records if "sweep" in record):
+    def _require_identity(self, path: Path, identity: str | bytes):
+        """Raise InputError unless a file belongs to this sweep."""
+        if json.loads(identity) != self.identity:
             raise InputError(
-                f"{self.journal}: rows of another sweep: give this one another name, or remove it"
+                f"{path}: the table of another sweep: give this one another name, or remove it"
             )
-        rows = {record["run"]: record for record in records if "run" in record}
-        return [rows[run] for run in sorted(rows)]
+
+    @contextmanager
+    def _database_errors(self) -> Iterator[None]:
+        """Turn errors of the database into OutputError, or into OSError if the disk is full."""
+        try:
+            yield
+        except sqlite3.Error as error:
+            primary_code = error.sqlite_errorcode & 0xFF
+            # SQLite reports an exceeded quota or file size limit as an I/O error.
+            if primary_code in (sqlite3.SQLITE_FULL, sqlite3.SQLITE_IOERR):
+                raise OSError(errno.ENOSPC, str(error), str(self.database_path)) from None
+            raise OutputError(f"{self.database_path}: {error}") from None
 
     def _write(self, table):
-        names = [*FIRST_COLUMNS[:1], *self.axes, *FIRST_COLUMNS[1:]]
+        names = [*LEADING_COLUMNS[:1], *self.axes, *LEADING_COLUMNS[1:]]
         rest = sorted(
             set(table.column_names) - set(names),
             key=lambda name: (name.startswith("seconds_"), name),
         )
         table = table.select([name for name in [*names, *rest] if name in table.column_names])
-        table = table.replace_schema_metadata({METADATA_KEY: json.dumps(self.identity)})
+        table = table.replace_schema_metadata({IDENTITY_KEY: json.dumps(self.identity)})
         with atomic_write(self.path) as temporary:
             pq.write_table(table, temporary, compression="zstd")
             with open(temporary, "rb+") as written:
@@ -171,14 +179,14 @@ def read_table(path: str | Path) -> tuple[pa.Table, dict]:
         raise InputError(f"{path}: no such file")
     try:
         table = pq.read_table(path)
-        return table, json.loads(table.schema.metadata[METADATA_KEY])
+        return table, json.loads(table.schema.metadata[IDENTITY_KEY])
     except (OSError, pa.ArrowInvalid) as error:
         raise InputError(f"{path}: cannot be read: {' '.join(str(error).split())}") from None
     except (KeyError, TypeError):
         raise InputError(f"{path}: not the table of a sweep") from None
 
 
-def _arrow_table(rows, known, axes):
+def _as_table(rows, known, axes):
     names = dict.fromkeys(name for row in rows for name in row)
     return pa.table(
         {
@@ -195,7 +203,7 @@ def _column(name, values, known, axis):
         return pa.array(values, pa.int64())
     if given <= {bool}:
         boolean = given or name.endswith("_holds")  # null if a finding is undecided or absent
-        return pa.array(values, pa.bool_() if boolean else _known_type(known, name))
+        return pa.array(values, pa.bool_() if boolean else _known(known, name))
     if given <= {int, float}:
         numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
         return pa.array([v if v is None else float(v) for v in numbers], pa.float64())
@@ -204,22 +212,8 @@ def _column(name, values, known, axis):
     )
 
 
-def _known_type(schema, name):
+def _known(schema, name):
     return schema.field(name).type if name in schema.names else pa.null()
-
-
-def _journal_line(record):
-    content = json.dumps(record).encode()
-    return b"%08x %s\n" % (crc32(content), content)
-
-
-def _journal_record(line):
-    checksum, _, content = line.rstrip(b"\n").partition(b" ")
-    return (
-        json.loads(content)
-        if checksum == b"%08x" % crc32(content) and line.endswith(b"\n")
-        else None
-    )
 
 
 def _sync_folder(folder):

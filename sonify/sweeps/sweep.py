@@ -14,9 +14,9 @@ from sonify.runtime.toml_files import find_file, read_toml, shipped_names
 from sonify.scene import from_document, load_scene
 from sonify.scene_errors import ContradictionError, InputError, SceneError, error_sentence
 from sonify.sweeps.axes import Points, Samples, points_of
-from sonify.sweeps.required_stages import required_stages
+from sonify.sweeps.required_stages import stages_for
 
-SWEEPS = Path(__file__).parent / "shipped"
+SHIPPED_SWEEPS_FOLDER = Path(__file__).parent / "shipped"
 MAX_RUNS = 1_000_000_000
 """Largest number of runs of a sweep; the completion flags of more runs would fill the memory."""
 
@@ -64,7 +64,7 @@ class Sweep:
     @cached_property
     def stages(self) -> tuple[str, ...]:
         """Stages that every run solves."""
-        return required_stages(self.find, self.keep)
+        return stages_for(self.find, self.keep)
 
     @property
     def identity(self) -> dict[str, Any]:
@@ -112,12 +112,12 @@ class Sweep:
             for value in axis.values or axis.ends:
                 own = dict(zip(axis.keys, value, strict=True))
                 documents = [with_values(self.document, others | own) for others in (*ends, {})]
-                faults.append(_first_contradiction(documents))
+                faults.append(_contradiction(documents))
             if all(faults):
                 raise faults[0]
 
 
-def _first_contradiction(documents):
+def _contradiction(documents):
     """Return None if one of the documents is a valid scene, else its ContradictionError.
 
     Raises SceneError if each document contains a forbidden value.
@@ -160,7 +160,11 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
     Raises InputError if the sweep is invalid.
     """
-    path = Path() if isinstance(source, dict) else find_file(source, SWEEPS, "sweep", InputError)
+    path = (
+        Path()
+        if isinstance(source, dict)
+        else find_file(source, SHIPPED_SWEEPS_FOLDER, "sweep", InputError)
+    )
     document = source if isinstance(source, dict) else read_toml(path, InputError)
     try:
         sweep = TypeAdapter(Sweep).validate_json(json.dumps(document, default=str))
@@ -179,4 +183,4 @@ def load_sweep(source: "str | Path | dict") -> Sweep:
 
 def shipped_sweeps() -> list[str]:
     """Return the names of the shipped sweeps."""
-    return shipped_names(SWEEPS)
+    return shipped_names(SHIPPED_SWEEPS_FOLDER)

@@ -7,14 +7,11 @@ import json
 from time import perf_counter
 from typing import Any
 
-from sonify.runtime.signals import worker_loop
+from sonify.runtime.workers import serve_calls
 from sonify.sweeps.version import version
 
-IDLE_TIMEOUT = 60.0
-"""Idle time after which the process exits and frees its memory [s]."""
 
-
-def timed_row(task: dict) -> dict[str, Any]:
+def solve_task(task: dict) -> dict[str, Any]:
     """Solve a task; return its row as plain values, with the run time [s] and the version."""
     from sonify.sweeps.run_row import row_of  # deferred: slow, and the parent does not need it
 
@@ -29,4 +26,4 @@ def timed_row(task: dict) -> dict[str, Any]:
 if __name__ == "__main__":
     import sonify.sweeps.run_row  # load before the first task  # noqa: F401
 
-    worker_loop(idle=IDLE_TIMEOUT)
+    serve_calls(idle_timeout=60.0)  # s; an idle process exits and frees its memory

@@ -44,7 +44,7 @@ def test_both_processes_draw_the_same_bytes_also_once_one_is_dead(painter):
 
 def test_a_process_that_is_ended_leaves_no_pipe():
     painter = Painter()
-    process = painter._process.result()
+    process = painter._worker.result().process
     painter.close()
     assert process.returncode is not None
     assert process.stdin.closed
@@ -96,7 +96,7 @@ def test_modes_are_solved_beside_once_that_process_is_ready_and_are_the_same(pai
     here = eigenmodes(scene)
     assert painter.call(os.getpid) == os.getpid()
     painter.draw("motion", "draw_motion", lambda: CURVES).result()
-    assert painter.call(os.getpid) == painter._process.result().pid
+    assert painter.call(os.getpid) == painter._worker.result().process.pid
     there = painter.call(eigenmodes, scene)
     for name in ("frequency", "face_shape", "rim_shape", "participation", "error"):
         assert np.array_equal(getattr(there, name), getattr(here, name))
@@ -113,7 +113,7 @@ rows = np.arange(1.0, 6.0) ** np.arange(3)[:, None]
 data = dict.fromkeys(("time", "inclination", "energy", "force"), rows[1])
 data |= {"weight": 1.0, "centre": rows[:2], "rates": rows, "before_end": rows[:, ::-1]}
 picture = painter().draw("motion", "draw_motion", lambda: {"motion": data}).result()
-print(painter()._process.result().pid, len(picture), flush=True)
+print(painter()._worker.result().process.pid, len(picture), flush=True)
 END
 """
 

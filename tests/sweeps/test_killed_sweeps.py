@@ -8,12 +8,15 @@ processes that are really killed.
 
 import json
 import os
+import shutil
 import signal
 import socket
+import sqlite3
 import subprocess
 import sys
 import time
-from contextlib import contextmanager
+from contextlib import closing, contextmanager
+from tempfile import TemporaryDirectory
 
 import psutil
 import pytest
@@ -22,7 +25,7 @@ from sweep_files import QUICK, found
 
 import sonify
 from sonify.scene_errors import InputError
-from sonify.sweeps.store import JOURNAL_FILE, TABLE_FILE
+from sonify.sweeps.store import DATABASE_FILE, RUNS_FILE
 from sonify.sweeps.version import version
 
 pytestmark = pytest.mark.slow
@@ -77,7 +80,7 @@ def begun(file, *options, rows=5):
     out = file.parent / "out"
     driver = start("sonify", "sweep", file, "--out", out, *options)
     try:
-        until(lambda: driver.poll() is not None or _lines(out / JOURNAL_FILE) > rows, "rows")
+        until(lambda: driver.poll() is not None or _committed(out) > rows, "rows")
         assert driver.poll() is None, driver.communicate()
         yield driver
     finally:
@@ -85,11 +88,20 @@ def begun(file, *options, rows=5):
         driver.communicate()
 
 
-def _lines(journal):
-    return journal.read_bytes().count(b"\n") if journal.exists() else 0
+def _committed(folder):
+    """Return the number of rows in a copy of the database, which the running sweep locks."""
+    with TemporaryDirectory() as copies:
+        for name in (DATABASE_FILE, f"{DATABASE_FILE}-wal"):
+            if (folder / name).exists():
+                shutil.copy(folder / name, copies)
+        with closing(sqlite3.connect(f"{copies}/{DATABASE_FILE}")) as database:
+            try:
+                return database.execute("SELECT count(*) FROM runs").fetchone()[0]
+            except sqlite3.DatabaseError:  # not created yet
+                return 0
 
 
-def hands(process):
+def workers(process):
     """Return the worker processes started by a process or its descendants."""
     below = psutil.Process(process.pid).children(recursive=True)
     return [one for one in below if WORKER in one.cmdline()]
@@ -97,7 +109,7 @@ def hands(process):
 
 def test_a_killed_driver(file, truth):
     with begun(file) as driver:
-        left = hands(driver)
+        left = workers(driver)
         driver.kill()
         until(
             lambda: (
@@ -111,10 +123,10 @@ def test_a_killed_driver(file, truth):
 
 def test_a_killed_process_that_solves(file, truth):
     with begun(file) as driver:
-        hands(driver)[0].kill()
+        workers(driver)[0].kill()
         _, told = driver.communicate(timeout=PATIENCE)
     assert driver.returncode == 0, told
-    assert found(file.parent / "out" / TABLE_FILE).equals(truth)
+    assert found(file.parent / "out" / RUNS_FILE).equals(truth)
 
 
 def test_an_interrupted_driver_keeps_its_rows(file, truth):
@@ -122,8 +134,8 @@ def test_an_interrupted_driver_keeps_its_rows(file, truth):
         driver.send_signal(signal.SIGINT)
         assert driver.communicate(timeout=PATIENCE)[1].splitlines()[-1] == "sonify: interrupted"
     assert driver.returncode == 130
-    assert 5 <= found(file.parent / "out" / TABLE_FILE).num_rows < truth.num_rows
-    assert not (file.parent / "out" / JOURNAL_FILE).exists()
+    assert 5 <= found(file.parent / "out" / RUNS_FILE).num_rows < truth.num_rows
+    assert not (file.parent / "out" / DATABASE_FILE).exists()
     assert found(sonify.sweep(file, out=file.parent / "out")).equals(truth)
 
 
@@ -187,7 +199,7 @@ def test_a_cluster_finds_what_this_machine_finds_even_if_a_worker_is_killed(file
         processes[1].kill()
         _, told = driver.communicate(timeout=PATIENCE)
     assert driver.returncode == 0, told
-    assert found(file.parent / "out" / TABLE_FILE).equals(truth)
+    assert found(file.parent / "out" / RUNS_FILE).equals(truth)
 
 
 def test_dask_on_this_machine_finds_what_its_processes_find(file, truth):
@@ -206,7 +218,7 @@ def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
         assert told.splitlines()[-1].startswith(
             "sonify: what has been found is kept, but the processes are gone"
         )
-    kept = found(file.parent / "out" / TABLE_FILE).num_rows
+    kept = found(file.parent / "out" / RUNS_FILE).num_rows
     assert 5 <= kept < truth.num_rows
     with cluster(port, file.parent) as (address, processes):
         with begun(file, "--scheduler", address) as driver:

@@ -1,0 +1,96 @@
+"""Worker processes that serve pickled calls and end with the process that started them."""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from contextlib import suppress
+from queue import Empty, SimpleQueue
+from typing import Any
+
+
+class WorkerDiedError(Exception):
+    """The called worker process is dead."""
+
+
+class WorkerProcess:
+    """Process that runs a module of this program; the module must call `serve_calls`.
+
+    It imports from the same folders as this process, but not the script of the user, which
+    therefore needs no main guard. With `single_threaded`, its libraries use one thread, because
+    other workers occupy the remaining cores.
+    """
+
+    def __init__(self, module: str = __name__, single_threaded: bool = True):
+        environment = os.environ | {
+            "PYTHONPATH": os.pathsep.join(folder or os.getcwd() for folder in sys.path)
+        }
+        if single_threaded:
+            for library in ("OPENBLAS", "OMP", "MKL", "NUMBA", "VECLIB_MAXIMUM"):
+                environment[f"{library}_NUM_THREADS"] = "1"
+        self.process = subprocess.Popen(
+            [sys.executable, "-P", "-m", module],
+            env=environment,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            start_new_session=True,  # Ctrl-C reaches only the parent
+        )
+
+    def call(self, function: Callable, *arguments: Any, **options: Any) -> Any:
+        """Return the result of a module-level `function`, which the worker calls.
+
+        Exceptions of the function are raised here. Raises WorkerDiedError if the worker is dead.
+        """
+        assert self.process.stdin
+        assert self.process.stdout
+        try:
+            pickle.dump((function, arguments, options), self.process.stdin)
+            self.process.stdin.flush()
+            result, error = pickle.load(self.process.stdout)
+        except (OSError, EOFError, ValueError, pickle.UnpicklingError) as failure:
+            # ValueError: the pipes are closed
+            raise WorkerDiedError(str(failure) or "no answer") from None
+        if error:
+            raise error
+        return result
+
+    def kill(self):
+        """Kill the worker, wait for its exit, and close its pipes."""
+        with suppress(OSError), self.process:
+            self.process.kill()
+
+
+def serve_calls(after_call: Callable[[], Any] = lambda: None, idle_timeout: float | None = None):
+    """Serve calls until the parent exits, or none arrives for `idle_timeout` [s]."""
+    # Windows sends Ctrl-C to all processes of a terminal.
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    output = os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # keep the output of libraries out of the results
+    calls: SimpleQueue = SimpleQueue()
+    threading.Thread(target=_receive_calls, args=(calls,), daemon=True).start()
+    with suppress(Empty, BrokenPipeError):
+        while True:
+            function, arguments, options = calls.get(timeout=idle_timeout)
+            try:
+                answer: tuple[Any, Exception | None] = (function(*arguments, **options), None)
+            except Exception as error:
+                answer = (None, error)
+            pickle.dump(answer, output)
+            output.flush()
+            after_call()
+    os._exit(0)  # exit without a message about the broken pipe
+
+
+def _receive_calls(calls: SimpleQueue):
+    try:
+        while True:
+            calls.put(pickle.load(sys.stdin.buffer))
+    finally:  # input ended or invalid; the exit of this process informs the parent
+        os._exit(0)
+
+
+if __name__ == "__main__":
+    serve_calls()
