@@ -43,7 +43,7 @@ from sonify.plan.table import action
 from sonify.report import captions, pictures
 from sonify.report.render_worker import drawn
 from sonify.sound.radiation import Listener
-from sonify.sweeps.run_row import ALONE
+from sonify.sweeps.run_row import STAGE_FUNCTIONS
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.05])
@@ -470,7 +470,7 @@ def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
 def test_a_sweep_of_motions_hands_over_as_a_run_does(handed, monkeypatch):
     scene, _, motion = handed
     monkeypatch.setattr(two_way, "reruns", lambda *_: {"itself": motion.then, "again": motion.then})
-    row = ALONE["motion"](scene, None)
+    row = STAGE_FUNCTIONS["motion"](scene, None)
     assert row["t_end"] == motion.t[-1]
     assert "halt_comes_earlier" in row
 
