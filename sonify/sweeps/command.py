@@ -167,7 +167,7 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     """Measure a first and a later run in each process that the sweep would use.
 
     The processes run concurrently and compete for cores and caches as in the sweep. They start at
-    points spread over the atomic_write sweep. Each continues with the run that it would receive next, so
+    points spread over the whole sweep. Each continues with the run that it would receive next, so
     modes are reused as often as in the sweep. Contradictory scenes take no time and are skipped.
     """
     count = min(processes, asked.points.count)

@@ -32,7 +32,7 @@ STAGE_OF_OUTPUT = {"arrays": "motion", "wav": "sound", "page": "sound"}
 
 
 def hook_functions(hook: str) -> list[Callable[..., list]]:
-    """Return the functions named `hook`, e.g. motion_findings, that the claim finding_modules define."""
+    """Return the functions named `hook`, e.g. motion_findings, that the finding modules define."""
     found = [getattr(module, hook, None) for module in finding_modules()]
     return [
         f

@@ -43,7 +43,7 @@ from sonify.plan.table import table_action
 from sonify.report import captions, pictures
 from sonify.report.render_worker import drawn
 from sonify.sound.radiation import Listener
-from sonify.sweeps.run_row import SINGLE_STAGE_ROWS
+from sonify.sweeps.run_row import STAGE_FUNCTIONS
 
 
 @pytest.mark.parametrize("damping", [0.0, 0.05])
@@ -478,7 +478,7 @@ def test_a_sweep_of_motions_hands_over_as_a_run_does(handed, monkeypatch):
     monkeypatch.setattr(
         two_way, "variation_runs", lambda *_: {"itself": motion.then, "again": motion.then}
     )
-    row = SINGLE_STAGE_ROWS["motion"](scene, None)
+    row = STAGE_FUNCTIONS["motion"](scene, None)
     assert row["t_end"] == motion.t[-1]
     assert "halt_comes_earlier" in row
 
