@@ -26,6 +26,7 @@ from sonify.report.settling import run_numbers, run_sentences
 from sonify.scene_errors import InputError
 
 RECORDINGS = Path(os.environ.get("SONIFY_RECORDINGS", ROOT.parent / "shared" / "recordings"))
+FAMILIES = families(SettlingSettings(), SettlingSettings().shape_distance)
 needs_recordings = pytest.mark.skipif(
     not RECORDINGS.is_dir(),
     reason="the real recordings are not here; set SONIFY_RECORDINGS to their folder",
@@ -59,10 +60,10 @@ def recording(name, start=0.0, stop=None):
     return samples[int(start * rate) : None if stop is None else int(stop * rate)], rate
 
 
-@pytest.mark.parametrize("family", sorted(families(SettlingSettings())))
+@pytest.mark.parametrize("family", sorted(FAMILIES))
 def test_the_time_of_a_phase_is_the_inverse_of_the_phase_of_a_time(family):
     phases = np.linspace(0, 1, 41)
-    for shape in families(SettlingSettings())[family].shapes[::5]:
+    for shape in FAMILIES[family].shapes[::5]:
         assert shape.phase(shape.time(phases)) == pytest.approx(phases, abs=1e-9)
         last_rate = (1 - shape.phase(1 - 1e-7)) / 1e-7
         ratio = 1 / shape.ratio if shape.family.startswith("slowing") else shape.ratio
@@ -71,7 +72,7 @@ def test_the_time_of_a_phase_is_the_inverse_of_the_phase_of_a_time(family):
 
 def test_every_law_of_the_family_is_near_a_shape_of_the_cover():
     x = np.linspace(0, 1, 500)
-    cover = np.array([shape.phase(x) for shape in families(SettlingSettings())["disk"].shapes])
+    cover = np.array([shape.phase(x) for shape in FAMILIES["disk"].shapes])
     rng = np.random.default_rng(1)
     for _ in range(50):
         law = Shape(
@@ -89,7 +90,7 @@ def test_the_periodogram_counts_the_turns_of_pulses(exponent, turns):
     The best law has the same number of turns.
     """
     settings = SettlingSettings()
-    shapes = families(settings)["disk"]
+    shapes = FAMILIES["disk"]
     shape = min(
         shapes.shapes,
         key=lambda shape: abs(shape.exponent - exponent) + abs(np.log(shape.ratio / 6)),

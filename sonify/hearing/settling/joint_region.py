@@ -98,7 +98,7 @@ def _widened(value, values, resolution, factor):
     return Estimate(value, value - factor * below, value + factor * above)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _relative_rate(left, exponent, upright):
     """Rate over that at the beginning of the window, where `left` is the time left over that at the
     beginning."""
@@ -109,7 +109,7 @@ def _relative_rate(left, exponent, upright):
     )
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _warp_places(lengths_left, exponents, uprights, length, steps, nodes):
     """Return places (cells, steps + 1) of equal steps of phase in a window, and first over mean
     rate.

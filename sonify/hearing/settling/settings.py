@@ -70,11 +70,17 @@ class SettlingSettings:
     shape_distance: float = 0.006
     """Distance of neighbouring shapes of the search, rms of the phase over the phase of the
     window."""
+    coarse_distance: float = 0.015
+    """The same in a first, coarse search of all windows."""
     rivals_from: float = 10.0
-    """Rival laws are searched where a disk reaches this log likelihood."""
+    """Rival laws are searched where a disk reaches this log likelihood in the coarse search."""
+    searched_windows: int = 12
+    """Number of windows of a block that are searched again, the best of the coarse search."""
+    searched_channels: int = 3
+    """Number of channels of such a window that are searched again."""
     refined_from: float = 6.0
-    """Windows are refined, and ends tried with an earlier stop, if the first estimate of the score
-    reaches this."""
+    """Windows are refined, and tried with an earlier stop, if the first estimate of the score reaches
+    this."""
     refined_windows: int = 6
     """Number of best windows that are refined."""
 
