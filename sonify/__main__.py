@@ -4,6 +4,7 @@ import errno
 import os
 import re
 import sys
+from math import inf
 from shutil import get_terminal_size
 from signal import SIGINT
 from tempfile import gettempdir
@@ -124,6 +125,13 @@ class Given(click.ParamType):
 
 
 PATH, TEXT = Given("path"), Given("text")
+SECONDS = click.FloatRange(min=0.0)
+FROM_OPTION = click.option(
+    "--from", "begin", type=SECONDS, default=0.0, help="Analyse the sound from this time on [s]."
+)
+TO_OPTION = click.option(
+    "--to", "end", type=SECONDS, default=inf, help="Analyse the sound up to this time [s]."
+)
 
 
 def _stop(message, status):
@@ -192,12 +200,17 @@ def run(scene, out, accuracy, assignments, animation):
 @click.option(
     "--scene", type=TEXT, help="Whose resonances the carriers are matched to: a name or a file."
 )
-def listen(recording, out, scene):
-    """Seek the rising tone, its end and exponent, and the carriers in RECORDING, a sound file of
+@FROM_OPTION
+@TO_OPTION
+def listen(recording, out, scene, begin, end):
+    """Find disks and coins that come to rest, and the spectral lines, in RECORDING, a sound file of
     your own."""
     from sonify.report.recording import tell
 
-    for line in tell(recording, out, scene, warn=lambda line: click.echo(line, err=True)):
+    def warn(line):
+        click.echo(line, err=True)
+
+    for line in tell(recording, out, scene, warn, (begin, end)):
         click.echo(line)
 
 
@@ -216,7 +229,9 @@ def listen(recording, out, scene):
 @click.option(
     "--like", type=click.Choice(["fu-berlin"]), help="Also the exponents of a published chain."
 )
-def fit(recordings, scene, out, like):
+@FROM_OPTION
+@TO_OPTION
+def fit(recordings, scene, out, like, begin, end):
     """Find what slowed the disk in RECORDINGS: sound files, exports of phyphox, or folders of
     takes."""
     from sonify.console import Console
@@ -226,7 +241,7 @@ def fit(recordings, scene, out, like):
         from sonify.fitting.result import fit
 
         with stages.stage("recordings") as watch:
-            fits = fit(recordings, scene, like, watch)
+            fits = fit(recordings, scene, like, watch, (begin, end))
         for one in fits.files:
             if one.truncation:
                 stages.notice(f"{one.file}: {one.truncation}")

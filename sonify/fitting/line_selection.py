@@ -1,5 +1,4 @@
-"""SOUNDS -> WHAT SLOWED THE DISK: where the tone is sought first, in which signal and line it is
-followed, the fit."""
+"""SOUNDS -> WHAT SLOWED THE DISK: in which signal and line the run is followed, and the fit."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -11,6 +10,7 @@ from scipy.signal import resample_poly
 from sonify.fitting.decay_model import LAWS, Decline
 from sonify.fitting.least_squares import (
     FLOOR,
+    LAST,
     LENGTHS,
     TINY,
     Fit,
@@ -22,30 +22,17 @@ from sonify.fitting.least_squares import (
     mixed,
     solved_near,
 )
-from sonify.fitting.phase_demodulation import FARTHEST, OVERLAP, SHORTEST, Rates, follows
+from sonify.fitting.phase_demodulation import FARTHEST, OVERLAP, Rates
 from sonify.hearing.audio_source import Source
-from sonify.hearing.find_end import run_ends
-from sonify.hearing.power_law import TIME_LEFT
-from sonify.hearing.recording import (
-    AFTER,
-    ENVELOPE_FROM,
-    LONGEST,
-    RecordingError,
-    between,
-    envelope,
-    later,
-    read,
-)
-from sonify.hearing.rising_tone import RisingTone, clearest_tone
+from sonify.hearing.recording import ENVELOPE_FROM, RecordingError, envelope, read
+from sonify.hearing.settling.detector import SettlingRun, settling_runs
 
 TONE_RATE = 4000
 """Samples a second [Hz] in which the tone is followed."""
-FOLLOWED, NEARLY = 0.45, 0.9
-"""A tone is there if its phase follows it so surely (runs have 0.6, of thirty pieces of speech the
-clearest 0.36), and if it stands out, or would for so much of what is asked."""
-BEFORE, BEYOND, TRIED = 12.0, 2.0, 12
-"""So long before and after an end a tone that is hidden by what is louder is sought [s], at so many
-ends."""
+SHORTEST = 1.5
+"""A shorter recording is refused [s]."""
+FARTHEST_END = 8.0
+"""A fit whose end is farther from that of the run is none [s]."""
 MAIN = ("precession", "its double", "nutation")
 """Lines that the loudest tone may be."""
 NEAR, USUAL, LIKELY, LIKELIER = 0.05, 5.0, 0.5, 0.7
@@ -74,7 +61,7 @@ UNEXPLAINED = 0.01
 STARTS = (1e-4, 1.0, 1.0)
 """Shares of the LAWS with which the search begins."""
 RIDGE_ERROR = 0.03
-"""Relative error of the ridge of a spectrogram, from which the search begins."""
+"""Relative error of the law of a run, from which the search begins."""
 CLIPPED, RUN, NEAR_TOP = 1e-3, 3, 0.98
 """A sound is clipped if this share of it, in runs of so many samples, is at its greatest value, and
 less above this share of that: the round top of a slow tone is not."""
@@ -85,14 +72,14 @@ that was lost; and present if it takes at least that at the lower end."""
 
 @dataclass(frozen=True, kw_only=True)
 class Sound:
-    """A sound that was read, and the rising tone that stands out in it; it may have passed a
+    """A sound that was read, and the run of a disk that is heard in it; it may have passed a
     recorder's high-pass."""
 
     name: str
     samples: np.ndarray
     rate: float
     start: float
-    tones: dict[str, RisingTone]
+    run: SettlingRun
     recorded: bool = True
 
 
@@ -133,54 +120,35 @@ class Judged:
         return self.fit.values()
 
 
-def heard(source: Source, name: str, wanted=("tone", "envelope"), recorded: bool = True) -> Sound:
-    """Return a sound with the rising tones in the signals `wanted`. Raises RecordingError for one
-    that cannot be fitted, in one line."""
-    samples, rate, start, _ = read(source)
-    if len(samples) < SHORTEST * rate:
+def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) -> Sound:
+    """Return a sound, which begins at a time [s] of its file, with the run of the disk in it.
+
+    Raises RecordingError for one that cannot be fitted, in one line.
+    """
+    samples, rate, start, duration = read(source)
+    if duration < SHORTEST:
         raise RecordingError(
-            f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s of a disk are "
-            f"needed"
+            f"{name}: {duration:.3g} s long: at least {SHORTEST:g} s of a disk are needed"
         )
+    runs = settling_runs(source)
+    if not runs:
+        raise RecordingError(f"{name}: no disk or coin is heard coming to rest in it")
+    if len(runs) > 1:
+        raise RecordingError(
+            f"{name}: the recording contains a second run, ending at "
+            f"{begin + runs[1].t_end.value:.2f} s; choose one with --from and --to"
+        )
+    if start:
+        samples, rate, start, _ = read(source, runs[0].t_end.value)
     _refuse_clipped(samples, name)
-    tones = _tones(samples, rate, wanted)
-    for _, end in () if tones else run_ends(source)[:TRIED]:  # what is louder may hide it
-        first = max(end - BEFORE, 0.0)
-        start = max(end + AFTER - LONGEST, 0.0)
-        hidden = _tones(between(source, first, end + BEYOND), rate, wanted)
-        if hidden:
-            samples = between(source, start, end + AFTER)
-            tones = {kind: later(tone, first - start) for kind, tone in hidden.items()}
-            break
-    if not tones:
-        raise RecordingError(f"{name}: no tone rises in it towards an end")
-    end = max(tone.end for tone in tones.values()) + 1.0
-    after = samples[int(end * rate) :]
-    if len(after) > 4 * rate and np.abs(after).max() > 0.1 * np.abs(samples).max():
-        again = _tones(after, rate, ("tone",)).get("tone")
-        if again is not None:
-            end += start + again.end
-            raise RecordingError(
-                f"{name}: a second disk ends at {end:.2f} s: cut the file between them"
-            )
-    return Sound(name=name, samples=samples, rate=rate, start=start, tones=tones, recorded=recorded)
-
-
-def _tones(samples, rate, wanted):
-    """The rising tones of the signals wanted, if the phase of one is followed: those that stand
-    out, or nearly do."""
-    down = max(int(rate // TONE_RATE), 1)
-    signals = {"tone": (samples, rate)}
-    if "envelope" in wanted and rate > 2 * ENVELOPE_FROM:
-        signals["envelope"] = envelope(samples, rate)
-    found = {kind: clearest_tone(*signals[kind]) for kind in wanted if kind in signals}
-    tones = {
-        kind: tone for kind, tone in found.items() if tone is not None and tone.stands_out(NEARLY)
-    }
-    signals["tone"] = resample_poly(samples, 1, down), rate / down
-    sure = {kind: tone for kind, tone in tones.items() if follows(*signals[kind], tone) > FOLLOWED}
-    clear = {kind: tone for kind, tone in tones.items() if tone.stands_out()}
-    return clear if clear.keys() & sure.keys() else sure
+    return Sound(
+        name=name,
+        samples=samples,
+        rate=rate,
+        start=begin + start,
+        run=runs[0].later(begin),
+        recorded=recorded,
+    )
 
 
 def _refuse_clipped(samples, name):
@@ -286,14 +254,15 @@ def _tracks(decline, sounds):
     """The tracks of the sounds: the ridge of every signal that they have in common may be that of
     every line, and of the lines of the decline that this would be, that which is heard best is
     followed, or the next that can be."""
-    signals = [
-        signal for signal in ("tone", "envelope") if all(signal in sound.tones for sound in sounds)
-    ]
+    enveloped = all(sound.rate > 2 * ENVELOPE_FROM for sound in sounds)
+    signals = ("tone", "envelope") if enveloped else ("tone",)
     streams = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}
+    ends = np.array([sound.run.t_end.value for sound in sounds])
+    ridges = [_ridge(sound.run) for sound in sounds]
     found = {}
-    for ridge, name in product(signals, MAIN):
+    for name in MAIN:
         try:
-            moved, shares = _guess(decline, decline.lines[name], *_ridges(sounds, ridge))
+            moved, shares = _guess(decline, decline.lines[name], ridges, ends)
         except ValueError:
             continue
         heard = {
@@ -326,7 +295,7 @@ def _track(decline, streams, signal, line, ends, shares):
         one = fit(decline.lines[line], streams[signal], ends, shares, _free(decline), LENGTHS[:4])
     except ValueError:
         return None
-    if np.abs(one.ends - ends).max() > TIME_LEFT[1]:
+    if np.abs(one.ends - ends).max() > FARTHEST_END:
         return None
     beside = [sounds for other, sounds in streams.items() if other != signal]
     head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
@@ -359,21 +328,11 @@ def stream(sound: Sound, signal: str) -> Heard:
     )
 
 
-def _ridges(sounds, signal):
-    """Ridges of the spectrograms, and ends."""
-    tones = [sound.tones[signal] for sound in sounds]
-    ends = np.array([sound.start + tone.end for sound, tone in zip(sounds, tones, strict=True)])
-    ridges = [
-        Rates(
-            sound.start + tone.time,
-            tone.frequency,
-            RIDGE_ERROR * tone.frequency,
-            tone.level,
-            0 * tone.frequency,
-        )
-        for sound, tone in zip(sounds, tones, strict=True)
-    ]
-    return ridges, ends
+def _ridge(run):
+    """The rates of the law of a run at 200 times, from its beginning on."""
+    time = run.t_end.value - np.geomspace(run.t_end.value - run.start, LAST, 200)
+    frequency = run.rate(time)
+    return Rates(time, frequency, RIDGE_ERROR * frequency, 1 + 0 * time, 0 * time)
 
 
 def _guess(decline, line, ridges, ends):

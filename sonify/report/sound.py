@@ -115,10 +115,10 @@ def draw_spectrogram(
             )
 
 
-def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, tone=None):
-    """Draw the spectrogram of a recording in two bands, relative to full scale.
+def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
+    """Draw the spectrogram of a recording in two bands, relative to full scale, over a `span` [s].
 
-    The fitted rising `tone` is drawn over it, if there is one.
+    The rates of the settling `runs` are drawn over it.
     """
     floors = [loudest_db(part, 1.0) - RANGE_DB for part in (low, high.band(LOWEST_MODE, np.inf))]
     with figure_at(path, 2, 1, (11, 9)) as (figure, axes):
@@ -127,19 +127,8 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, t
         axes[0].set(ylabel="frequency [Hz]", xlabel="time [s]")
         axes[0].set_title("Contact rates", loc="left")
         for panel, seen, unit, floor in zip(axes, (low, high), (1.0, 1e3), floors, strict=True):
-            panel.set(xlim=(0, duration))
+            panel.set(xlim=span)
             image = level_image(panel, seen, unit, floor, 1.0)
-            if tone is not None:
-                left = np.geomspace(0.01, 8.0, 400)
-                options = {
-                    "color": "w",
-                    "lw": 1.0,
-                    "ls": "--",
-                    "label": "rising tone, fitted",
-                    "path_effects": EDGE,
-                }
-                panel.plot(tone.end - left, tone.at(tone.end - left) / unit, **options)
-                _legend(panel)
             figure.colorbar(
                 image,
                 ax=panel,
@@ -147,6 +136,13 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, t
                 fraction=0.05,
                 label="level of a sine [dB re full scale, RMS]",
             )
+        for run in runs:
+            left = np.geomspace(0.01, run.t_end.value - run.start, 400)
+            time = run.t_end.value - left
+            label = "rate of a settling disk, fitted"
+            axes[0].plot(time, run.rate(time), "w--", lw=1.0, label=label, path_effects=EDGE)
+        if runs:
+            _legend(axes[0])
         axes[1].set(ylabel="frequency [kHz]", xlabel="time [s]")
         axes[1].set_title("Modes", loc="left")
 

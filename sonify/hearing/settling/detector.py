@@ -68,6 +68,12 @@ class SettlingRun:
     bands: tuple[tuple[float, float], ...]
     region: JointRegion
 
+    def rate(self, time: np.ndarray) -> np.ndarray:
+        """Return the rate [Hz] of the law at times before the end [s]."""
+        reference = min(1.0, self.t_end.value - self.start)
+        left = (self.t_end.value - np.asarray(time)) / reference
+        return self.rate_at_1s.value * left**-self.region.best_exponent
+
     def later(self, seconds: float) -> "SettlingRun":
         """Return the run so much later [s]."""
         return replace(

@@ -87,6 +87,8 @@ class SettlingSettings:
     end_range_ms: tuple[int, int] = (-2, 80)
     """Ends of a disk are tried from this to this time after the level begins to fall for good
     [ms]."""
+    tone_end_range_ms: tuple[int, int] = (-30, 250)
+    """The same for a tone, which may leave its band before the end [ms]."""
     fastest_standing: float = 12.0
     """A disk may stand upright only while its rate is below this [Hz], that of a coin with a radius
     of 7 mm."""
@@ -112,6 +114,8 @@ class SettlingSettings:
     false_alarms_per_hour: float = 6.0
     """Expected false events that are heard per hour of eventful sound: of 120 clips whose blocks
     were shuffled, 1 in 10 min was heard (0.2 to 33 per hour), 11 reached half that score."""
+    false_alarms_per_hour_range: tuple[float, float] = (0.2, 33.0)
+    """Interval of that number, 95 %."""
     false_alarm_decay: float = 3.2
     """The number of false events falls by a factor of e for this much more score; from the same
     clips."""
