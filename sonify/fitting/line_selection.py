@@ -24,13 +24,16 @@ from sonify.fitting.least_squares import (
 )
 from sonify.fitting.phase_demodulation import FARTHEST, OVERLAP, Rates
 from sonify.hearing.audio_source import Source
-from sonify.hearing.recording import ENVELOPE_FROM, RecordingError, envelope, read
-from sonify.hearing.settling.detector import SettlingRun, settling_runs
+from sonify.hearing.recording import ENVELOPE_FROM, LONGEST, RecordingError, envelope, read
+from sonify.hearing.rising_tone import clearest_tone
+from sonify.hearing.settling.detector import settling_runs
 
 TONE_RATE = 4000
 """Samples a second [Hz] in which the tone is followed."""
 SHORTEST = 1.5
 """A shorter recording is refused [s]."""
+SECOND_RUN = 1 / 3
+"""A run is another disk if its score is at least this share of the best one's."""
 FARTHEST_END = 8.0
 """A fit whose end is farther from that of the run is none [s]."""
 MAIN = ("precession", "its double", "nutation")
@@ -58,6 +61,8 @@ UNKNOWN = 0.004
 is, its nutation what there is."""
 UNEXPLAINED = 0.01
 """A motion that leaves more of the rates than this, and than noise, does not explain them."""
+NOT_EXPLAINED = 0.03
+"""A motion that leaves more of the rates than this is not that of the scene."""
 STARTS = (1e-4, 1.0, 1.0)
 """Shares of the LAWS with which the search begins."""
 RIDGE_ERROR = 0.03
@@ -72,14 +77,15 @@ that was lost; and present if it takes at least that at the lower end."""
 
 @dataclass(frozen=True, kw_only=True)
 class Sound:
-    """A sound that was read, and the run of a disk that is heard in it; it may have passed a
-    recorder's high-pass."""
+    """A sound that was read, the `end` [s] of the run in it, and rates that the disk may have: of
+    the run, and of the rising tone. It may have passed a recorder's high-pass."""
 
     name: str
     samples: np.ndarray
     rate: float
     start: float
-    run: SettlingRun
+    end: float
+    ridges: tuple[Rates, ...]
     recorded: bool = True
 
 
@@ -130,23 +136,29 @@ def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) 
         raise RecordingError(
             f"{name}: {duration:.3g} s long: at least {SHORTEST:g} s of a disk are needed"
         )
-    runs = settling_runs(source)
-    if not runs:
-        raise RecordingError(f"{name}: no disk or coin is heard coming to rest in it")
-    if len(runs) > 1:
+    runs = sorted(settling_runs(source), key=lambda run: -run.score)
+    if len(runs) > 1 and runs[1].score > SECOND_RUN * runs[0].score:
         raise RecordingError(
             f"{name}: the recording contains a second run, ending at "
             f"{begin + runs[1].t_end.value:.2f} s; choose one with --from and --to"
         )
-    if start:
+    if start and runs:
         samples, rate, start, _ = read(source, runs[0].t_end.value)
+    start += begin
+    tone = clearest_tone(samples, rate) if runs or duration <= LONGEST else None
+    ridges = [_ridge_of_run(runs[0].later(begin))] if runs else []
+    if tone is not None and tone.stands_out():
+        ridges.append(_ridge_of_tone(tone, start))
+    if not ridges:
+        raise RecordingError(f"{name}: no disk or coin is heard coming to rest in it")
     _refuse_clipped(samples, name)
     return Sound(
         name=name,
         samples=samples,
         rate=rate,
-        start=begin + start,
-        run=runs[0].later(begin),
+        start=start,
+        end=begin + runs[0].t_end.value if runs else start + tone.end,
+        ridges=tuple(ridges),
         recorded=recorded,
     )
 
@@ -199,7 +211,7 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
         streams=best.streams,
         fit=one,
         explained=explained,
-        verdict=verdict_of(decline, one),
+        verdict="not this scene" if one.spread > NOT_EXPLAINED else verdict_of(decline, one),
     )
 
 
@@ -257,10 +269,10 @@ def _tracks(decline, sounds):
     enveloped = all(sound.rate > 2 * ENVELOPE_FROM for sound in sounds)
     signals = ("tone", "envelope") if enveloped else ("tone",)
     streams = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}
-    ends = np.array([sound.run.t_end.value for sound in sounds])
-    ridges = [_ridge(sound.run) for sound in sounds]
+    ends = np.array([sound.end for sound in sounds])
     found = {}
-    for name in MAIN:
+    for number, name in product(range(min(len(sound.ridges) for sound in sounds)), MAIN):
+        ridges = [sound.ridges[number] for sound in sounds]
         try:
             moved, shares = _guess(decline, decline.lines[name], ridges, ends)
         except ValueError:
@@ -328,10 +340,18 @@ def stream(sound: Sound, signal: str) -> Heard:
     )
 
 
-def _ridge(run):
+def _ridge_of_run(run):
     """The rates of the law of a run at 200 times, from its beginning on."""
     time = run.t_end.value - np.geomspace(run.t_end.value - run.start, LAST, 200)
-    frequency = run.rate(time)
+    return _ridge(time, run.rate(time))
+
+
+def _ridge_of_tone(tone, start):
+    """The rates of a tone in samples that begin at a time [s]."""
+    return _ridge(start + tone.time, tone.frequency)
+
+
+def _ridge(time, frequency):
     return Rates(time, frequency, RIDGE_ERROR * frequency, 1 + 0 * time, 0 * time)
 
 

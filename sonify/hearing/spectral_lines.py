@@ -174,7 +174,9 @@ def _peaks(level, spacing):
     frame, place, height = _tops(level - _floor(level, BANDS), STANDS_OUT_DB)
     top = np.round(place).astype(int)
     sides = [
-        np.median(level[frame[:, None], np.clip(top[:, None] + side, 0, level.shape[1] - 1)], axis=1)
+        np.median(
+            level[frame[:, None], np.clip(top[:, None] + side, 0, level.shape[1] - 1)], axis=1
+        )
         for side in (-BESIDE_LINE, BESIDE_LINE)
     ]
     line = level[frame, top] - np.maximum(*sides) > STANDS_OUT_DB  # an edge has a floor on one side

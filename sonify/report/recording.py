@@ -8,11 +8,15 @@ from pathlib import Path
 
 from sonify.hearing.audio_source import excerpt, source_of, truncation_of
 from sonify.hearing.recording import Heard, listen, read
+from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectral_lines import Carrier
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
 from sonify.report.settling import false_alarm_sentence, run_numbers, run_sentences
 from sonify.runtime.files import claim, numbered, whole
+
+MOST_RINGING_LINES = 4
+"""Number of lines of free ringing that are told in words; heard.json has all."""
 
 
 def tell(
@@ -41,6 +45,8 @@ def tell(
     truncation = truncation_of(whole_sound)
     if truncation:
         warn(f"{recording}: {truncation}")
+    samples, rate, _, _ = read(part)
+    ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
     folder = claim(out or own_folder(recording))
     from sonify.report.sound import draw_recording
     from sonify.report.write import finite, write_json
@@ -52,6 +58,7 @@ def tell(
     told = (
         {"recording": _name(recording)}
         | numbers(heard, known)
+        | {"decaying_lines": [asdict(line) for line in ringing]}
         | {"runs": [run_numbers(run) for run in runs]}
     )
     write_json(finite(told), folder / "heard.json")
@@ -62,6 +69,7 @@ def tell(
         *(settled or ["no disk or coin is heard coming to rest"]),
         false_alarm_sentence(),
         *lines[1:],
+        *(_ring(line) for line in ringing[:MOST_RINGING_LINES]),
         str(folder),
     ]
 
@@ -126,6 +134,14 @@ def sentences(heard: Heard, known=()) -> list[str]:
     """Return the analysis in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
     return lines + [f"carrier: {_carrier(c)}{_near(_matched(c, known))}" for c in heard.carriers]
+
+
+def _ring(line):
+    """A decaying line in words."""
+    return (
+        f"free ringing: {line.frequency:.1f} Hz, amplitude decay {line.decay_rate:.1f} ± "
+        f"{line.decay_error:.1f} 1/s"
+    )
 
 
 def _near(match):

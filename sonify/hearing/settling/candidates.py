@@ -64,6 +64,11 @@ class Candidate:
         return min(self.steady_margin, self.rising_margin + 20)
 
     @property
+    def first_rate(self):
+        """Rate at the beginning of the window [Hz]."""
+        return self.law.turns * self.law.shape.first_rate / self.window.seconds
+
+    @property
     def t_end(self):
         """Time of the end of the law [s]."""
         left = distance_to_end(self.law.shape.ratio, self.law.shape.exponent)

@@ -171,10 +171,13 @@ def runs_of_frames(
 def is_heard(candidate: Candidate, settings: SettlingSettings) -> bool:
     """Return True if a candidate alone is evidence of a disk."""
     low, high = settings.pulse_slopes
+    clear = candidate.score > settings.clear_score
+    slow = candidate.first_rate <= settings.fastest_beginning
     return (
         candidate.score > settings.heard_score
         and candidate.rising_margin > settings.least_rising_margin
-        and low <= candidate.slope <= high
+        and candidate.slope <= high
+        and (clear or (slow and candidate.slope >= low))
     )
 
 

@@ -131,6 +131,12 @@ class SettlingSettings:
     likelihood."""
     pulse_slopes: tuple[float, float] = (-0.8, 0.65)
     """Range of the slope of the pulse levels [dB] against 20 log10 of the time left."""
+    clear_score: float = 40.0
+    """From this score on, the levels may rise more steeply towards the end, and the rate at the
+    beginning of the window is free."""
+    fastest_beginning: float = 60.0
+    """Greatest rate at the beginning of the window [Hz] of other runs: the pitch of a voice is
+    above, and a disk that turns faster has been heard before."""
     bounce_exponent: float = 0.9
     """A bouncing body has an exponent of at least this; exactly 1 for a constant restitution."""
     bounce_slopes: tuple[float, float] = (0.75, 1.3)
