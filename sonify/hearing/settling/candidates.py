@@ -175,13 +175,14 @@ def _refined(onsets, broadband, window, channel, starts, settings):
     independent = len(values) / max(scale, memory)
     scores = {family: independent * predicted_gain(values, law) for family, law in laws.items()}
     levels = onsets.values[channel] ** 2 if onsets.kinds[channel] == "tone" else broadband
-    slope = pulse_slope(levels[window.first : window.stop], laws["disk"], window)
+    after = levels[window.end + 30 : window.end + 130].mean()
+    slope = pulse_slope(levels[window.first : window.stop], laws["disk"], window, 4 * after)
     return Candidate(window, channel, laws["disk"], scores, slope)
 
 
-def pulse_slope(power: np.ndarray, law: Law, window: Window) -> float:
+def pulse_slope(power: np.ndarray, law: Law, window: Window, least: float = 0.0) -> float:
     """Return the slope of the highest level of every turn [dB] against 20 log10 of the time left to
-    the end."""
+    the end, where it exceeds the `least` power."""
     count = len(power)
     places = (np.arange(count) + 0.5) / count
     turn = np.floor(law.turns * law.shape.phase(places)).astype(int)
@@ -189,7 +190,7 @@ def pulse_slope(power: np.ndarray, law: Law, window: Window) -> float:
     begins = np.flatnonzero(np.diff(turn, prepend=-1))
     level = 10 * np.log10(np.maximum.reduceat(power, begins) + 1e-14)
     ends = np.append(begins[1:], count) - 1
-    kept = left[ends] >= 0.05
+    kept = (left[ends] >= 0.05) & (level > 10 * np.log10(least + 1e-14))
     if np.count_nonzero(kept) < 4:
         return 0.0
     middle = 20 * np.log10(left[(begins + ends) // 2])

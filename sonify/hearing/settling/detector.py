@@ -188,10 +188,12 @@ def is_bouncing(candidate: Candidate, settings: SettlingSettings) -> bool:
 
 
 def _explained(candidate, bouncing, settings):
-    """Whether a better bouncing candidate ends near a candidate."""
+    """Whether a better bouncing candidate overlaps a candidate, or nearly does."""
     near = settings.bounce_separation * FRAME_RATE
     return any(
-        other.score > candidate.score and abs(other.window.end - candidate.window.end) <= near
+        other.score > candidate.score
+        and other.window.first < candidate.window.end + near
+        and candidate.window.first < other.window.end + near
         for other in bouncing
     )
 

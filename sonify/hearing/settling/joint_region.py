@@ -194,7 +194,7 @@ def joint_region(
     exponents = np.concatenate([surface.exponents for surface in kept])
     ends = np.concatenate([surface.ends for surface in kept])
     rates = np.concatenate([surface.rates(span) for surface in kept])
-    same_reading = np.abs(np.log(rates / best_rate)) < 0.25  # not half or twice as many bursts
+    same_reading = np.abs(np.log(rates / best_rate)) < 0.12  # not half or twice as many bursts
     return JointRegion(
         exponents=exponents[same_reading],
         ends=ends[same_reading],

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from scipy.fft import rfft
 from scipy.ndimage import uniform_filter1d
-from scipy.signal import butter, sosfiltfilt
+from scipy.signal import butter, sosfilt
 
 from sonify.hearing.settling.settings import SettlingSettings
 
@@ -56,7 +56,7 @@ def frames_of(samples: np.ndarray, rate: float, settings: SettlingSettings) -> F
         power[first : first + 4096] = (spectrum.real**2 + spectrum.imag**2) @ weights
     low, high = settings.waveform_band
     sos = butter(2, (low, min(high, 0.45 * rate)), "bandpass", fs=rate, output="sos")
-    waveform = sosfiltfilt(sos, samples)[centres]
+    waveform = sosfilt(sos, samples)[centres]
     return Frames(power=power, waveform=waveform.astype(np.float32), edges=edges)
 
 

@@ -137,9 +137,10 @@ class SettlingSettings:
     fastest_beginning: float = 60.0
     """Greatest rate at the beginning of the window [Hz] of other runs: the pitch of a voice is
     above, and a disk that turns faster has been heard before."""
-    bounce_exponent: float = 0.9
-    """A bouncing body has an exponent of at least this; exactly 1 for a constant restitution."""
-    bounce_slopes: tuple[float, float] = (0.75, 1.3)
+    bounce_exponent: float = 0.6
+    """A bouncing body has an exponent of at least this; 1 for a constant restitution, less where
+    its last bounces are lost in noise."""
+    bounce_slopes: tuple[float, float] = (0.65, 1.5)
     """Range of the slope of pulse levels of a bouncing body; 1 for a constant restitution."""
     bounce_separation: float = 0.4
-    """A bouncing body explains every run that ends within this time of its own end."""
+    """A bouncing body explains every run that is less than this time away from it."""
