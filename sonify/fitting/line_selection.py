@@ -59,6 +59,8 @@ shares leaves so many times as much."""
 UNKNOWN = 0.004
 """So much of the power may go elsewhere: the precession of a hoop tells 0.7 % more of it than there
 is, its nutation what there is."""
+FILM_ERROR = 0.06
+"""Relative error of the power of the film: a thin-wedge law puts rolling up to 8 % off."""
 UNEXPLAINED = 0.01
 """A motion that leaves more of the rates than this, and than noise, does not explain them."""
 NOT_EXPLAINED = 0.03
@@ -434,6 +436,22 @@ def _mean_of(fits, decline):
         (len(draws), 3)
     )
     return replace(one, draws=draws)
+
+
+def with_model_error(judged: Judged) -> Judged:
+    """Return the same with draws that differ as much as laws of the film that other models give.
+
+    The power of the film is uncertain by FILM_ERROR of itself, which other laws take up.
+    """
+    one = judged.fit
+    power, fall = _powers(judged.decline, one)
+    error = FILM_ERROR * one.shares[1] * (power[1] @ fall) / np.maximum(power @ fall, TINY)
+    error[[law for law in range(3) if law not in one.free]] = 0.0
+    draws = one.draws.copy()
+    moved = np.random.default_rng(1).standard_normal(len(draws))
+    draws[:, len(one.ends) :] += np.outer(moved, error * [-1.0, 1.0, -1.0])
+    fit_with_error = replace(one, draws=draws)
+    return replace(judged, fit=fit_with_error)
 
 
 def _unknown(decline, one):

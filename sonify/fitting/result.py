@@ -14,7 +14,7 @@ from sonify.fitting.apart import each
 from sonify.fitting.decay_model import Decline
 from sonify.fitting.fu_berlin import Exponent, exponents
 from sonify.fitting.least_squares import FLOOR, Fit, Value, in_words, pooled
-from sonify.fitting.line_selection import Judged, heard, judge, verdict_of
+from sonify.fitting.line_selection import Judged, heard, judge, verdict_of, with_model_error
 from sonify.fitting.recordings_io import recorded, source, takes
 from sonify.hearing.audio_source import Truncation, excerpt, source_of, truncation_of
 from sonify.hearing.recording import RecordingError
@@ -124,7 +124,7 @@ def fit_one(
             raise RecordingError(f"{path}: {error}") from None
     return Fitted(
         file=str(path),
-        judged=judged.without_samples(),
+        judged=with_model_error(judged).without_samples(),
         radius_shows=radius_shows(judged),
         carriers=carriers(sound.samples, sound.rate, sound.start),
         published_way=published,

@@ -2,7 +2,7 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from math import inf
 from pathlib import Path
 
@@ -15,6 +15,8 @@ from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectr
 from sonify.report.settling import false_alarm_sentence, run_numbers, run_sentences
 from sonify.runtime.files import claim, numbered, whole
 
+WINDOW_BURSTS = 0.004
+"""Window in which single bursts of a settling disk are seen [s]."""
 MOST_RINGING_LINES = 4
 """Number of lines of free ringing that are told in words; heard.json has all."""
 
@@ -28,9 +30,9 @@ def tell(
 ) -> list[str]:
     """Analyse a recording; return the results as lines of text.
 
-    Writes heard.json and spectrogram.png into `out`. If a `scene` is given, the spectral lines are
-    matched to its resonances. `warn` is called with a line if the file is truncated. Only the part
-    within the `span` [s] is analysed.
+    Writes heard.json, spectrogram.png, and settling.png if a disk is heard, into `out`. If a
+    `scene` is given, the spectral lines are matched to its resonances. `warn` is called with a line
+    if the file is truncated. Only the part within the `span` [s] is analysed.
 
     Raises RecordingError and SceneError before anything is written, and OutputError if `out` cannot
     be written.
@@ -48,13 +50,18 @@ def tell(
     samples, rate, _, _ = read(part)
     ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
     folder = claim(out or own_folder(recording))
-    from sonify.report.sound import draw_recording
+    from sonify.report.sound import draw_recording, draw_settling
     from sonify.report.write import finite, write_json
 
     low = spectrogram(whole_sound, WINDOW_RATES, span=span).band(*RATES)
     high = spectrogram(whole_sound, WINDOW_MODES, span=span)
     with whole(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, (begin, begin + heard.duration), runs)
+    if runs:
+        bursts = spectrogram(part, WINDOW_BURSTS, columns=1 << 20)
+        bursts = replace(bursts, time=bursts.time + begin)
+        with whole(folder / "settling.png") as temporary:
+            draw_settling(temporary, bursts, runs)
     told = (
         {"recording": _name(recording)}
         | numbers(heard, known)

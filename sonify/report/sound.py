@@ -8,6 +8,7 @@ from itertools import cycle, pairwise
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.patheffects import withStroke
+from scipy.ndimage import uniform_filter
 
 from sonify.hearing.spectrogram import RATES, REFERENCE_PRESSURE, Spectrogram
 from sonify.report.figure import figure_at, legend_above, plain_decades
@@ -115,6 +116,11 @@ def draw_spectrogram(
             )
 
 
+LAW_NAMES = {"flat": "steady", "exponential": "expon."}
+MOST_RUNS = 3
+"""Number of settling runs in a picture."""
+
+
 def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
     """Draw the spectrogram of a recording in two bands, relative to full scale, over a `span` [s].
 
@@ -145,6 +151,42 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
             _legend(axes[0])
         axes[1].set(ylabel="frequency [kHz]", xlabel="time [s]")
         axes[1].set_title("Modes", loc="left")
+
+
+def draw_settling(path, seen: Spectrogram, runs):
+    """Draw the sound of settling runs turn by turn, and how well rival laws predict it.
+
+    Above, every row is one turn of the fitted law: bursts that follow it form vertical lines, of
+    which each is shown twice. Below are the scores of the laws.
+    """
+    shown = sorted(runs, key=lambda run: -run.score)[:MOST_RUNS]
+    size = (max(5.5 * len(shown), 7), 9)
+    with figure_at(path, 2, len(shown), size, squeeze=False) as (_, axes):
+        for (above, below), run in zip(axes.T, shown, strict=True):
+            low, high = run.bands[0]
+            level = 10 * np.log10(seen.band(low, high).power.sum(axis=0) + 1e-14)
+            first, last = run.turns_left(np.array([run.start, run.t_end.value - 0.02]))
+            turns = np.arange(int(first), max(int(last), 0), -1)
+            fractions = np.linspace(0, 2, 129)
+            wanted = turns[:, None] - fractions
+            rows = np.interp(-wanted, -run.turns_left(seen.time), level)
+            rows = uniform_filter(rows - np.median(rows, axis=1, keepdims=True), (3, 7))
+            extent = (0, 2, turns[-1], turns[0])
+            above.imshow(
+                np.clip(rows[::-1], -4, 6),
+                aspect="auto",
+                origin="lower",
+                extent=extent,
+                cmap="magma",
+            )
+            above.set(xlabel="turn", ylabel="turns left to the end")
+            above.set_title(f"{run.kind} in {low:.0f} to {high:.0f} Hz, turn by turn", loc="left")
+            colours = ["#d55e00" if name == "disk" else "#999999" for name in run.law_scores]
+            names = [LAW_NAMES.get(name, name) for name in run.law_scores]
+            below.barh(names, list(run.law_scores.values()), color=colours)
+            below.invert_yaxis()
+            below.set(xlabel="log likelihood of unseen parts")
+            below.set_title(f"law of the rate; Q = {run.score:.0f}", loc="left")
 
 
 def log_frequency(axes, band):

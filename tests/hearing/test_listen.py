@@ -341,7 +341,11 @@ def test_the_command_writes_what_it_says(tmp_path):
     asked = CliRunner().invoke(main, ["listen", str(path), "--out", str(tmp_path / "out")])
     assert asked.exit_code == 0
     assert "comes to rest at" in asked.stdout
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["heard.json", "spectrogram.png"]
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
+        "heard.json",
+        "settling.png",
+        "spectrogram.png",
+    ]
     told = json.loads((tmp_path / "out" / "heard.json").read_text())
     assert told["runs"][0]["t_end"]["value"] == pytest.approx(END, abs=0.05)
     assert told["recording"] == str(path.resolve())

@@ -67,6 +67,17 @@ class SettlingRun:
     false_alarm: float
     bands: tuple[tuple[float, float], ...]
     region: JointRegion
+    law_scores: dict[str, float]
+
+    def turns_left(self, time: np.ndarray) -> np.ndarray:
+        """Return the turns, or bursts, from times [s] to the end of the law."""
+        reference = min(1.0, self.t_end.value - self.start)
+        left = np.maximum(self.t_end.value - np.asarray(time), 1e-6) / reference
+        turns = self.rate_at_1s.value * reference
+        exponent = self.region.best_exponent
+        if abs(exponent - 1) < 1e-3:
+            return turns * np.log(left * 1e6)
+        return turns * left ** (1 - exponent) / (1 - exponent)
 
     def rate(self, time: np.ndarray) -> np.ndarray:
         """Return the rate [Hz] of the law at times before the end [s]."""
@@ -242,6 +253,7 @@ def _run(group: list[Candidate], frames: Frames, onsets: OnsetStrength, settings
         false_alarm=false_alarms_per_hour(best.score, settings),
         bands=(onsets.bands[best.channel],),
         region=region,
+        law_scores={name: float(score) for name, score in best.scores.items()},
     )
 
 

@@ -103,7 +103,7 @@ class SettlingSettings:
     interval_factor: float = 1.16
     """Factor by which the ranges over all windows are widened, from simulated takes of known
     law."""
-    repetition_resolution: Resolution = Resolution(exponent=0.012, end=0.006, rate=0.006)
+    repetition_resolution: Resolution = Resolution(exponent=0.014, end=0.006, rate=0.006)
     """Resolution of a run heard in the power of bands; the last interval of bursts is added to that
     of the end."""
     tone_resolution: Resolution = Resolution(exponent=0.025, end=0.025, rate=0.02)
@@ -111,10 +111,10 @@ class SettlingSettings:
 
     heard_score: float = 15.75
     """A run is heard from this score on."""
-    false_alarms_per_hour: float = 6.0
-    """Expected false events that are heard per hour of eventful sound: of 120 clips whose blocks
-    were shuffled, 1 in 10 min was heard (0.2 to 33 per hour), 11 reached half that score."""
-    false_alarms_per_hour_range: tuple[float, float] = (0.2, 33.0)
+    false_alarms_per_hour: float = 4.4
+    """Expected false events that are heard per hour of eventful sound: 3 in 480 clips of 5 s that
+    were block-shuffled or phase-randomised."""
+    false_alarms_per_hour_range: tuple[float, float] = (0.9, 13.0)
     """Interval of that number, 95 %."""
     false_alarm_decay: float = 3.2
     """The number of false events falls by a factor of e for this much more score; from the same
