@@ -66,7 +66,8 @@ def phase_randomised(samples, rate, rng):
 def false_alarms(paths, scratch, count=4):
     """Print the false alarms per hour in surrogates of files, with the 95 % interval of Poisson."""
     path = Path(scratch) / "surrogate.wav"
-    for name, surrogate in (("shuffled", block_shuffled), ("random phases", phase_randomised)):
+    surrogates = {"shuffled": block_shuffled, "random phases": phase_randomised} if paths else {}
+    for name, surrogate in surrogates.items():
         scores = []
         hours = 0.0
         for number, file in enumerate(paths):
