@@ -4,6 +4,7 @@ import errno
 import os
 import re
 import sys
+from math import inf
 from shutil import get_terminal_size
 from signal import SIGINT
 from tempfile import gettempdir
@@ -130,6 +131,13 @@ class NonEmptyText(click.ParamType):
 
 PATH = NonEmptyText("path")
 TEXT = NonEmptyText("text")
+SECONDS = click.FloatRange(min=0.0)
+FROM_OPTION = click.option(
+    "--from", "begin", type=SECONDS, default=0.0, help="Analyse the sound from this time on [s]."
+)
+TO_OPTION = click.option(
+    "--to", "end", type=SECONDS, default=inf, help="Analyse the sound up to this time [s]."
+)
 
 
 def _exit_with_message(message, status):
@@ -206,11 +214,16 @@ def run(scene, out, accuracy, assignments, animation):
     type=TEXT,
     help="Scene whose resonances are compared with the spectral lines (a name or a file).",
 )
-def listen(recording, out, scene):
+@FROM_OPTION
+@TO_OPTION
+def listen(recording, out, scene, begin, end):
     """Detect disks and coins that come to rest, and spectral lines, in the sound file RECORDING."""
     from sonify.report.recording import tell
 
-    for line in tell(recording, out, scene, warn=lambda line: click.echo(line, err=True)):
+    def warn(line):
+        click.echo(line, err=True)
+
+    for line in tell(recording, out, scene, warn, (begin, end)):
         click.echo(line)
 
 
@@ -231,7 +244,9 @@ def listen(recording, out, scene):
     type=click.Choice(["fu-berlin"]),
     help="Also compute the exponents as in a published analysis.",
 )
-def fit(recordings, scene, out, like):
+@FROM_OPTION
+@TO_OPTION
+def fit(recordings, scene, out, like, begin, end):
     """Estimate what slowed the disk in RECORDINGS.
 
     RECORDINGS are sound files, phyphox exports, or folders of takes.
@@ -243,7 +258,7 @@ def fit(recordings, scene, out, like):
         from sonify.fitting.result import fit
 
         with stages.stage("recordings") as watch:
-            fits = fit(recordings, scene, like, watch)
+            fits = fit(recordings, scene, like, watch, (begin, end))
         for one in fits.files:
             if one.truncation:
                 stages.notice(f"{one.file}: {one.truncation}")

@@ -29,7 +29,7 @@ INDEPENDENT_TIME = 0.05
 def analyse_sound(sound: Sound) -> tuple[Heard | None, list[str]]:
     """Return the analysis of the rendered sound, or None, and notes on claims without a verdict."""
     try:
-        heard = listen(sound.pressure, beats=False)  # no claim needs the envelope
+        heard = listen(sound.pressure, sound.source_end)
     except RecordingError as error:
         return None, [f"A verdict by ear: {error}.", *unheard()]
     silent = ["Claims on the rising tone: none stands out."] if heard.tone is None else []

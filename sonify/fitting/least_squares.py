@@ -129,10 +129,15 @@ def fit(
     ends = np.array(ends, float)
     shares = np.array(shares, float)
     filtered = all(sound.filtered for sound in sounds)
-    for length, tolerance in zip(lengths, [*[ROUGH] * (len(lengths) - 1), CLOSE], strict=True):
-        heard = followed(line, sounds, ends, shares, length)
-        if sum(len(h.rates.time) for h in heard) < 8:
-            raise ValueError("the tone is too faint or too short to be followed")
+    heard: tuple[Followed, ...] = ()
+    for length in lengths:
+        longer = followed(line, sounds, ends, shares, length)
+        if sum(len(h.rates.time) for h in longer) < 8:
+            if not heard:
+                raise ValueError("the tone is too faint or too short to be followed")
+            break  # a short run has no more long blocks
+        heard = longer
+        tolerance = CLOSE if length == lengths[-1] else ROUGH
         ends, shares, solved = _solved(heard, filtered, ends, shares, free, least, tolerance)
     return _with_intervals(heard, ends, shares, free, solved)
 

@@ -1,5 +1,4 @@
-"""SOUNDS -> WHAT SLOWED THE DISK: where the tone is sought first, in which signal and line it is
-followed, the fit."""
+"""SOUNDS -> WHAT SLOWED THE DISK: in which signal and line the run is followed, and the fit."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -11,6 +10,7 @@ from scipy.signal import resample_poly
 from sonify.fitting.decay_model import LAWS, Decline
 from sonify.fitting.least_squares import (
     FLOOR,
+    LAST,
     LENGTHS,
     TINY,
     Fit,
@@ -22,30 +22,20 @@ from sonify.fitting.least_squares import (
     mixed,
     solved_near,
 )
-from sonify.fitting.phase_demodulation import FARTHEST, OVERLAP, SHORTEST, Rates, follows
+from sonify.fitting.phase_demodulation import FARTHEST, OVERLAP, Rates
 from sonify.hearing.audio_source import Source
-from sonify.hearing.find_end import run_ends
-from sonify.hearing.power_law import TIME_LEFT
-from sonify.hearing.recording import (
-    AFTER,
-    ENVELOPE_FROM,
-    LONGEST,
-    RecordingError,
-    between,
-    envelope,
-    later,
-    read,
-)
-from sonify.hearing.rising_tone import RisingTone, clearest_tone
+from sonify.hearing.recording import ENVELOPE_FROM, LONGEST, RecordingError, envelope, read
+from sonify.hearing.rising_tone import clearest_tone
+from sonify.hearing.settling.detector import settling_runs
 
 TONE_RATE = 4000
 """Samples a second [Hz] in which the tone is followed."""
-FOLLOWED, NEARLY = 0.45, 0.9
-"""A tone is there if its phase follows it so surely (runs have 0.6, of thirty pieces of speech the
-clearest 0.36), and if it stands out, or would for so much of what is asked."""
-BEFORE, BEYOND, TRIED = 12.0, 2.0, 12
-"""So long before and after an end a tone that is hidden by what is louder is sought [s], at so many
-ends."""
+SHORTEST = 1.5
+"""A shorter recording is refused [s]."""
+SECOND_RUN = 1 / 3
+"""A run is another disk if its score is at least this share of the best one's."""
+FARTHEST_END = 8.0
+"""A fit whose end is farther from that of the run is none [s]."""
 MAIN = ("precession", "its double", "nutation")
 """Lines that the loudest tone may be."""
 NEAR, USUAL, LIKELY, LIKELIER = 0.05, 5.0, 0.5, 0.7
@@ -69,12 +59,16 @@ shares leaves so many times as much."""
 UNKNOWN = 0.004
 """So much of the power may go elsewhere: the precession of a hoop tells 0.7 % more of it than there
 is, its nutation what there is."""
+FILM_ERROR = 0.06
+"""Relative error of the power of the film: a thin-wedge law puts rolling up to 8 % off."""
 UNEXPLAINED = 0.01
 """A motion that leaves more of the rates than this, and than noise, does not explain them."""
+NOT_EXPLAINED = 0.03
+"""A motion that leaves more of the rates than this is not that of the scene."""
 STARTS = (1e-4, 1.0, 1.0)
 """Shares of the LAWS with which the search begins."""
 RIDGE_ERROR = 0.03
-"""Relative error of the ridge of a spectrogram, from which the search begins."""
+"""Relative error of the law of a run, from which the search begins."""
 CLIPPED, RUN, NEAR_TOP = 1e-3, 3, 0.98
 """A sound is clipped if this share of it, in runs of so many samples, is at its greatest value, and
 less above this share of that: the round top of a slow tone is not."""
@@ -85,14 +79,15 @@ that was lost; and present if it takes at least that at the lower end."""
 
 @dataclass(frozen=True, kw_only=True)
 class Sound:
-    """A sound that was read, and the rising tone that stands out in it; it may have passed a
-    recorder's high-pass."""
+    """A sound that was read, the `end` [s] of the run in it, and rates that the disk may have: of
+    the run, and of the rising tone. It may have passed a recorder's high-pass."""
 
     name: str
     samples: np.ndarray
     rate: float
     start: float
-    tones: dict[str, RisingTone]
+    end: float
+    ridges: tuple[Rates, ...]
     recorded: bool = True
 
 
@@ -133,54 +128,41 @@ class Judged:
         return self.fit.values()
 
 
-def heard(source: Source, name: str, wanted=("tone", "envelope"), recorded: bool = True) -> Sound:
-    """Return a sound with the rising tones in the signals `wanted`. Raises RecordingError for one
-    that cannot be fitted, in one line."""
-    samples, rate, start, _ = read(source)
-    if len(samples) < SHORTEST * rate:
+def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) -> Sound:
+    """Return a sound, which begins at a time [s] of its file, with the run of the disk in it.
+
+    Raises RecordingError for one that cannot be fitted, in one line.
+    """
+    samples, rate, start, duration = read(source)
+    if duration < SHORTEST:
         raise RecordingError(
-            f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s of a disk are "
-            f"needed"
+            f"{name}: {duration:.3g} s long: at least {SHORTEST:g} s of a disk are needed"
         )
+    runs = sorted(settling_runs(source), key=lambda run: -run.score)
+    if len(runs) > 1 and runs[1].score > SECOND_RUN * runs[0].score:
+        raise RecordingError(
+            f"{name}: the recording contains a second run, ending at "
+            f"{begin + runs[1].t_end.value:.2f} s; choose one with --from and --to"
+        )
+    if start and runs:
+        samples, rate, start, _ = read(source, runs[0].t_end.value)
+    start += begin
+    tone = clearest_tone(samples, rate) if runs or duration <= LONGEST else None
+    ridges = [_ridge_of_run(runs[0].later(begin))] if runs else []
+    if tone is not None and tone.stands_out():
+        ridges.append(_ridge_of_tone(tone, start))
+    if not ridges:
+        raise RecordingError(f"{name}: no disk or coin is heard coming to rest in it")
     _refuse_clipped(samples, name)
-    tones = _tones(samples, rate, wanted)
-    for _, end in () if tones else run_ends(source)[:TRIED]:  # what is louder may hide it
-        first = max(end - BEFORE, 0.0)
-        start = max(end + AFTER - LONGEST, 0.0)
-        hidden = _tones(between(source, first, end + BEYOND), rate, wanted)
-        if hidden:
-            samples = between(source, start, end + AFTER)
-            tones = {kind: later(tone, first - start) for kind, tone in hidden.items()}
-            break
-    if not tones:
-        raise RecordingError(f"{name}: no tone rises in it towards an end")
-    end = max(tone.end for tone in tones.values()) + 1.0
-    after = samples[int(end * rate) :]
-    if len(after) > 4 * rate and np.abs(after).max() > 0.1 * np.abs(samples).max():
-        again = _tones(after, rate, ("tone",)).get("tone")
-        if again is not None:
-            end += start + again.end
-            raise RecordingError(
-                f"{name}: a second disk ends at {end:.2f} s: cut the file between them"
-            )
-    return Sound(name=name, samples=samples, rate=rate, start=start, tones=tones, recorded=recorded)
-
-
-def _tones(samples, rate, wanted):
-    """The rising tones of the signals wanted, if the phase of one is followed: those that stand
-    out, or nearly do."""
-    down = max(int(rate // TONE_RATE), 1)
-    signals = {"tone": (samples, rate)}
-    if "envelope" in wanted and rate > 2 * ENVELOPE_FROM:
-        signals["envelope"] = envelope(samples, rate)
-    found = {kind: clearest_tone(*signals[kind]) for kind in wanted if kind in signals}
-    tones = {
-        kind: tone for kind, tone in found.items() if tone is not None and tone.stands_out(NEARLY)
-    }
-    signals["tone"] = resample_poly(samples, 1, down), rate / down
-    sure = {kind: tone for kind, tone in tones.items() if follows(*signals[kind], tone) > FOLLOWED}
-    clear = {kind: tone for kind, tone in tones.items() if tone.stands_out()}
-    return clear if clear.keys() & sure.keys() else sure
+    return Sound(
+        name=name,
+        samples=samples,
+        rate=rate,
+        start=start,
+        end=begin + runs[0].t_end.value if runs else start + tone.end,
+        ridges=tuple(ridges),
+        recorded=recorded,
+    )
 
 
 def _refuse_clipped(samples, name):
@@ -231,7 +213,7 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
         streams=best.streams,
         fit=one,
         explained=explained,
-        verdict=verdict_of(decline, one),
+        verdict="not this scene" if one.spread > NOT_EXPLAINED else verdict_of(decline, one),
     )
 
 
@@ -286,14 +268,15 @@ def _tracks(decline, sounds):
     """The tracks of the sounds: the ridge of every signal that they have in common may be that of
     every line, and of the lines of the decline that this would be, that which is heard best is
     followed, or the next that can be."""
-    signals = [
-        signal for signal in ("tone", "envelope") if all(signal in sound.tones for sound in sounds)
-    ]
+    enveloped = all(sound.rate > 2 * ENVELOPE_FROM for sound in sounds)
+    signals = ("tone", "envelope") if enveloped else ("tone",)
     streams = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}
+    ends = np.array([sound.end for sound in sounds])
     found = {}
-    for ridge, name in product(signals, MAIN):
+    for number, name in product(range(min(len(sound.ridges) for sound in sounds)), MAIN):
+        ridges = [sound.ridges[number] for sound in sounds]
         try:
-            moved, shares = _guess(decline, decline.lines[name], *_ridges(sounds, ridge))
+            moved, shares = _guess(decline, decline.lines[name], ridges, ends)
         except ValueError:
             continue
         heard = {
@@ -326,7 +309,7 @@ def _track(decline, streams, signal, line, ends, shares):
         one = fit(decline.lines[line], streams[signal], ends, shares, _free(decline), LENGTHS[:4])
     except ValueError:
         return None
-    if np.abs(one.ends - ends).max() > TIME_LEFT[1]:
+    if np.abs(one.ends - ends).max() > FARTHEST_END:
         return None
     beside = [sounds for other, sounds in streams.items() if other != signal]
     head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
@@ -359,21 +342,19 @@ def stream(sound: Sound, signal: str) -> Heard:
     )
 
 
-def _ridges(sounds, signal):
-    """Ridges of the spectrograms, and ends."""
-    tones = [sound.tones[signal] for sound in sounds]
-    ends = np.array([sound.start + tone.end for sound, tone in zip(sounds, tones, strict=True)])
-    ridges = [
-        Rates(
-            sound.start + tone.time,
-            tone.frequency,
-            RIDGE_ERROR * tone.frequency,
-            tone.level,
-            0 * tone.frequency,
-        )
-        for sound, tone in zip(sounds, tones, strict=True)
-    ]
-    return ridges, ends
+def _ridge_of_run(run):
+    """The rates of the law of a run at 200 times, from its beginning on."""
+    time = run.t_end.value - np.geomspace(run.t_end.value - run.start, LAST, 200)
+    return _ridge(time, run.rate(time))
+
+
+def _ridge_of_tone(tone, start):
+    """The rates of a tone in samples that begin at a time [s]."""
+    return _ridge(start + tone.time, tone.frequency)
+
+
+def _ridge(time, frequency):
+    return Rates(time, frequency, RIDGE_ERROR * frequency, 1 + 0 * time, 0 * time)
 
 
 def _guess(decline, line, ridges, ends):
@@ -455,6 +436,22 @@ def _mean_of(fits, decline):
         (len(draws), 3)
     )
     return replace(one, draws=draws)
+
+
+def with_model_error(judged: Judged) -> Judged:
+    """Return the same with draws that differ as much as laws of the film that other models give.
+
+    The power of the film is uncertain by FILM_ERROR of itself, which other laws take up.
+    """
+    one = judged.fit
+    power, fall = _powers(judged.decline, one)
+    error = FILM_ERROR * one.shares[1] * (power[1] @ fall) / np.maximum(power @ fall, TINY)
+    error[[law for law in range(3) if law not in one.free]] = 0.0
+    draws = one.draws.copy()
+    moved = np.random.default_rng(1).standard_normal(len(draws))
+    draws[:, len(one.ends) :] += np.outer(moved, error * [-1.0, 1.0, -1.0])
+    fit_with_error = replace(one, draws=draws)
+    return replace(judged, fit=fit_with_error)
 
 
 def _unknown(decline, one):

@@ -11,8 +11,6 @@ import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
 from scipy.interpolate import CubicHermiteSpline
 
-from sonify.hearing.rising_tone import LEAST_SPAN
-
 SIDES = np.array([-6, -5, -4, 4, 5, 6])
 """Where beside the tone the noise is read, in turns a block: a Hann window has nothing left of the
 tone there."""
@@ -28,13 +26,6 @@ TINY = 1e-300
 USUALLY = 0.5
 """A tone that is there is told by so large a share of the blocks at least: noise and speech tell
 one in a tenth."""
-
-LAW_LENGTHS, FEWEST = (8, 16, 32), 6
-"""Turns of a block in which a power law is followed, and so many blocks at least."""
-LAW_LEFT, LAW_LAST = (4.0, 8.0), 0.05
-"""From when on, and up to when before its end, a power law is followed [s]."""
-SHORTEST, SLOWEST = 2.0, 1 / 8
-"""So long it is at least [s]; air makes it rise with the power of a sixth."""
 
 
 class Rates(NamedTuple):
@@ -67,44 +58,6 @@ def rates(
     length = max(length, OVERLAP * len(heard[0]) / BINS / MOST_BLOCKS)
     told, *found = _told(heard, length, noise_of)
     return Rates(*(x[told] for x in found))
-
-
-def follows(samples, rate: float, tone) -> float:
-    """Return how surely the phase of samples (n,) at `rate` [Hz] follows a tone, 0 to 1: in how
-    large a share of the blocks it is told, times how much the rates rise in all over what they rise
-    and fall; of LAW_LEFT and LAW_LENGTHS, the best.
-
-    A disk's tone only rises, and goes on; speech is broken and wanders, notes jump. No law known is
-    as slow as SLOWEST."""
-    if tone.end < SHORTEST or tone.exponent + 2 * tone.exponent_error < SLOWEST:
-        return 0.0
-    integral = np.append(0.0, np.cumsum(samples))
-    heard = [
-        _binned(samples, integral, rate, 0.0, _law(tone, min(first, tone.end)))
-        for first in LAW_LEFT
-    ]
-    return max(
-        _rising(*_told(one, length, np.mean)[:3:2]) for one in heard for length in LAW_LENGTHS
-    )
-
-
-def _law(tone, first):
-    """Times, turns and turns a second (3, k) of a power law, from so long before its end [s]; 1 - p
-    is never 0."""
-    left = np.geomspace(first, LAW_LAST, 400)
-    p = tone.exponent + 1e-9
-    return np.array(
-        [tone.end - left, -tone.scale * left ** (1 - p) / (1 - p), tone.scale * left**-p]
-    )
-
-
-def _rising(told, frequency):
-    """The share of blocks (b,) that are told, times their rise over their way; 0 if they rise less
-    than LEAST_SPAN."""
-    steps = np.diff(np.log2(frequency[told]))
-    if len(told) < FEWEST or steps.sum() < LEAST_SPAN:
-        return 0.0
-    return float(told.mean() * steps.sum() / np.abs(steps).sum())
 
 
 def _beginning(told):

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from sonify.fitting.decay_model import left_out
+from sonify.fitting.decay_model import has_film, left_out
 from sonify.fitting.fu_berlin import THEIRS
 from sonify.fitting.least_squares import LAST, in_words
 from sonify.fitting.line_selection import shares_of_power
@@ -76,7 +76,6 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
         "model": judged.model,
         "spread": judged.fit.spread,
         "radius_10_percent_off_shows": fitted.radius_shows,
-        "null_tests": [asdict(null) for null in fitted.nulls],
         "carriers": [carrier_numbers(carrier, known) for carrier in fitted.carriers],
         "published_way": {
             name: e._asdict() | ({"theirs": THEIRS[name]} if name in THEIRS else {})
@@ -129,7 +128,9 @@ def sentences(fits: Fits) -> list[str]:
     """Return what was found in words."""
     said = [line for fitted in fits.files for line in _of_one(fitted)]
     if len(fits.files) > 1:
-        said.append(f"together: {fits.verdict}; {in_words(fits.values())}")
+        said.insert(0, f"{fits.verdict}: together; {in_words(fits.values())}")
+    if not has_film(fits.scene):
+        said.append("air was not considered: the scene has no air film")
     return said + left_out(fits.scene)
 
 
@@ -137,15 +138,13 @@ def _of_one(fitted):
     judged = fitted.judged
     end = fitted.judged.fit.value(0)
     told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.2%}"
-    yield f"{fitted.file}: {judged.verdict}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
+    yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
     yield f"  {in_words(judged.values())}"
     if not judged.explained:
         yield "  no motion explains it: it may be another line, and the intervals hold what every line would tell"
     if not judged.contour_fits:
         yield "  contour friction and film do not explain it; the scene's own law takes more than a tenth of the power"
     yield f"  a radius 10 % off {'would show' if fitted.radius_shows else 'cannot be told: the shares take it up'}"
-    for null in fitted.nulls:
-        yield f"  null test: a disk slowed by {null.truth} alone, with the same noise, is called: {null.verdict}"
     for name, e in (fitted.published_way or {}).items():
         theirs = (
             "; theirs on granite {:.3f}, one run ± {:.3f}".format(*THEIRS[name])

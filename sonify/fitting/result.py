@@ -3,7 +3,10 @@ been heard."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
+from math import inf
 from pathlib import Path
+
+import soundfile
 
 from modal.blas_threads import one_blas_thread
 from sonify.fitting import least_squares
@@ -11,10 +14,9 @@ from sonify.fitting.apart import each
 from sonify.fitting.decay_model import Decline
 from sonify.fitting.fu_berlin import Exponent, exponents
 from sonify.fitting.least_squares import FLOOR, Fit, Value, in_words, pooled
-from sonify.fitting.line_selection import Judged, heard, judge, verdict_of
-from sonify.fitting.null_test import Null, null_tests
+from sonify.fitting.line_selection import Judged, heard, judge, verdict_of, with_model_error
 from sonify.fitting.recordings_io import recorded, source, takes
-from sonify.hearing.audio_source import Truncation, truncation_of
+from sonify.hearing.audio_source import Truncation, excerpt, source_of, truncation_of
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene import Scene, from_document, load_scene
@@ -29,12 +31,11 @@ WORKERS, MANY = 2, 3
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fitted:
-    """One recording: what was `judged` of it, the null tests, whether a radius 10 % off would show,
+    """One recording: what was `judged` of it, whether a radius 10 % off would show,
     its carriers, and how much of it is there if its file was cut off."""
 
     file: str
     judged: Judged
-    nulls: list[Null]
     radius_shows: bool
     carriers: list[Carrier]
     published_way: dict[str, Exponent] | None = None
@@ -69,12 +70,14 @@ def fit(
     scene: Scene | str | Path = "toy",
     like: str | None = None,
     watch: Callable[[float, str], None] = lambda share, doing: None,
+    span: tuple[float, float] = (0.0, inf),
 ) -> Fits:
     """Return what slowed the disk of a scene in recordings: sound files, exports of phyphox,
     folders of takes.
 
     The scene gives radius, thickness and air. `like` "fu-berlin" adds the exponents of a published
-    chain. Raises RecordingError for a recording that cannot be fitted, in one line, and SceneError
+    chain. Only the part of each recording within the `span` [s] is analysed. Raises RecordingError
+    for a recording that cannot be fitted, in one line, and SceneError
     for a wrong scene."""
     from sonify.claims.resonance_matching import resonances  # modes load slowly
 
@@ -82,7 +85,7 @@ def fit(
     paths = takes([files] if isinstance(files, (str, Path)) else files)
     known = resonances(scene)
     fitted = []
-    tasks = [(path, scene.document, like) for path in paths]
+    tasks = [(path, scene.document, like, span) for path in paths]
     for one in (
         (fit_one(*task) for task in tasks) if len(tasks) < MANY else each(fit_one, tasks, WORKERS)
     ):
@@ -96,11 +99,20 @@ def fit(
 
 
 @one_blas_thread
-def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
-    """Return the fit of one recording; the scene comes as its document. Raises RecordingError."""
+def fit_one(
+    path: Path, document: dict, like: str | None, span: tuple[float, float] = (0.0, inf)
+) -> Fitted:
+    """Return the fit of one recording between two times [s]; the scene comes as its document.
+
+    Raises RecordingError.
+    """
     scene = from_document(document)
     recording = source(path)
-    sound = heard(recording, str(path), recorded=recorded(path))
+    try:
+        part = excerpt(source_of(recording), *span)
+    except (soundfile.LibsndfileError, OSError):
+        part = recording  # `heard` tells why
+    sound = heard(part, str(path), recorded=recorded(path), begin=span[0])
     decline = Decline(scene)
     judged = judge(decline, [sound])
     published = None
@@ -112,8 +124,7 @@ def fit_one(path: Path, document: dict, like: str | None) -> Fitted:
             raise RecordingError(f"{path}: {error}") from None
     return Fitted(
         file=str(path),
-        judged=judged.without_samples(),
-        nulls=null_tests(decline, judged),
+        judged=with_model_error(judged).without_samples(),
         radius_shows=radius_shows(judged),
         carriers=carriers(sound.samples, sound.rate, sound.start),
         published_way=published,

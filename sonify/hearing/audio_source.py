@@ -167,6 +167,42 @@ def source_of(sound: Source | str | Path) -> Source:
     return SoundFile(sound) if isinstance(sound, (str, Path)) else sound
 
 
+@dataclass(frozen=True)
+class Excerpt:
+    """The part of a source from frame `first` up to frame `last`, as a source."""
+
+    source: Source
+    first: int
+    last: int
+
+    @property
+    def sample_rate(self) -> int:
+        """Samples a second [Hz]."""
+        return self.source.sample_rate
+
+    @property
+    def frames(self) -> int:
+        """Number of samples in each channel."""
+        return self.last - self.first
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield (k, channels): the samples from number `start` on."""
+        left = self.frames - start
+        for block in self.source.blocks(self.first + start):
+            if left <= 0:
+                return
+            yield block[:left]
+            left -= len(block)
+
+
+def excerpt(source: Source, begin: float, end: float) -> Source:
+    """Return the part of a source between two times [s], or the source itself if that is all."""
+    rate = source.sample_rate
+    first = min(max(round(begin * rate), 0), source.frames)
+    last = source.frames if end * rate >= source.frames else max(round(end * rate), first)
+    return source if (first, last) == (0, source.frames) else Excerpt(source, first, last)
+
+
 def stretch(source: Source, start: int, stop: int) -> np.ndarray:
     """Return the samples (stop - start, channels) from `start` up to `stop`, or up to the last."""
     parts = []

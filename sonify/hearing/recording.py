@@ -17,7 +17,6 @@ from sonify.hearing.audio_source import (
     stretch,
     truncation_of,
 )
-from sonify.hearing.find_end import run_end
 from sonify.hearing.rising_tone import RisingTone, rising_tone
 from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene_errors import InputError
@@ -49,7 +48,6 @@ class Heard:
     sample_rate: int
     start: float
     tone: RisingTone | None
-    repetition: RisingTone | None
     carriers: list[Carrier]
     missing: float = 0.0
     truncation: Truncation | None = None
@@ -60,42 +58,46 @@ class Heard:
         return [carrier for carrier in self.carriers if not carrier.reach]
 
 
-def listen(sound: Source | str | Path, beats: bool = True) -> Heard:
+def listen(
+    sound: Source | str | Path, end: float | None = None, tones: bool = True, begin: float = 0.0
+) -> Heard:
     """Return what a source, or a file of any rate, channels and format that libsndfile reads,
-    tells; the repetition of its envelope only if `beats`. Raises RecordingError.
+    tells.
 
-    Times in the result are those of the sound. Memory does not grow with its length.
+    Of a long sound, the part before its `end` [s] is listened to. The rising tone is sought if
+    `tones`. The sound begins at the time `begin` [s] of its file, and times in the result are those
+    of the file. Memory does not grow with its length. Raises RecordingError.
     """
-    samples, rate, start, duration = read(sound)
+    samples, rate, start, duration = read(sound, end)
     truncation = truncation_of(sound)
-    beaten = beats and rate > 2 * ENVELOPE_FROM
+    start += begin
     with ThreadPoolExecutor() as pool:  # what takes long is arrays, which let go of Python's lock
-        tone = pool.submit(rising_tone, samples, rate)
-        repetition = pool.submit(lambda: rising_tone(*envelope(samples, rate)) if beaten else None)
+        tone = pool.submit(rising_tone, samples, rate) if tones else None
         found = carriers(samples, rate, start)
+    rising = tone.result() if tone else None
     return Heard(
         duration=duration,
         sample_rate=rate,
         start=start,
-        tone=later(tone.result(), start),
-        repetition=later(repetition.result(), start),
+        tone=rising and replace(rising, end=rising.end + start, time=rising.time + start),
         carriers=found,
         missing=truncation.announced - duration if truncation and truncation.announced else 0.0,
         truncation=truncation,
     )
 
 
-def read(sound: Source | str | Path):
+def read(sound: Source | str | Path, end: float | None = None):
     """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the
     sound [s].
 
-    Raises RecordingError for what is no sound file, is too short, too slow, silent, or holds
-    samples that are not finite."""
+    Of a long sound, it is the part before its `end` [s], or about its loudest second. Raises
+    RecordingError for what is no sound file, is too short, too slow, silent, or holds samples that
+    are not finite."""
     source = source_of(sound)
     name = str(getattr(source, "path", "the sound"))
     try:
         rate = source.sample_rate
-        (start, stop) = _part(source)
+        (start, stop) = _part(source, end)
         channels = stretch(source, start, stop)
     except (soundfile.LibsndfileError, OSError) as error:
         raise RecordingError(
@@ -105,7 +107,7 @@ def read(sound: Source | str | Path):
         raise RecordingError(f"{name}: holds samples that are not finite")
     if rate < SLOWEST:
         raise RecordingError(f"{name}: {rate} samples a second: at least {SLOWEST} are needed")
-    samples = _loudest(channels)
+    samples = channels[:, np.argmax(np.square(channels, dtype=float).sum(axis=0))].astype(float)
     if len(samples) < SHORTEST * rate:
         raise RecordingError(
             f"{name}: {len(samples) / rate:.3g} s long: at least {SHORTEST:g} s are needed"
@@ -113,18 +115,6 @@ def read(sound: Source | str | Path):
     if not np.ptp(samples):
         raise RecordingError(f"{name}: silent")
     return samples - samples.mean(), rate, start / rate, source.frames / rate
-
-
-def between(source: Source, start: float, stop: float) -> np.ndarray:
-    """Return the samples (n,) of the loudest channel of a source between two times [s], less their
-    mean."""
-    rate = source.sample_rate
-    samples = _loudest(stretch(source, int(start * rate), int(stop * rate)))
-    return samples - samples.mean()
-
-
-def _loudest(channels):
-    return channels[:, np.argmax(np.square(channels, dtype=float).sum(axis=0))].astype(float)
 
 
 def envelope(samples, rate) -> tuple[np.ndarray, float]:
@@ -136,19 +126,13 @@ def envelope(samples, rate) -> tuple[np.ndarray, float]:
     return square - square.mean(), rate / down
 
 
-def later(tone, start):
-    """Return a tone, if there is one, so much later [s]."""
-    return None if tone is None else replace(tone, end=tone.end + start, time=tone.time + start)
-
-
-def _part(source):
-    """First frame to listen to and the one after the last: all, or LONGEST up to AFTER the end of a
-    run or the loudest second."""
+def _part(source, end):
+    """First frame to listen to and the one after the last: all, or LONGEST up to AFTER the end or
+    the loudest second."""
     rate = source.sample_rate
     most = int(LONGEST * source.sample_rate)
     if source.frames <= most:
         return 0, source.frames
-    end = run_end(source)
     if end is None:
         end = float(
             np.argmax([np.square(second, dtype=float).sum() for second in pieces(source, rate)])

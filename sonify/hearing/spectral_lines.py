@@ -16,6 +16,8 @@ WINDOW, LOWEST = 0.5, 300.0
 """Window in which carriers are told apart [s], and where they begin [Hz]."""
 STANDS_OUT_DB, MOST, BANDS = 15.0, 12, 32
 """A peak stands out by as much; carriers at most."""
+BESIDE_LINE = np.arange(10, 61)
+"""Distance of the bins whose median a peak stands out from, on either side."""
 REACH, LAST, GAP = 30.0, 5, 2
 """A carrier is so many cents from the middle of its LAST frames at most; so many frames may not
 show it."""
@@ -170,7 +172,15 @@ def _peaks(level, spacing):
     """Frames, frequencies [Hz] and levels above the floor [dB] (3, n) of all peaks of levels (t, f)
     that stand out."""
     frame, place, height = _tops(level - _floor(level, BANDS), STANDS_OUT_DB)
-    return np.array([frame, place * spacing, height])[:, place > LOWEST / spacing]
+    top = np.round(place).astype(int)
+    sides = [
+        np.median(
+            level[frame[:, None], np.clip(top[:, None] + side, 0, level.shape[1] - 1)], axis=1
+        )
+        for side in (-BESIDE_LINE, BESIDE_LINE)
+    ]
+    line = level[frame, top] - np.maximum(*sides) > STANDS_OUT_DB  # an edge has a floor on one side
+    return np.array([frame, place * spacing, height])[:, line & (place > LOWEST / spacing)]
 
 
 def _tops(level, least):

@@ -2,16 +2,23 @@
 
 import json
 from collections.abc import Callable
-from dataclasses import asdict
+from dataclasses import asdict, replace
+from math import inf
 from pathlib import Path
 
-from sonify.hearing.audio_source import source_of
-from sonify.hearing.recording import Heard, listen
+from sonify.hearing.audio_source import excerpt, source_of, truncation_of
+from sonify.hearing.recording import Heard, listen, read
+from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectral_lines import Carrier
 from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectrogram
-from sonify.report.settling import run_numbers, run_sentences
+from sonify.report.settling import false_alarm_sentence, run_numbers, run_sentences
 from sonify.runtime.files import atomic_write, create_folder, first_numbered
+
+WINDOW_BURSTS = 0.004
+"""Window in which single bursts of a settling disk are seen [s]."""
+MOST_RINGING_LINES = 4
+"""Number of lines of free ringing that are told in words; heard.json has all."""
 
 
 def tell(
@@ -19,38 +26,57 @@ def tell(
     out: str | Path | None = None,
     scene: str | Path | None = None,
     warn: Callable[[str], None] = lambda line: None,
+    span: tuple[float, float] = (0.0, inf),
 ) -> list[str]:
     """Analyse a recording; return the results as lines of text.
 
-    Writes heard.json and spectrogram.png into `out`. If a `scene` is given, the spectral lines are
-    matched to its resonances. `warn` is called with a line if the file is truncated.
+    Writes heard.json, spectrogram.png, and settling.png if a disk is heard, into `out`. If a
+    `scene` is given, the spectral lines are matched to its resonances. `warn` is called with a line
+    if the file is truncated. Only the part within the `span` [s] is analysed.
 
     Raises RecordingError and SceneError before anything is written, and OutputError if `out` cannot
     be written.
     """
     known = _resonances(scene) if scene else []
-    heard = listen(recording)
-    if heard.truncation:
-        warn(f"{recording}: {heard.truncation}")
-    runs = settling_runs(source_of(recording))
+    read(recording)  # refuses what is no sound
+    whole_sound = source_of(recording)
+    begin = max(span[0], 0.0)
+    part = excerpt(whole_sound, *span)
+    runs = [run.later(begin) for run in settling_runs(part)]
+    heard = listen(part, runs[-1].t_end.value - begin if runs else None, tones=False, begin=begin)
+    truncation = truncation_of(whole_sound)
+    if truncation:
+        warn(f"{recording}: {truncation}")
+    samples, rate, _, _ = read(part)
+    ringing = decaying_lines(samples[free_ringing(samples, rate)], rate)
     folder = create_folder(out or own_folder(recording))
-    from sonify.report.sound import draw_recording
+    from sonify.report.sound import draw_recording, draw_settling
     from sonify.report.write import finite, write_json
 
-    low = spectrogram(recording, WINDOW_RATES).band(*RATES)
-    high = spectrogram(recording, WINDOW_MODES)
+    low = spectrogram(whole_sound, WINDOW_RATES, span=span).band(*RATES)
+    high = spectrogram(whole_sound, WINDOW_MODES, span=span)
     with atomic_write(folder / "spectrogram.png") as temporary:
-        draw_recording(temporary, low, high, heard.duration, heard.tone)
+        draw_recording(temporary, low, high, (begin, begin + heard.duration), runs)
+    if runs:
+        bursts = spectrogram(part, WINDOW_BURSTS, columns=1 << 20)
+        bursts = replace(bursts, time=bursts.time + begin)
+        with atomic_write(folder / "settling.png") as temporary:
+            draw_settling(temporary, bursts, runs)
     content = (
         {"recording": _name(recording)}
         | numbers(heard, known)
+        | {"decaying_lines": [asdict(line) for line in ringing]}
         | {"runs": [run_numbers(run) for run in runs]}
     )
     write_json(finite(content), folder / "heard.json")
     settled = [line for run in runs for line in run_sentences(run)]
+    lines = sentences(heard, known)
     return [
-        *sentences(heard, known),
+        lines[0],
         *(settled or ["no disk or coin is heard coming to rest"]),
+        false_alarm_sentence(),
+        *lines[1:],
+        *(_ring(line) for line in ringing[:MOST_RINGING_LINES]),
         str(folder),
     ]
 
@@ -100,10 +126,10 @@ def _matched(carrier, known):
 
 
 def numbers(heard: Heard, known=()) -> dict:
-    """Return the analysis as plain values: the fits, the spectral lines and the tone ridge."""
-    carriers = [carrier_numbers(carrier, known) for carrier in heard.carriers]
-    tones = {name: _tone(getattr(heard, name)) for name in ("tone", "repetition")}
-    return asdict(heard) | tones | {"carriers": carriers}
+    """Return the analysis as plain values: the extent of the sound and its spectral lines."""
+    values = asdict(heard)
+    del values["tone"]
+    return values | {"carriers": [carrier_numbers(carrier, known) for carrier in heard.carriers]}
 
 
 def carrier_numbers(carrier: Carrier, known=()) -> dict:
@@ -118,12 +144,15 @@ def carrier_numbers(carrier: Carrier, known=()) -> dict:
 def sentences(heard: Heard, known=()) -> list[str]:
     """Return the analysis in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
-    for name, tone in (
-        ("rising tone", heard.tone),
-        ("rising repetition of the envelope", heard.repetition),
-    ):
-        lines.append(f"{name}: {_fit(tone) if tone else 'none stands out'}")
     return lines + [f"carrier: {_carrier(c)}{_near(_matched(c, known))}" for c in heard.carriers]
+
+
+def _ring(line):
+    """A decaying line in words."""
+    return (
+        f"free ringing: {line.frequency:.1f} Hz, amplitude decay {line.decay_rate:.1f} ± "
+        f"{line.decay_error:.1f} 1/s"
+    )
 
 
 def _near(match):
@@ -145,18 +174,3 @@ def _carrier(c):
     beside += f", a band of noise that reaches {c.reach:.0f} cents" if c.reach else ""
     place = f"{c.frequency:.2f} ± {c.error:.3g} Hz from {c.begin:.2f} to {c.end:.2f} s, {course}"
     return f"{place}, spread {c.spread:.2f} cents, {c.level:.0f} dB out of its surroundings{beside}"
-
-
-def _fit(tone):
-    end = f"end at {tone.end:.3f} s (± {tone.end_error:.3f} of the fit)"
-    exponent = f"f ~ (t_end - t)^-{tone.exponent:.3f} (± {tone.exponent_error:.3f})"
-    return f"{end}, {exponent}, {tone.frequency[0]:.1f} Hz at {tone.time[0]:.2f} s, rises {tone.factor:.3g} times"
-
-
-def _tone(tone):
-    if tone is None:
-        return None
-    return {
-        name: value if isinstance(value, float) else value.tolist()
-        for name, value in vars(tone).items()
-    }

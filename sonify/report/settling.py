@@ -2,6 +2,7 @@
 
 from sonify.hearing.settling.detector import SettlingRun
 from sonify.hearing.settling.joint_region import Estimate
+from sonify.hearing.settling.settings import SettlingSettings
 
 
 def run_numbers(run: SettlingRun) -> dict:
@@ -36,6 +37,16 @@ def run_sentences(run: SettlingRun) -> list[str]:
         f"{high}); "
         f"{run.false_alarm:.1g} such events expected in a file of this length without a disk",
     ]
+
+
+def false_alarm_sentence() -> str:
+    """Return how often the detector hears a disk where there is none."""
+    settings = SettlingSettings()
+    low, high = settings.false_alarms_per_hour_range
+    return (
+        f"false alarms: {settings.false_alarms_per_hour:g} per hour of eventful sound without a "
+        f"disk ({low:g} to {high:g}, 95 %)"
+    )
 
 
 def _plain(estimate: Estimate) -> dict:

@@ -8,6 +8,7 @@ from itertools import cycle, pairwise
 import numpy as np
 from matplotlib import colormaps
 from matplotlib.patheffects import withStroke
+from scipy.ndimage import uniform_filter
 
 from sonify.hearing.spectrogram import RATES, REFERENCE_PRESSURE, Spectrogram
 from sonify.report.figure import figure_at, legend_above, plain_decades
@@ -122,10 +123,15 @@ def draw_spectrogram(
             )
 
 
-def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, tone=None):
-    """Draw the spectrogram of a recording in two bands, relative to full scale.
+LAW_NAMES = {"flat": "steady", "exponential": "expon."}
+MOST_RUNS = 3
+"""Number of settling runs in a picture."""
 
-    The fitted rising `tone` is drawn over it, if there is one.
+
+def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
+    """Draw the spectrogram of a recording in two bands, relative to full scale, over a `span` [s].
+
+    The rates of the settling `runs` are drawn over it.
     """
     floors = [
         loudest_db(part, 1.0) - COLOUR_RANGE_DB
@@ -137,19 +143,8 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, t
         axes[0].set(ylabel="frequency [Hz]", xlabel="time [s]")
         axes[0].set_title("Contact rates", loc="left")
         for panel, seen, unit, floor in zip(axes, (low, high), (1.0, 1e3), floors, strict=True):
-            panel.set(xlim=(0, duration))
+            panel.set(xlim=span)
             image = level_image(panel, seen, unit, floor, 1.0)
-            if tone is not None:
-                left = np.geomspace(0.01, 8.0, 400)
-                options = {
-                    "color": "w",
-                    "lw": 1.0,
-                    "ls": "--",
-                    "label": "rising tone, fitted",
-                    "path_effects": DARK_OUTLINE,
-                }
-                panel.plot(tone.end - left, tone.at(tone.end - left) / unit, **options)
-                _legend(panel)
             figure.colorbar(
                 image,
                 ax=panel,
@@ -157,8 +152,53 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, duration: float, t
                 fraction=0.05,
                 label="level of a sine [dB re full scale, RMS]",
             )
+        for run in runs:
+            left = np.geomspace(0.01, run.t_end.value - run.start, 400)
+            time = run.t_end.value - left
+            label = "rate of a settling disk, fitted"
+            axes[0].plot(
+                time, run.rate(time), "w--", lw=1.0, label=label, path_effects=DARK_OUTLINE
+            )
+        if runs:
+            _legend(axes[0])
         axes[1].set(ylabel="frequency [kHz]", xlabel="time [s]")
         axes[1].set_title("Modes", loc="left")
+
+
+def draw_settling(path, seen: Spectrogram, runs):
+    """Draw the sound of settling runs turn by turn, and how well rival laws predict it.
+
+    Above, every row is one turn of the fitted law: bursts that follow it form vertical lines, of
+    which each is shown twice. Below are the scores of the laws.
+    """
+    shown = sorted(runs, key=lambda run: -run.score)[:MOST_RUNS]
+    size = (max(5.5 * len(shown), 7), 9)
+    with figure_at(path, 2, len(shown), size, squeeze=False) as (_, axes):
+        for (above, below), run in zip(axes.T, shown, strict=True):
+            low, high = run.bands[0]
+            level = 10 * np.log10(seen.band(low, high).power.sum(axis=0) + 1e-14)
+            first, last = run.turns_left(np.array([run.start, run.t_end.value - 0.02]))
+            turns = np.arange(int(first), max(int(last), 0), -1)
+            fractions = np.linspace(0, 2, 129)
+            wanted = turns[:, None] - fractions
+            rows = np.interp(-wanted, -run.turns_left(seen.time), level)
+            rows = uniform_filter(rows - np.median(rows, axis=1, keepdims=True), (3, 7))
+            extent = (0, 2, turns[-1], turns[0])
+            above.imshow(
+                np.clip(rows[::-1], -4, 6),
+                aspect="auto",
+                origin="lower",
+                extent=extent,
+                cmap="magma",
+            )
+            above.set(xlabel="turn", ylabel="turns left to the end")
+            above.set_title(f"{run.kind} in {low:.0f} to {high:.0f} Hz, turn by turn", loc="left")
+            colours = ["#d55e00" if name == "disk" else "#999999" for name in run.law_scores]
+            names = [LAW_NAMES.get(name, name) for name in run.law_scores]
+            below.barh(names, list(run.law_scores.values()), color=colours)
+            below.invert_yaxis()
+            below.set(xlabel="log likelihood of unseen parts")
+            below.set_title(f"law of the rate; Q = {run.score:.0f}", loc="left")
 
 
 def log_frequency(axes, band):

@@ -14,21 +14,21 @@ import pytest
 import soundfile
 from click.testing import CliRunner
 from readable import assert_readable, figures
-from scipy.signal import butter, resample_poly, sosfilt
+from scipy.signal import butter, chirp, resample_poly, sosfilt
 
 from sonify import RecordingError, load_scene
 from sonify.__main__ import main
 from sonify.claims.resonance_matching import resonances
 from sonify.fitting.decay_model import Decline, left_out
 from sonify.fitting.fu_berlin import exponents
-from sonify.fitting.line_selection import FOLLOWED, heard, judge, verdict_of
-from sonify.fitting.phase_demodulation import follows, rates
+from sonify.fitting.line_selection import heard, judge, verdict_of, with_model_error
+from sonify.fitting.phase_demodulation import rates
 from sonify.fitting.recordings_io import source, takes
-from sonify.fitting.result import radius_shows
+from sonify.fitting.report import sentences
+from sonify.fitting.result import fit, fit_one, radius_shows
 from sonify.fitting.synthetic import Recording, recording
-from sonify.hearing.find_end import run_end
 from sonify.hearing.recording import AFTER, LONGEST, read
-from sonify.hearing.rising_tone import clearest_tone
+from sonify.hearing.settling.detector import settling_runs
 
 BARE = ("arm_nutation", "arm_rolling", "arm_pivoting")
 RATE = 16000
@@ -57,7 +57,6 @@ def listened(decline, shares, **how):
     return heard(
         Recording(samples=recording(decline, shares, rate=RATE, **how), sample_rate=RATE),
         "made",
-        ("tone",),
     )
 
 
@@ -162,6 +161,52 @@ def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorder
     assert air.high - air.low < 0.3
 
 
+@pytest.mark.parametrize(
+    ("shares", "verdict"),
+    [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")],
+)
+def test_the_last_two_seconds_are_enough(decline, shares, verdict):
+    samples = recording(decline, shares, noise=0.2, rate=RATE, end=12.0, duration=12.3, seed=2)
+    sound = heard(Recording(samples=samples[int(10.3 * RATE) :], sample_rate=RATE), "short")
+    found = judge(decline, [sound], correct=False)
+    assert found.verdict == verdict
+    assert found.fit.value(0).value == pytest.approx(1.7, abs=0.01)
+
+
+def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decline):
+    """The power of the film differs by a power of 0.1 of the inclination; rolling is then 3 to 8 %
+    off."""
+    other = Decline(scene)
+    other.powers[1] *= (other.beta / 0.05) ** 0.1
+    for seed, shares in enumerate(([5e-5, 1.0, 0], [1e-4, 1.0, 0], [3e-5, 1.0, 0])):
+        judged = judge(decline, [listened(other, shares, noise=0.2, seed=seed)], correct=False)
+        rolling = with_model_error(judged).values()["rolling"]
+        assert rolling.low <= shares[0] <= rolling.high
+        assert judged.values()["rolling"].low > shares[0]
+
+
+def test_a_part_of_a_file_is_fitted_with_the_times_of_the_file(decline, tmp_path):
+    take = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
+    path = write(tmp_path / "two.wav", np.concatenate([take, take]))
+    part = fit_one(path, decline.scene.document, None, (9.5, 18.0))
+    assert part.judged.fit.value(0).value == pytest.approx(17.0, abs=0.01)
+    assert part.judged.verdict == "rolling"
+
+
+def test_a_rate_that_rises_linearly_is_no_disk_of_the_scene(decline):
+    t = np.arange(15 * RATE) / RATE
+    sweep = chirp(t, 20, 15, 200) * (t < 14.5)
+    noise = 0.01 * np.random.default_rng(0).standard_normal(len(t))
+    with pytest.raises(RecordingError, match="no disk"):
+        heard(Recording(samples=sweep + noise, sample_rate=RATE), "sweep")
+
+
+def test_a_scene_without_air_says_that_air_was_not_considered(decline, scene, tmp_path):
+    take = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
+    path = write(tmp_path / "take.wav", take)
+    assert "air was not considered" in sentences(fit(path, scene.replace("air.film=none")))[-1]
+
+
 def speech(seconds, seed):
     """Return noise from 100 to 1000 Hz with syllabic modulation, at rms 1."""
     t = np.arange(seconds * RATE) / RATE
@@ -177,7 +222,7 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
     """The speech is as loud as the disk and lasts six times as long."""
     run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3)
     samples = np.concatenate([run.std() * speech(30, 1), run, run.std() * speech(30, 2)])
-    sound = heard(Recording(samples=samples, sample_rate=RATE), "made", ("tone",))
+    sound = heard(Recording(samples=samples, sample_rate=RATE), "made")
     found = judge(decline, [sound], correct=False)
     end = found.fit.value(0)
     values = found.values()
@@ -197,11 +242,12 @@ def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(d
     samples[290 * rate : 290 * rate + 400] += 20.0
     samples[20 * rate : 60 * rate] += 4 * run.std() * resample_poly(speech(40, 2), 1, 2)
     long = Recording(samples=samples, sample_rate=rate)
-    assert run_end(long) == pytest.approx(144.0, abs=0.5)
-    found, _, start, _ = read(long)
+    (run,) = settling_runs(long)
+    assert run.t_end.value == pytest.approx(144.0, abs=0.5)
+    found, _, start, _ = read(long, run.t_end.value)
     assert start + len(found) / rate == pytest.approx(144.0 + AFTER, abs=0.5)
     assert len(found) == LONGEST * rate
-    assert run_end(Recording(samples=samples[: 120 * rate], sample_rate=rate)) is None
+    assert not settling_runs(Recording(samples=samples[: 120 * rate], sample_rate=rate))
 
 
 def voice(seconds, seed):
@@ -225,28 +271,26 @@ def voice(seconds, seed):
     return made / made.std()
 
 
-def test_the_phase_of_a_run_follows_its_tone_and_that_of_a_voice_does_not(decline):
-    """The best-fitting law is used for each; a musical scale also fails the test."""
+def test_a_run_is_heard_and_its_reverse_a_voice_and_a_scale_are_not(decline):
     run = recording(decline, [1e-4, 1.0, 0], noise=0.5, rate=RATE, end=10.0, duration=10.5, seed=3)
     scale = np.sin(
         2 * np.pi * 220 * np.cumsum(2.0 ** (np.arange(12 * RATE) * 2 // RATE % 8 / 12)) / RATE
     )
     sounds = run, run[::-1], voice(12, 1), scale
-    sure = [follows(resample_poly(x, 1, 4), RATE / 4, clearest_tone(x, RATE)) for x in sounds]
-    assert sure[0] > 2 * FOLLOWED
-    assert max(sure[1:]) < 0.8 * FOLLOWED
+    heard = [len(settling_runs(Recording(samples=x, sample_rate=RATE))) for x in sounds]
+    assert heard == [1, 0, 0, 0]
 
 
 @pytest.mark.slow
 def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
     """In ten minutes of sound, the voice before and after the run is as loud as the run."""
     talk = voice(600, 5) + 0.01 * np.random.default_rng(0).standard_normal(600 * RATE)
-    with pytest.raises(RecordingError, match="no tone rises"):
-        heard(Recording(samples=talk, sample_rate=RATE), "talk", ("tone",))
+    with pytest.raises(RecordingError, match="no disk"):
+        heard(Recording(samples=talk, sample_rate=RATE), "talk")
     run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=14.0, duration=15.0, seed=3)
     talk[333 * RATE : 348 * RATE] = run / run.std()
-    sound = heard(Recording(samples=talk, sample_rate=RATE), "run", ("tone",))
-    assert sound.start + sound.tones["tone"].end == pytest.approx(347.0, abs=0.1)
+    sound = heard(Recording(samples=talk, sample_rate=RATE), "run")
+    assert sound.end == pytest.approx(347.0, abs=0.1)
 
 
 @pytest.mark.slow
@@ -310,13 +354,13 @@ def bad_takes(folder, decline):
     return {
         "not a sound file": folder / "text.wav",
         "1 s long": write(folder / "short.wav", good[:RATE]),
-        "no tone": write(folder / "noise.wav", 0.1 * random.standard_normal(6 * RATE)),
-        "no tone rises": write(folder / "falls.wav", falling(t)),
+        "no disk": write(folder / "noise.wav", 0.1 * random.standard_normal(6 * RATE)),
+        "no disk or coin": write(folder / "falls.wav", falling(t)),
         "clipped": write(folder / "clipped.wav", np.clip(8 * good, -1, 1)),
-        "second disk": write(folder / "two.wav", np.concatenate([good, good])),
+        "second run": write(folder / "two.wav", np.concatenate([good, good])),
         "Time \\(s\\)": folder / "rows.csv",
         "does not rise": folder / "back.csv",
-        "towards an end": folder / "slow.wav",
+        "coming to rest": folder / "slow.wav",
         "No such file": folder / "nowhere.wav",
     }
 
@@ -381,8 +425,7 @@ def test_the_command_writes_what_it_found(decline, scene, tmp_path, monkeypatch)
     carriers = [c["matched"]["of"] for c in told["files"][0]["carriers"]]
     assert carriers == ["disk"]
     assert "disk, " in (tmp_path / "out" / "fit.md").read_text()
-    assert [n["truth"] for n in told["files"][0]["null_tests"]] == ["air"]
-    assert told["files"][0]["null_tests"][0]["verdict"] != "rolling"
+    assert answer.stdout.splitlines()[0].startswith("rolling: ")
     assert told["files"][0]["published_way"]["whole run"]["theirs"] == [0.309, 0.032]
     assert "; theirs on granite 0.309, one run ± 0.032" in answer.output
     assert {p.name for p in (tmp_path / "out").iterdir()} == {

@@ -22,6 +22,7 @@ from sonify.hearing.audio_source import SoundFile
 from sonify.hearing.loudness import HANN_BANDWIDTH
 from sonify.hearing.recording import LONGEST, RecordingError, listen, read
 from sonify.hearing.rising_tone import rising_tone
+from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.spectrogram import spectrogram
 from sonify.report.recording import own_folder
 
@@ -180,10 +181,11 @@ def test_the_repetition_of_the_envelope_is_found(tmp_path):
         np.random.default_rng(3).normal(size=len(t)) * np.maximum(np.cos(phase), 0) ** 2 * (t < END)
     )
     soundfile.write(tmp_path / "bursts.wav", 0.1 * bursts, RATE, "FLOAT")
-    repetition = listen(tmp_path / "bursts.wav").repetition
-    assert repetition.end == pytest.approx(END, abs=0.05)
-    assert repetition.exponent == pytest.approx(1.0, abs=0.1)
-    assert repetition.at(END - 1) == pytest.approx(40.0, rel=0.03)
+    (run,) = settling_runs(SoundFile(tmp_path / "bursts.wav"))
+    assert run.kind == "repetition"
+    assert run.t_end.value == pytest.approx(END, abs=0.05)
+    assert run.exponent.value == pytest.approx(1.0, abs=0.1)
+    assert run.rate(END - 1) == pytest.approx(40.0, rel=0.03)
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -338,10 +340,14 @@ def test_the_command_writes_what_it_says(tmp_path):
     wav(path, 0.1 * recording(1.0, 60.0, 20))
     asked = CliRunner().invoke(main, ["listen", str(path), "--out", str(tmp_path / "out")])
     assert asked.exit_code == 0
-    assert "rising tone: end at" in asked.stdout
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["heard.json", "spectrogram.png"]
+    assert "comes to rest at" in asked.stdout
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
+        "heard.json",
+        "settling.png",
+        "spectrogram.png",
+    ]
     told = json.loads((tmp_path / "out" / "heard.json").read_text())
-    assert told["tone"]["end"] == pytest.approx(END, abs=0.02)
+    assert told["runs"][0]["t_end"]["value"] == pytest.approx(END, abs=0.05)
     assert told["recording"] == str(path.resolve())
 
 

@@ -7,10 +7,12 @@ known drift; a tone with amplitude modulation of increasing rate.
 
 import numpy as np
 import pytest
-from scipy.signal import butter, lfilter, sosfilt
+import soundfile
+from scipy.signal import butter, firwin, lfilter, oaconvolve, sosfilt
 
 from sonify import load_scene
 from sonify.claims.resonance_matching import nearest_resonance, resonances
+from sonify.hearing.ring_down import decaying_lines, free_ringing
 from sonify.hearing.spectral_lines import APART, _pairs, carriers
 
 RATE, LENGTH = 16000, 12.0
@@ -154,6 +156,57 @@ def test_the_drift_of_a_band_of_noise_is_told_with_its_error(drift):
 
 def test_noise_has_no_carriers():
     assert carriers(np.random.default_rng(0).standard_normal(8 * RATE), RATE) == []
+
+
+@pytest.mark.parametrize("rate", [44100, 48000])
+@pytest.mark.parametrize("edges", [(None, 15000.0), (5000.0, None), (3000.0, 8000.0)])
+def test_the_edge_of_a_filter_is_no_carrier(rate, edges):
+    """White noise in a band with edges of a few hertz or a few hundred."""
+    low, high = edges
+    noise = np.random.default_rng(0).standard_normal(10 * rate)
+    for taps in (1001, 4001):
+        kind = "lowpass" if low is None else "highpass" if high is None else "bandpass"
+        corner = high if low is None else low if high is None else edges
+        filtered = oaconvolve(noise, firwin(taps, corner, fs=rate, pass_zero=kind), mode="same")
+        assert carriers(filtered, rate) == []
+
+
+@pytest.mark.parametrize("quality", [0.8, 0.6])
+def test_the_edge_of_the_band_of_a_codec_is_no_carrier(tmp_path, quality):
+    """MP3 at 96 and 160 kb/s."""
+    noise = 0.2 * np.random.default_rng(0).standard_normal(441000)
+    path = tmp_path / "noise.mp3"
+    soundfile.write(path, noise, 44100, compression_level=quality, bitrate_mode="CONSTANT")
+    decoded, rate = soundfile.read(path)
+    assert carriers(decoded, rate) == []
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_decay_rates_of_a_close_pair_are_found(seed):
+    """Two lines 3 to 200 Hz apart with amplitude decay rates of 2 to 18 1/s, at 20 to 50 dB."""
+    random = np.random.default_rng(seed)
+    time = np.arange(int(0.8 * 44100)) / 44100
+    frequency = random.uniform(3e3, 15e3) + np.array([0, random.uniform(3, 200)])
+    decay = random.uniform(2, 18, 2)
+    amplitude = random.uniform(0.4, 1, 2)
+    pair = (
+        amplitude
+        * np.exp(-np.outer(time, decay))
+        * np.cos(2 * np.pi * np.outer(time, frequency) + random.uniform(0, 6, 2))
+    )
+    noise = 10 ** (-random.uniform(20, 50) / 20) * random.standard_normal(len(time))
+    lines = sorted(decaying_lines(pair.sum(axis=1) + noise, 44100), key=lambda line: line.frequency)
+    assert [line.frequency for line in lines] == pytest.approx(frequency, abs=0.1)
+    assert [line.decay_rate for line in lines] == pytest.approx(decay, rel=0.1)
+
+
+def test_the_free_ringing_begins_after_the_strike_and_ends_before_the_next():
+    time = np.arange(44100) / 44100
+    ring = np.cos(2 * np.pi * 5000 * time) * np.exp(-5 * time)
+    sound = np.concatenate([np.zeros(8820), ring[:17640], 0.9 * ring])
+    part = free_ringing(sound, 44100)
+    assert part.start / 44100 == pytest.approx(0.28, abs=0.011)
+    assert part.stop / 44100 == pytest.approx(0.6, abs=0.011)
 
 
 def test_carriers_are_matched_to_modes_and_contact():

@@ -1,7 +1,8 @@
 """FRAMES -> CANDIDATES: windows whose bursts follow the law of a disk, scored against rival
 laws."""
 
-from dataclasses import dataclass
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -63,6 +64,11 @@ class Candidate:
         return min(self.steady_margin, self.rising_margin + 20)
 
     @property
+    def first_rate(self):
+        """Rate at the beginning of the window [Hz]."""
+        return self.law.turns * self.law.shape.first_rate / self.window.seconds
+
+    @property
     def t_end(self):
         """Time of the end of the law [s]."""
         left = distance_to_end(self.law.shape.ratio, self.law.shape.exponent)
@@ -84,71 +90,74 @@ def candidates_of(
     peaks = drop_peaks(drops, settings.heard_drop_db)
     peaks = peaks[(peaks >= span[0] * FRAME_RATE) & (peaks < span[1] * FRAME_RATE)]
     block = np.floor(peaks / (settings.block * FRAME_RATE)).astype(int)
-    found = []
-    for number in np.unique(block):
-        ends = peaks[block == number][: settings.ends_per_block]
-        found += _best_candidates(onsets, broadband, ends, drops, settings)
+    ends = [peaks[block == number][: settings.ends_per_block] for number in np.unique(block)]
+    with ThreadPoolExecutor() as pool:  # the compiled loops and transforms release Python's lock
+        parts = pool.map(
+            lambda some: _best_candidates(onsets, broadband, some, drops, settings), ends
+        )
+        found = [candidate for part in parts for candidate in part]
     return sorted(found, key=lambda candidate: -candidate.score)
 
 
-def windows_of(end: int, drop: float, settings: SettlingSettings):
-    """Return the windows before an end: those that stop there, and those that stop earlier."""
-    late = []
-    early = []
-    for length in settings.window_lengths:
-        frames = round(length * FRAME_RATE)
-        for stop, windows in ((end, late), (end - round(settings.early_stop * FRAME_RATE), early)):
-            if stop >= frames:
-                windows.append(Window(stop - frames, stop, end, drop))
-    return late, early
+def windows_of(end: int, drop: float, settings: SettlingSettings) -> list[Window]:
+    """Return the windows that stop at an end."""
+    frames = [round(length * FRAME_RATE) for length in settings.window_lengths]
+    return [Window(end - count, end, end, drop) for count in frames if end >= count]
 
 
 def _best_candidates(onsets: OnsetStrength, broadband, ends, drops, settings):
     """The refined candidates of the best windows of a block."""
-    promising = []
+    rough = []
     for end in ends:
-        late, early = windows_of(int(end), float(drops[end]), settings)
-        estimates = _estimates(onsets, late, settings)
-        if estimates:
-            estimates += _estimates(onsets, early, settings)
-        promising += estimates
+        for window in windows_of(int(end), float(drops[end]), settings):
+            every = range(len(onsets.values))
+            distance = settings.coarse_distance
+            found = _loudest_channels(onsets, window, settings, distance, every)
+            if found[0][1] >= settings.rivals_from:
+                estimate = _estimate(onsets, window, found[0][0], settings, distance)
+                channels = [channel for channel, _ in found[: settings.searched_channels]]
+                rough.append((estimate[0], window, channels))
+    rough.sort(key=lambda entry: -entry[0])
+    promising = []
+    for _, late, channels in rough[: settings.searched_windows]:
+        distance = settings.shape_distance
+        channel = _loudest_channels(onsets, late, settings, distance, channels)[0][0]
+        estimate = _estimate(onsets, late, channel, settings, distance)
+        early = _earlier(late, settings)
+        promising.append(estimate)
+        if estimate[0] >= settings.refined_from and early.first >= 0:
+            promising.append(_estimate(onsets, early, channel, settings, distance))
     promising.sort(key=lambda entry: -entry[0])
     return [
         _refined(onsets, broadband, window, channel, starts, settings)
-        for _, window, channel, starts in promising[: settings.refined_windows]
+        for score, window, channel, starts in promising[: settings.refined_windows]
+        if score >= settings.refined_from
     ]
 
 
-def _estimates(onsets, windows, settings):
-    """First estimates of score, with window, channel and laws, of those windows that are worth
-    refining."""
-    found = []
-    for window in windows:
-        likelihood, channel = _loudest_channel(onsets, window, families(settings)["disk"], settings)
-        if likelihood >= settings.rivals_from:
-            estimate = _with_rivals(onsets, window, channel, settings)
-            if estimate[0] >= settings.refined_from:
-                found.append(estimate)
-    return found
+def _earlier(window, settings):
+    """The same window, `early_stop` earlier."""
+    frames = round(settings.early_stop * FRAME_RATE)
+    return replace(window, first=window.first - frames, stop=window.stop - frames)
 
 
-def _loudest_channel(onsets, window, family, settings):
-    """The largest log likelihood of a family in a window, and its channel."""
-    parts = onsets.values[:, window.first : window.stop]
-    best = [
-        likelihoods(values, scale, family, settings).max()
-        for values, scale in zip(parts, onsets.scales_ms, strict=True)
-    ]
-    return max(best), int(np.argmax(best))
+def _loudest_channels(onsets, window, settings, distance, channels):
+    """Channels and the log likelihood of a disk in each, in a window, the most likely first."""
+    family = families(settings, distance)["disk"]
+    channels = np.array(channels)
+    values = onsets.values[channels, window.first : window.stop]
+    best = likelihoods(values, onsets.scales_ms[channels], family, settings)
+    order = np.argsort(-best, kind="stable")
+    return list(zip(channels[order].tolist(), best[order].tolist(), strict=True))
 
 
-def _with_rivals(onsets, window, channel, settings):
+def _estimate(onsets, window, channel, settings, distance):
     """A first estimate of the score of a window, the window, its channel and the best laws of every
     family."""
     values = onsets.values[channel, window.first : window.stop]
     starts = {
         name: strongest_laws(values, onsets.scales_ms[channel], family, settings)
-        for name, family in families(settings).items()
+        for name, family in families(settings, distance).items()
     }
     best = {name: laws[0].likelihood for name, laws in starts.items()}
     steady = max(0.0, *(best[name] for name in STEADY_RIVALS))
@@ -166,13 +175,14 @@ def _refined(onsets, broadband, window, channel, starts, settings):
     independent = len(values) / max(scale, memory)
     scores = {family: independent * predicted_gain(values, law) for family, law in laws.items()}
     levels = onsets.values[channel] ** 2 if onsets.kinds[channel] == "tone" else broadband
-    slope = pulse_slope(levels[window.first : window.stop], laws["disk"], window)
+    after = levels[window.end + 30 : window.end + 130].mean()
+    slope = pulse_slope(levels[window.first : window.stop], laws["disk"], window, 4 * after)
     return Candidate(window, channel, laws["disk"], scores, slope)
 
 
-def pulse_slope(power: np.ndarray, law: Law, window: Window) -> float:
+def pulse_slope(power: np.ndarray, law: Law, window: Window, least: float = 0.0) -> float:
     """Return the slope of the highest level of every turn [dB] against 20 log10 of the time left to
-    the end."""
+    the end, where it exceeds the `least` power."""
     count = len(power)
     places = (np.arange(count) + 0.5) / count
     turn = np.floor(law.turns * law.shape.phase(places)).astype(int)
@@ -180,7 +190,7 @@ def pulse_slope(power: np.ndarray, law: Law, window: Window) -> float:
     begins = np.flatnonzero(np.diff(turn, prepend=-1))
     level = 10 * np.log10(np.maximum.reduceat(power, begins) + 1e-14)
     ends = np.append(begins[1:], count) - 1
-    kept = left[ends] >= 0.05
+    kept = (left[ends] >= 0.05) & (level > 10 * np.log10(least + 1e-14))
     if np.count_nonzero(kept) < 4:
         return 0.0
     middle = 20 * np.log10(left[(begins + ends) // 2])

@@ -67,6 +67,23 @@ class SettlingRun:
     false_alarm: float
     bands: tuple[tuple[float, float], ...]
     region: JointRegion
+    law_scores: dict[str, float]
+
+    def turns_left(self, time: np.ndarray) -> np.ndarray:
+        """Return the turns, or bursts, from times [s] to the end of the law."""
+        reference = min(1.0, self.t_end.value - self.start)
+        left = np.maximum(self.t_end.value - np.asarray(time), 1e-6) / reference
+        turns = self.rate_at_1s.value * reference
+        exponent = self.region.best_exponent
+        if abs(exponent - 1) < 1e-3:
+            return turns * np.log(left * 1e6)
+        return turns * left ** (1 - exponent) / (1 - exponent)
+
+    def rate(self, time: np.ndarray) -> np.ndarray:
+        """Return the rate [Hz] of the law at times before the end [s]."""
+        reference = min(1.0, self.t_end.value - self.start)
+        left = (self.t_end.value - np.asarray(time)) / reference
+        return self.rate_at_1s.value * left**-self.region.best_exponent
 
     def later(self, seconds: float) -> "SettlingRun":
         """Return the run so much later [s]."""
@@ -165,10 +182,13 @@ def runs_of_frames(
 def is_heard(candidate: Candidate, settings: SettlingSettings) -> bool:
     """Return True if a candidate alone is evidence of a disk."""
     low, high = settings.pulse_slopes
+    clear = candidate.score > settings.clear_score
+    slow = candidate.first_rate <= settings.fastest_beginning
     return (
         candidate.score > settings.heard_score
         and candidate.rising_margin > settings.least_rising_margin
-        and low <= candidate.slope <= high
+        and candidate.slope <= high
+        and (clear or (slow and candidate.slope >= low))
     )
 
 
@@ -179,10 +199,12 @@ def is_bouncing(candidate: Candidate, settings: SettlingSettings) -> bool:
 
 
 def _explained(candidate, bouncing, settings):
-    """Whether a better bouncing candidate ends near a candidate."""
+    """Whether a better bouncing candidate overlaps a candidate, or nearly does."""
     near = settings.bounce_separation * FRAME_RATE
     return any(
-        other.score > candidate.score and abs(other.window.end - candidate.window.end) <= near
+        other.score > candidate.score
+        and other.window.first < candidate.window.end + near
+        and candidate.window.first < other.window.end + near
         for other in bouncing
     )
 
@@ -231,6 +253,7 @@ def _run(group: list[Candidate], frames: Frames, onsets: OnsetStrength, settings
         false_alarm=false_alarms_per_hour(best.score, settings),
         bands=(onsets.bands[best.channel],),
         region=region,
+        law_scores={name: float(score) for name, score in best.scores.items()},
     )
 
 

@@ -26,7 +26,7 @@ from sonify.hearing.settling.warped_periodogram import (
 
 UPRIGHT = (0.0, 0.9, 1.5)  # rad
 EXPONENT_STEP = 0.05
-END_STEP_MS = 8
+ENDS = 12
 STOPS_BEFORE_KNEE_MS = (5, 50, 100)
 NODES = 160
 
@@ -98,7 +98,7 @@ def _widened(value, values, resolution, factor):
     return Estimate(value, value - factor * below, value + factor * above)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _relative_rate(left, exponent, upright):
     """Rate over that at the beginning of the window, where `left` is the time left over that at the
     beginning."""
@@ -109,7 +109,7 @@ def _relative_rate(left, exponent, upright):
     )
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _warp_places(lengths_left, exponents, uprights, length, steps, nodes):
     """Return places (cells, steps + 1) of equal steps of phase in a window, and first over mean
     rate.
@@ -145,21 +145,20 @@ def _warp_places(lengths_left, exponents, uprights, length, steps, nodes):
 
 
 @lru_cache(maxsize=128)
-def _cells(before_knee: int, earliest: int, latest: int, exponents: tuple[float, float]):
+def _cells(before_knee: int, end_range_ms: tuple[int, int], exponents: tuple[float, float]):
     """Return the grid of laws: frames from the stop to the end of the disk, exponents, uprights
     (cells,)."""
-    ends = np.arange(max(earliest + before_knee, 3), latest + before_knee + 1, END_STEP_MS).astype(
-        float
-    )
+    earliest, latest = (before_knee + limit for limit in end_range_ms)
+    ends = np.linspace(max(earliest, 3), latest, ENDS)
     powers = np.arange(exponents[0], exponents[1] + 1e-9, EXPONENT_STEP)
     grid = np.meshgrid(ends, powers, np.array(UPRIGHT), indexing="ij")
     return tuple(axis.ravel() for axis in grid)
 
 
 @lru_cache(maxsize=256)
-def _table(before_knee: int, settings: SettlingSettings, length: int, steps: int) -> WarpTable:
+def _table(cells, length: int, steps: int) -> WarpTable:
     """Return the warp table of all laws of the grid."""
-    ends, exponents, uprights = _cells(before_knee, *settings.end_range_ms, settings.exponents)
+    ends, exponents, uprights = _cells(*cells)
     places, first_rates = _warp_places(ends, exponents, uprights, length, steps, NODES)
     index = np.clip(places.astype(np.int32), 0, length - 1)
     return WarpTable(index, (places - index).astype(np.float32), first_rates)
@@ -195,7 +194,7 @@ def joint_region(
     exponents = np.concatenate([surface.exponents for surface in kept])
     ends = np.concatenate([surface.ends for surface in kept])
     rates = np.concatenate([surface.rates(span) for surface in kept])
-    same_reading = np.abs(np.log(rates / best_rate)) < 0.25  # not half or twice as many bursts
+    same_reading = np.abs(np.log(rates / best_rate)) < 0.12  # not half or twice as many bursts
     return JointRegion(
         exponents=exponents[same_reading],
         ends=ends[same_reading],
@@ -254,10 +253,12 @@ def _surface(onsets, channel, first, frames, before_knee, settings):
     """The log likelihood of all laws of the grid in one window."""
     values = onsets.values[channel, first : first + frames]
     scale = onsets.scales_ms[channel]
-    table = _table(before_knee, settings, frames, steps_for(frames, scale))
+    ranges = settings.tone_end_range_ms, settings.end_range_ms
+    cells = before_knee, ranges[onsets.kinds[channel] != "tone"], settings.exponents
+    table = _table(cells, frames, steps_for(frames, scale))
     likelihood, harmonics, spectra = search_table(values, scale, table, settings)
     least = least_turns(frames, table, settings)
-    left, exponents, uprights = _cells(before_knee, *settings.end_range_ms, settings.exponents)
+    left, exponents, uprights = _cells(*cells)
 
     def first_rate(cell):
         turns = turns_of(spectra[cell], least[cell], harmonics[cell])

@@ -114,14 +114,14 @@ class ShapeSet:
 
 
 @lru_cache
-def families(settings: SettlingSettings) -> dict[str, ShapeSet]:
-    """Return the shapes of all families that are searched: the disk, and its four rivals."""
+def families(settings: SettlingSettings, distance: float) -> dict[str, ShapeSet]:
+    """Return the shapes of all families that are searched, the disk and its four rivals, so far
+    apart."""
     low, high = settings.rate_ratios
     disk_ratios = np.geomspace(low, high, 40)
     exponents = np.linspace(*settings.exponents, 18)
     rising = np.geomspace(settings.steady_ratio, high, 60)
     steady = np.geomspace(1 / settings.steady_ratio, settings.steady_ratio, 31)
-    distance = settings.shape_distance
     slowing = covering_shapes("slowing disk", disk_ratios, exponents, distance)
     slowing += covering_shapes("slowing linear", rising, [0.0], distance)
     slowing += covering_shapes("slowing exponential", rising, [0.0], distance)

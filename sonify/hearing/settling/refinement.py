@@ -18,7 +18,7 @@ FAMILY_CODES = {
 }
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _place(code, ratio, exponent, y):
     """The place of the window, 0 to 1, at a phase."""
     if code >= 3:
@@ -38,7 +38,7 @@ def _place(code, ratio, exponent, y):
     return math.log1p(y * (ratio - 1)) / math.log(ratio)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _likelihood(cumulative, energy, independent, code, ratio, exponent, turns, harmonics):
     """Log likelihood and best number of harmonics of one law, from the running sum of a window."""
     length = len(cumulative) - 1
@@ -76,14 +76,14 @@ def _likelihood(cumulative, energy, independent, code, ratio, exponent, turns, h
     return best, order
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _first_rate(code, ratio, exponent):
     """Rate at the beginning of the window over its mean."""
     small = 1e-5
     return small / _place(code, ratio, exponent, small)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _climb(
     cumulative,
     energy,
@@ -181,7 +181,7 @@ def refine(values: np.ndarray, scale_ms: float, starts: list[Law], settings) -> 
     return best
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _walk(cumulative, energy, independent, start, left_range, exponent_range, draws, harmonics):
     """Try laws of a disk near a start (frames left, exponent, turns); return them all, first rates,
     likelihoods.

@@ -70,17 +70,25 @@ class SettlingSettings:
     shape_distance: float = 0.006
     """Distance of neighbouring shapes of the search, rms of the phase over the phase of the
     window."""
+    coarse_distance: float = 0.015
+    """The same in a first, coarse search of all windows."""
     rivals_from: float = 10.0
-    """Rival laws are searched where a disk reaches this log likelihood."""
+    """Rival laws are searched where a disk reaches this log likelihood in the coarse search."""
+    searched_windows: int = 12
+    """Number of windows of a block that are searched again, the best of the coarse search."""
+    searched_channels: int = 3
+    """Number of channels of such a window that are searched again."""
     refined_from: float = 6.0
-    """Windows are refined, and ends tried with an earlier stop, if the first estimate of the score
-    reaches this."""
+    """Windows are refined, and tried with an earlier stop, if the first estimate of the score reaches
+    this."""
     refined_windows: int = 6
     """Number of best windows that are refined."""
 
     end_range_ms: tuple[int, int] = (-2, 80)
     """Ends of a disk are tried from this to this time after the level begins to fall for good
     [ms]."""
+    tone_end_range_ms: tuple[int, int] = (-30, 250)
+    """The same for a tone, which may leave its band before the end [ms]."""
     fastest_standing: float = 12.0
     """A disk may stand upright only while its rate is below this [Hz], that of a coin with a radius
     of 7 mm."""
@@ -95,7 +103,7 @@ class SettlingSettings:
     interval_factor: float = 1.16
     """Factor by which the ranges over all windows are widened, from simulated takes of known
     law."""
-    repetition_resolution: Resolution = Resolution(exponent=0.012, end=0.006, rate=0.006)
+    repetition_resolution: Resolution = Resolution(exponent=0.014, end=0.006, rate=0.006)
     """Resolution of a run heard in the power of bands; the last interval of bursts is added to that
     of the end."""
     tone_resolution: Resolution = Resolution(exponent=0.025, end=0.025, rate=0.02)
@@ -103,9 +111,11 @@ class SettlingSettings:
 
     heard_score: float = 15.75
     """A run is heard from this score on."""
-    false_alarms_per_hour: float = 6.0
-    """Expected false events that are heard per hour of eventful sound: of 120 clips whose blocks
-    were shuffled, 1 in 10 min was heard (0.2 to 33 per hour), 11 reached half that score."""
+    false_alarms_per_hour: float = 4.4
+    """Expected false events that are heard per hour of eventful sound: 3 in 480 clips of 5 s that
+    were block-shuffled or phase-randomised."""
+    false_alarms_per_hour_range: tuple[float, float] = (0.9, 13.0)
+    """Interval of that number, 95 %."""
     false_alarm_decay: float = 3.2
     """The number of false events falls by a factor of e for this much more score; from the same
     clips."""
@@ -121,9 +131,16 @@ class SettlingSettings:
     likelihood."""
     pulse_slopes: tuple[float, float] = (-0.8, 0.65)
     """Range of the slope of the pulse levels [dB] against 20 log10 of the time left."""
-    bounce_exponent: float = 0.9
-    """A bouncing body has an exponent of at least this; exactly 1 for a constant restitution."""
-    bounce_slopes: tuple[float, float] = (0.75, 1.3)
+    clear_score: float = 40.0
+    """From this score on, the levels may rise more steeply towards the end, and the rate at the
+    beginning of the window is free."""
+    fastest_beginning: float = 60.0
+    """Greatest rate at the beginning of the window [Hz] of other runs: the pitch of a voice is
+    above, and a disk that turns faster has been heard before."""
+    bounce_exponent: float = 0.6
+    """A bouncing body has an exponent of at least this; 1 for a constant restitution, less where
+    its last bounces are lost in noise."""
+    bounce_slopes: tuple[float, float] = (0.65, 1.5)
     """Range of the slope of pulse levels of a bouncing body; 1 for a constant restitution."""
     bounce_separation: float = 0.4
-    """A bouncing body explains every run that ends within this time of its own end."""
+    """A bouncing body explains every run that is less than this time away from it."""

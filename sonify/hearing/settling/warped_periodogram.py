@@ -34,7 +34,7 @@ def warp_table(family: ShapeSet, length: int, steps: int) -> WarpTable:
     return WarpTable(index, (places - index).astype(np.float32), first_rates)
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def warp(cumulative, index, fraction, padded):
     """Write the onset strength summed over equal steps of phase into the first half of `padded`
     (shapes, 2 steps)."""
@@ -48,7 +48,7 @@ def warp(cumulative, index, fraction, padded):
             before = now
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _doubled_power(spectrum, power):
     """Write the power of a spectrum padded to twice its length, and of the bins between,
     interpolated, into `power`."""
@@ -69,7 +69,7 @@ def _doubled_power(spectrum, power):
         power[2 * k + 1] = real * real + imaginary * imaginary
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _largest_sums(power, first):
     """Return the largest sums of power at k, 2 k, 3 k, 4 k for k from `first` on: of one to four
     terms."""
@@ -99,7 +99,7 @@ def _largest_sums(power, first):
     return one, two, three, four
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _place_of_sum(power, first, harmonics):
     """Return where the sum of power at k, 2 k, ... is largest."""
     top = -1.0
@@ -114,7 +114,7 @@ def _place_of_sum(power, first, harmonics):
     return place
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def _likelihoods(spectra, energy, independent, least):
     """Return the log likelihood of the best rate and its number of harmonics for spectra (shapes,
     bins).
@@ -136,7 +136,7 @@ def _likelihoods(spectra, energy, independent, least):
     return likelihood, harmonics
 
 
-@njit(cache=True)
+@njit(cache=True, nogil=True)
 def turns_of(spectrum, least, harmonics):
     """Return the number of turns at which the power of the harmonics of a spectrum (bins,) is
     largest."""
@@ -169,30 +169,47 @@ def least_turns(length: int, table: WarpTable, settings: SettlingSettings) -> np
     return np.minimum(least, (table.index.shape[1] - 1) / 2)
 
 
+def _energy(values):
+    """The length of a window times its sum of squares about the mean."""
+    return max(float(np.var(values, dtype=float)), 1e-12) * len(values) ** 2
+
+
+def _warped(values, table):
+    """A window (frames,) in equal steps of phase (shapes, 2 steps), padded to twice its length."""
+    cumulative = np.zeros(len(values) + 1, dtype=np.float32)
+    np.cumsum(values - values.mean(), out=cumulative[1:])
+    shapes, cuts = table.index.shape
+    padded = np.zeros((shapes, 2 * (cuts - 1)), dtype=np.float32)
+    warp(cumulative, table.index, table.fraction, padded)
+    return padded
+
+
 def search_table(values: np.ndarray, scale_ms: float, table: WarpTable, settings: SettlingSettings):
     """Return log likelihood and harmonics (shapes,) and spectra (shapes, bins) of a window
     (frames,)."""
     length = len(values)
-    values = values - values.mean()
-    energy = max(float(np.sum(np.square(values), dtype=float)), 1e-9) * length
-    cumulative = np.zeros(length + 1, dtype=np.float32)
-    np.cumsum(values, out=cumulative[1:])
-    shapes, cuts = table.index.shape
-    padded = np.zeros((shapes, 2 * (cuts - 1)), dtype=np.float32)
-    warp(cumulative, table.index, table.fraction, padded)
-    spectra = rfft(padded, axis=1)
-    likelihood, harmonics = _likelihoods(
-        spectra, energy, length / scale_ms, least_turns(length, table, settings)
-    )
+    spectra = rfft(_warped(values, table), axis=1)
+    least = least_turns(length, table, settings)
+    likelihood, harmonics = _likelihoods(spectra, _energy(values), length / scale_ms, least)
     return likelihood, harmonics, spectra
 
 
 def likelihoods(
-    values: np.ndarray, scale_ms: float, family: ShapeSet, settings: SettlingSettings
+    values: np.ndarray, scales_ms: np.ndarray, family: ShapeSet, settings: SettlingSettings
 ) -> np.ndarray:
-    """Return the log likelihood (shapes,) of the shapes of a family in a window (frames,)."""
-    table = warp_table(family, len(values), steps_for(len(values), scale_ms))
-    return search_table(values, scale_ms, table, settings)[0]
+    """Return the largest log likelihood (channels,) of a family in a window (channels, frames)."""
+    length = values.shape[1]
+    found = np.empty(len(values))
+    steps = np.array([steps_for(length, scale) for scale in scales_ms])
+    for count in np.unique(steps):
+        table = warp_table(family, length, int(count))
+        same = np.flatnonzero(steps == count)
+        spectra = rfft(np.concatenate([_warped(values[i], table) for i in same]), axis=1)
+        least = least_turns(length, table, settings)
+        for i, part in zip(same, np.split(spectra, len(same)), strict=True):
+            energy = _energy(values[i])
+            found[i] = _likelihoods(part, energy, length / scales_ms[i], least)[0].max()
+    return found
 
 
 def strongest_laws(

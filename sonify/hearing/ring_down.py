@@ -1,0 +1,165 @@
+"""FREE RINGING -> DECAYING LINES: frequency and decay rate of each line, also of close pairs.
+
+The band around each peak of the spectrum is shifted to zero frequency and decimated. Its poles
+follow from the rotational invariance of the signal subspace (ESPRIT; Roy & Kailath 1989)."""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.linalg import hankel, svd
+from scipy.ndimage import maximum_filter1d, median_filter, uniform_filter1d
+from scipy.signal import firwin, oaconvolve
+
+LOWEST = 300.0  # Hz
+HALF_BAND = 120.0  # Hz, lines that are closer are separated together
+EXPLAINED = 0.9  # share of the power of a band that its lines explain at least
+
+
+@dataclass(frozen=True, kw_only=True)
+class DecayingLine:
+    """A line exp(-decay_rate t) cos(2 pi frequency t).
+
+    `frequency` [Hz], `decay_rate` of the amplitude [1/s] with its standard error `decay_error`, and
+    the `level` at the beginning, in dB re the strongest line."""
+
+    frequency: float
+    decay_rate: float
+    decay_error: float
+    level: float
+
+
+def free_ringing(samples: np.ndarray, rate: float) -> slice:
+    """Return the part of samples (n,) that rings freely after the loudest moment.
+
+    It begins 80 ms after the loudest hop of 10 ms, and ends where the power rises by 12 dB or
+    falls by 50 dB.
+    """
+    hop = int(0.01 * rate)
+    count = len(samples) // hop
+    power = np.square(samples[: count * hop]).reshape(count, hop).mean(axis=1)
+    level = 10 * np.log10(power + 1e-14)
+    first = int(np.argmax(level)) + 8
+    last = first
+    while last < count and level[last] < level[first:last].min(initial=200.0) + 12:
+        if level[last] < level[first] - 50:
+            break
+        last += 1
+    return slice(first * hop, last * hop)
+
+
+def decaying_lines(samples: np.ndarray, rate: float, most: int = 12) -> list[DecayingLine]:
+    """Return the lines of free ringing (n,) at a sample rate [Hz], the strongest first."""
+    if len(samples) < 0.1 * rate:
+        return []
+    spacing = rate / len(samples)
+    power = np.abs(np.fft.rfft(samples * np.hanning(2 * len(samples))[len(samples) :])) ** 2
+    smooth = uniform_filter1d(power, max(int(HALF_BAND / 2 / spacing), 1))
+    coarse = 10 * np.log10(smooth[:: max(int(10 / spacing), 1)] + 1e-300)
+    floor = median_filter(coarse, 200)  # 2 kHz
+    above = (
+        10 * np.log10(smooth + 1e-300) - np.repeat(floor, max(int(10 / spacing), 1))[: len(smooth)]
+    )
+    reach = int(HALF_BAND / spacing)
+    above[smooth < maximum_filter1d(smooth, reach + 1)] = 0  # the flanks of a line
+    above[: int(LOWEST / spacing)] = 0
+    above[int(0.45 * rate / spacing) :] = 0
+    found: list[tuple[float, DecayingLine]] = []
+    for _ in range(most):
+        top = int(np.argmax(np.where(above > 15, smooth, -np.inf)))
+        if above[top] <= 15:
+            break
+        middle = top * spacing
+        found += _lines_of_band(samples, rate, middle)
+        above[max(top - reach, 0) : top + reach + 1] = 0
+    found.sort(key=lambda entry: -entry[0])
+    return [
+        DecayingLine(
+            frequency=line.frequency,
+            decay_rate=line.decay_rate,
+            decay_error=line.decay_error,
+            level=20 * float(np.log10(amplitude / found[0][0])),
+        )
+        for amplitude, line in found[:most]
+    ]
+
+
+def _lines_of_band(samples, rate, middle):
+    """Amplitudes and lines within HALF_BAND of a frequency [Hz]."""
+    down = max(int(rate / (4 * HALF_BAND)), 1)
+    taps = 6 * down + 1
+    time = np.arange(len(samples)) / rate
+    shifted = samples * np.exp(-2j * np.pi * middle * time)
+    low = oaconvolve(shifted, firwin(taps, 1.5 * HALF_BAND, fs=rate), mode="valid")[::down]
+    interval = down / rate
+    poles = _poles(low)
+    decay = -np.log(np.abs(poles)) / interval
+    offset = np.angle(poles) / (2 * np.pi * interval)
+    amplitude, error, explained = _amplitudes(low, poles, interval)
+    if explained < EXPLAINED:
+        return [_modulated(low, interval, middle)]
+    begin = (taps - 1) / 2 / rate
+    kept = (decay > 0) & (np.abs(offset) < HALF_BAND) & (amplitude > 0.05 * amplitude.max())
+    kept &= error < 0.5 * decay
+    return [
+        (
+            float(amplitude[i] * np.exp(decay[i] * begin)),
+            DecayingLine(
+                frequency=float(middle + offset[i]),
+                decay_rate=float(decay[i]),
+                decay_error=float(error[i]),
+                level=0.0,
+            ),
+        )
+        for i in np.flatnonzero(kept)
+    ]
+
+
+def _modulated(signal, interval, middle):
+    """Amplitude and line of a signal (n,) that is no sum of a few decaying lines, as of a coin that
+    turns as it rings: its level falls on a straight line from 40 ms on, over at most 35 dB."""
+    hop = max(round(0.02 / interval), 1)
+    power = np.square(np.abs(signal[: len(signal) // hop * hop])).reshape(-1, hop).mean(axis=1)
+    level = 10 * np.log10(power + 1e-300)[1:]
+    quiet = np.flatnonzero(level < level[0] - 35)
+    level = level[: max(quiet[0], 4) if len(quiet) else None]
+    time = np.arange(len(level)) * hop * interval
+    slope, height = np.polyfit(time, level, 1)
+    residual = level - slope * time - height
+    error = np.std(residual) / np.std(time) / np.sqrt(max(len(level) / 2 - 2, 1))
+    to_decay = np.log(10) / 20  # dB/s to 1/s
+    return float(10 ** (height / 20)), DecayingLine(
+        frequency=middle,
+        decay_rate=float(-slope * to_decay),
+        decay_error=float(error * to_decay),
+        level=0.0,
+    )
+
+
+def _poles(signal):
+    """The poles of decaying exponentials in a complex signal (n,), their number from its singular
+    values."""
+    rows = max(len(signal) // 2, 2)
+    vectors, values, _ = svd(
+        hankel(signal[:rows], signal[rows - 1 :]), full_matrices=False, lapack_driver="gesvd"
+    )
+    noise = np.median(values)
+    order = int(np.count_nonzero(values[:8] > max(6 * noise, 0.01 * values[0])))
+    subspace = vectors[:, :order]
+    rotation = np.linalg.lstsq(subspace[:-1], subspace[1:])[0]
+    return np.linalg.eigvals(rotation)
+
+
+def _amplitudes(signal, poles, interval):
+    """Amplitudes of poles in a signal (n,), standard errors of their decay rates [1/s], and the
+    share of the power that they explain."""
+    number = np.arange(len(signal))
+    columns = poles ** number[:, None]
+    amplitudes = np.linalg.lstsq(columns, signal)[0]
+    residual = signal - columns @ amplitudes
+    slopes = -columns * amplitudes * (number[:, None] * interval)
+    jacobian = np.hstack([columns, slopes])
+    variance = np.sum(np.abs(residual) ** 2) / max(len(signal) - 2 * len(poles), 1)
+    covariance = variance * np.linalg.pinv(jacobian.conj().T @ jacobian)
+    errors = np.sqrt(np.abs(np.diag(covariance).real[len(poles) :]) / 2)
+    explained = 1 - np.sum(np.abs(residual) ** 2) / np.sum(np.abs(signal) ** 2)
+    return np.abs(amplitudes), errors, explained
