@@ -1,0 +1,78 @@
+"""The flat limit of a rattling disk against closed forms and stored numbers."""
+
+import numpy as np
+import pytest
+
+from dynamics.rattling.flat_limit import FreeModes, flat_disk, rolling_start, simulate_flat
+from dynamics.rattling.unevenness import contact_depth, random_amplitudes, rim_heights
+
+RADIUS = 12.875e-3
+
+
+def coin(restitution, modulus=40e9):
+    return flat_disk(RADIUS, 2.2e-3, 8.5e-3, modulus, 0.5e-3, restitution)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "open_share", "tolerance"),
+    [(1, 0.01, 0.01), (2, 0.09, 0.03), (5, 0.34, 0.04), (20, 0.62, 0.05)],
+)
+def test_share_of_time_without_contact_grows_with_the_unevenness(ratio, open_share, tolerance):
+    disk = coin(0.5)
+    depth = contact_depth(disk.mass * 9.81, disk.modulus, RADIUS, disk.fillet, 0.1)
+    heights = rim_heights(random_amplitudes(ratio * depth, 0.0, 300, seed=0), 4096)
+    start = rolling_start(disk, 0.105)
+    start[0] += heights[0]
+    motion = simulate_flat(disk, heights, start, 0.25, 1e-6, 10, last=0.095)
+    assert motion.open_time[-1] / motion.t[-1] == pytest.approx(open_share, abs=tolerance)
+
+
+def test_hop_of_a_kicked_rim_lasts_as_long_as_a_free_flight():
+    disk = coin(0.5)
+    start = rolling_start(disk, 0.03)
+    start[0] = RADIUS * 0.03
+    start[3] = 0.01 * disk.gyration / (1 + disk.gyration)
+    start[4] = 0.01 / (1 + disk.gyration)
+    motion = simulate_flat(disk, np.zeros(8192), start, 0.0006, 1e-7, 1)
+    landing = motion.t[np.argmax((motion.force > 0) & (motion.t > 1e-5))]
+    assert landing == pytest.approx(0.410e-3, rel=0.01)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("restitution", "k"), [(0.3, 0.81), (0.5, 0.69), (0.8, 0.46)])
+def test_impacts_lower_the_inclination_at_a_constant_rate(restitution, k):
+    disk = coin(restitution)
+    rates = []
+    for seed in range(4):
+        heights = rim_heights(random_amplitudes(3e-6, 0.0, 300, seed), 4096)
+        start = rolling_start(disk, 0.2)
+        start[0] += heights[0]
+        motion = simulate_flat(disk, heights, start, 3.0, 1e-6, 100, last=0.006)
+        inclination = motion.inclination(RADIUS)
+        late = inclination < 0.18
+        fall = -np.polyfit(motion.t[late], inclination[late], 1)[0]
+        rates.append(fall * RADIUS / np.sqrt(9.81 * 3e-6))
+    assert np.mean(rates) == pytest.approx(k, rel=0.08)
+
+
+@pytest.mark.slow
+def test_free_modes_delay_the_end_of_a_rattling_coin():
+    mass = 8.5e-3
+    modes = FreeModes(
+        order=np.array([2.0, 0.0]),
+        frequency=2 * np.pi * np.array([10587.0, 17790.0]),
+        decay=np.array([5.0, 17.0]),
+        shape=1 / np.sqrt(np.array([0.191, 0.475]) * mass),
+    )
+    disk = coin(0.5)
+    ends = []
+    hits = []
+    for seed in range(1, 5):
+        heights = rim_heights(random_amplitudes(1e-6, 0.0, 300, seed), 4096)
+        start = rolling_start(disk, 0.12)
+        start[0] += heights[0]
+        motion = simulate_flat(disk, heights, start, 1.2, 1e-6, 100, last=0.01, modes=modes)
+        ends.append(motion.t[-1])
+        hits.append(motion.hits[-1] / motion.t[-1])
+    assert np.mean(ends) == pytest.approx(0.730, rel=0.05)
+    assert np.mean(hits) == pytest.approx(2130, rel=0.08)
