@@ -261,12 +261,18 @@ def run_flat(disk, heights, start, steps, step, every, last, modes, g, out, ring
         if n % every == 0:
             out[rows, 0] = n * step
             out[rows, 1:7] = y
+            out[rows, 4] += step * total / (2 * disk.mass)
+            out[rows, 5] += step * torque_x / (2 * disk.gyration * disk.mass)
+            out[rows, 6] += step * torque_y / (2 * disk.gyration * disk.mass)
             out[rows, 7] = total
             out[rows, 8] = lost
             out[rows, 9] = stored
             out[rows, 10] = open_time
             out[rows, 11] = hits
             ring[rows] = q
+            for j in range(k):
+                ring[rows, j, 2] += step * pull[j, 0] / 2
+                ring[rows, j, 3] += step * pull[j, 1] / 2
             rows += 1
             if tilt < last * disk.radius:
                 break

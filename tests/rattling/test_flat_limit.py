@@ -76,3 +76,34 @@ def test_free_modes_delay_the_end_of_a_rattling_coin():
         hits.append(motion.hits[-1] / motion.t[-1])
     assert np.mean(ends) == pytest.approx(0.730, rel=0.05)
     assert np.mean(hits) == pytest.approx(2130, rel=0.08)
+
+
+def test_a_lossless_contact_keeps_the_energy():
+    disk = coin(0.9999999999)
+    heights = rim_heights(random_amplitudes(1e-6, 0.0, 300, 1), 4096)
+    start = rolling_start(disk, 0.1)
+    start[0] += heights[0]
+    motion = simulate_flat(disk, heights, start, 0.05, 5e-7, 1)
+    z, _, _, fall, rate_x, rate_y = motion.state.T
+    kinetic = 0.5 * disk.mass * (fall**2 + disk.gyration * (rate_x**2 + rate_y**2))
+    energy = kinetic + disk.mass * 9.81 * z + motion.stored
+    assert np.abs(energy / energy[0] - 1).max() < 1e-6
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("order", [5, 8, 16])
+def test_waves_first_break_the_contact_near_the_rigid_bound(order):
+    disk = coin(0.5)
+    inclination = 0.03 if order == 16 else 0.02
+    angle = 2 * np.pi * np.arange(8192) / 8192
+    opened = []
+    for ratio in (1.0, 1.1):
+        amplitude = inclination * RADIUS / ((order**2 - 1) * ratio)
+        start = rolling_start(disk, inclination)
+        start[0] += amplitude
+        heights = amplitude * np.cos(order * angle)
+        motion = simulate_flat(disk, heights, start, 0.2, 1e-6, 10)
+        half = len(motion.t) // 2
+        opened.append(motion.open_time[-1] - motion.open_time[half])
+    assert opened[0] > 0
+    assert opened[1] == 0
