@@ -107,3 +107,39 @@ def test_waves_first_break_the_contact_near_the_rigid_bound(order):
         opened.append(motion.open_time[-1] - motion.open_time[half])
     assert opened[0] > 0
     assert opened[1] == 0
+
+
+def test_force_on_crest_and_in_valley_of_a_smooth_wave():
+    disk = coin(0.5)
+    amplitude = 3.2513e-6
+    heights = amplitude * np.cos(10 * 2 * np.pi * np.arange(8192) / 8192)
+    start = rolling_start(disk, 0.05)
+    start[0] += amplitude
+    motion = simulate_flat(disk, heights, start, 0.12, 1e-6, 1)
+    settled = motion.force[len(motion.t) * 2 // 3 :] / (disk.mass * 9.81)
+    assert settled.min() == pytest.approx(0.734, rel=0.01)
+    assert settled.max() == pytest.approx(1.798, rel=0.01)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("slope", "rms", "exponent"), [(0.0, 3e-6, 0.50), (0.5, 3e-6, 0.43), (1.0, 10e-6, 0.32)]
+)
+def test_exponent_of_the_rate_follows_from_the_slope(slope, rms, exponent):
+    disk = coin(0.5)
+    exponents = []
+    for seed in (1, 2, 3):
+        heights = rim_heights(random_amplitudes(rms, slope, 300, seed), 4096)
+        start = rolling_start(disk, 0.2)
+        start[0] += heights[0]
+        motion = simulate_flat(disk, heights, start, 3.0, 1e-6, 100, last=0.006)
+        inclination = motion.inclination(RADIUS)
+        late = inclination < 0.18
+        t = motion.t[late][::20]
+        logarithm = np.log(inclination[late][::20])
+        fits = []
+        for end in motion.t[-1] + np.geomspace(1e-4, 0.3, 200):
+            line, rest, *_ = np.polyfit(np.log(end - t), logarithm, 1, full=True)
+            fits.append((rest[0], line[0] / 2))
+        exponents.append(min(fits)[1])
+    assert np.mean(exponents) == pytest.approx(exponent, abs=0.03)
