@@ -1,0 +1,1 @@
+"""A disk that rattles on an uneven table: several intermittent contacts around the rim."""

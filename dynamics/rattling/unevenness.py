@@ -1,0 +1,71 @@
+"""Unevenness around the rim: random orders, the number that judges loss of contact, the decay."""
+
+from math import exp, log, pi, sqrt
+
+import numpy as np
+
+
+def random_amplitudes(rms, slope, highest_order, seed):
+    """Return complex amplitudes (highest_order + 1,) [m] of a rim profile of orders 2 and above.
+
+    The height is the real part of the sum of amplitude[n] exp(i n theta). The amplitude of order n
+    varies as n^-(1/2 + slope), and the profile has this root mean square [m].
+    """
+    order = np.arange(2, highest_order + 1)
+    size = order ** -(0.5 + slope)
+    size *= rms / sqrt(np.sum(size**2) / 2)
+    phase = np.random.default_rng(seed).uniform(0, 2 * pi, len(order))
+    return np.concatenate([[0, 0], size * np.exp(1j * phase)])
+
+
+def rim_heights(amplitudes, count):
+    """Return the heights (count,) [m] at equidistant angles from their complex amplitudes."""
+    waves = np.zeros(count // 2 + 1, complex)
+    waves[: len(amplitudes)] = amplitudes
+    return np.fft.irfft(waves, count) * count / 2
+
+
+def contact_depth(weight, modulus, radius, fillet, inclination):
+    """Return the depth [m] of the static elastic contact of the rim."""
+    stiffness = 4 / 3 * modulus * (radius * fillet / inclination) ** 0.25
+    return (weight / stiffness) ** (2 / 3)
+
+
+def curvature_number(amplitudes, radius, inclination, depth):
+    """Return kappa: rms curvature of the unevenness that the contact feels, over that of the rim.
+
+    Orders whose waves are shorter than the contact of this depth [m] are left out. Contact is first
+    lost at 0.25 to 0.5.
+    """
+    order = np.arange(len(amplitudes))
+    felt = order < sqrt(radius * inclination / (2 * depth))
+    curvature = ((order**2 - 1) * np.abs(amplitudes))[felt]
+    return sqrt(np.sum(curvature**2) / 2) / (radius * inclination)
+
+
+def damping_ratio(restitution):
+    """Return the ratio zeta of a linear contact whose restitution is exp(-pi zeta/sqrt(1-zeta^2)).
+
+    Examples
+    --------
+    >>> round(damping_ratio(0.5), 4)
+    0.2155
+    """
+    logarithm = -log(restitution) / pi
+    return logarithm / sqrt(1 + logarithm**2)
+
+
+def burst_depths(decay, rate, count):
+    """Return the envelope depths (count,) of a mode of this decay [1/s], kicked at a rate [Hz]."""
+    harmonic = np.arange(1, count + 1)
+    return 2 / np.sqrt(1 + (2 * pi * harmonic * rate / decay) ** 2)
+
+
+def rate_exponent(slope):
+    """Return n of the rate of turning ~ (t_end - t)^-n if impacts alone slow the disk."""
+    return (2 - slope) / (4 - slope)
+
+
+def restitution_from(ratio):
+    """Return the restitution of a linear contact of this damping ratio."""
+    return exp(-pi * ratio / sqrt(1 - ratio**2))
