@@ -1,10 +1,15 @@
-"""The flat limit of a rattling disk against closed forms and stored numbers."""
+"""Claim: in the flat limit, a disk with contact anywhere on its rim hops, rattles and comes to rest
+as closed forms and an earlier prototype predict.
+
+Source: tests/helpers/flat_rattle.py, a reference for models with several contacts. Oracle: the
+normal force on a wavy table, the time of flight of the rim, the exponent (2 - H)/(4 - H) of the
+rate, and numbers of the prototype.
+"""
 
 import numpy as np
 import pytest
-
-from dynamics.rattling.flat_limit import FreeModes, flat_disk, rolling_start, simulate_flat
-from dynamics.rattling.unevenness import contact_depth, random_amplitudes, rim_heights
+from flat_rattle import FreeModes, flat_disk, rolling_start, simulate_flat
+from rim_unevenness import contact_depth, random_amplitudes, rim_heights
 
 RADIUS = 12.875e-3
 

@@ -1,9 +1,12 @@
-"""Closed forms of unevenness and bursts."""
+"""Claim: random heights along the rim have the prescribed slope and rms, and the curvature number
+kappa follows from them.
+
+Source: tests/helpers/rim_unevenness.py. Oracle: closed forms.
+"""
 
 import numpy as np
 import pytest
-
-from dynamics.rattling.unevenness import (
+from rim_unevenness import (
     burst_depths,
     contact_depth,
     curvature_number,

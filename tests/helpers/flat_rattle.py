@@ -9,9 +9,9 @@ from math import pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
+from rim_unevenness import contact_depth, damping_ratio
 
 from dynamics.numba_kernels import kernel, outermost
-from dynamics.rattling.unevenness import contact_depth, damping_ratio
 
 GRAVITY = 9.81
 
