@@ -11,7 +11,7 @@ import numpy as np
 from scipy.integrate import DOP853
 
 from benchmarks.cases.motion_case import Case, answer_of
-from benchmarks.methods.sign_friction import ROLLING, angular_rates, rates, sign, solve_contact
+from benchmarks.methods.sign_friction import ROLLING, angular_rates, rates, sign, solve_sign_contact
 from benchmarks.timed_runs import Answer, Failure
 
 MAX_EVALUATIONS = 250_000
@@ -65,7 +65,7 @@ def _forces(state, sliding, law):
     senses = [sign(rate) for rate in angular_rates(state)]
     speed = math.hypot(state[4], state[5]) if sliding else 0.0
     direction = (state[4] / speed, state[5] / speed) if speed else (0.0, 0.0)
-    return solve_contact(state, sliding, direction, senses, law)
+    return solve_sign_contact(state, sliding, direction, senses, law)
 
 
 def _has_ended(state, sliding, law, stop) -> bool:

@@ -12,7 +12,13 @@ import numpy as np
 from scipy.optimize import brentq
 
 from benchmarks.cases.motion_case import Case
-from benchmarks.methods.sign_friction import SLIDING, angular_rates, integrate, rates, solve_contact
+from benchmarks.methods.sign_friction import (
+    SLIDING,
+    angular_rates,
+    integrate,
+    rates,
+    solve_sign_contact,
+)
 from benchmarks.timed_runs import Answer
 from dynamics.equations import DiskConstants
 
@@ -49,7 +55,7 @@ def regularised_contact(state, law: DiskConstants, width: float):
     speed = math.hypot(state[4], state[5])
     factor = coefficient(speed / width, law) / law.mu_dynamic / speed if speed else 0.0
     senses = [math.tanh(rate / width) for rate in angular_rates(state)]
-    return solve_contact(state, SLIDING, (factor * state[4], factor * state[5]), senses, law)
+    return solve_sign_contact(state, SLIDING, (factor * state[4], factor * state[5]), senses, law)
 
 
 def tanh_regularised(case: Case, method: str, width: float, tolerance: float) -> Answer:

@@ -34,11 +34,11 @@ import signal, sys, time, click
 for name in {"SIGINT", "SIGTERM", "SIGHUP"} & set(dir(signal)):  # who started the tests may have told them to ignore it
     signal.signal(getattr(signal, name), signal.default_int_handler if name == "SIGINT" else signal.SIG_DFL)
 from sonify.__main__ import main
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 
 @main.command()
 def hang():
-    with whole(sys.argv[1]) as temporary:
+    with atomic_write(sys.argv[1]) as temporary:
         temporary.write_text("half")
         click.echo("writing")
         for _ in range(600):  # a signal just before a sleep is heeded after it
@@ -200,13 +200,13 @@ def test_a_reader_who_leaves_early_changes_neither_the_files_nor_the_exit_status
     code = f"""
 import sys, click
 from sonify.__main__ import main
-from sonify.runtime.files import whole
+from sonify.runtime.files import atomic_write
 
 @main.command()
 def tell():
     for _ in range(3):
         click.echo("a line", file=sys.{stream})
-    with whole({str(tmp_path / "kept.txt")!r}) as temporary:
+    with atomic_write({str(tmp_path / "kept.txt")!r}) as temporary:
         temporary.write_text("whole")
 
 main(["tell"])
@@ -245,7 +245,7 @@ def test_a_signal_waits_for_the_end_of_an_import_which_might_swallow_it(tmp_path
         "BaseException:\n    pass\n"
     )
     code = COMMAND.replace(
-        "with whole(sys.argv[1])", "import swallows\n    with whole(sys.argv[1])"
+        "with atomic_write(sys.argv[1])", "import swallows\n    with atomic_write(sys.argv[1])"
     )
     call = [
         sys.executable,

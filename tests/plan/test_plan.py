@@ -301,11 +301,11 @@ def test_a_disk_that_moves_with_its_table_is_not_said_to_stay_rigid_on_a_plane(s
     ]
     assert (
         modal_reaction[1]
-        == modal_reaction[0].removesuffix(".") + ", until the table moves with the disk."
+        == modal_reaction[0].removesuffix(".") + ", until two-way coupling with the table begins."
     )
     for plan, told in (
         (still, "rigid in the motion"),
-        (moves, "rigid, until the table moves with the disk"),
+        (moves, "rigid, until two-way coupling with the table begins"),
     ):
         assert told in [
             decision.choice for decision in plan.decisions if decision.subject == "disk"

@@ -128,7 +128,7 @@ def test_a_spectrogram_names_its_axes_and_the_level_that_its_colour_is(drawn, ba
 
 
 def test_a_recording_names_its_axes_and_the_level_that_its_colour_is(drawn, bands):
-    one = drawn(sound.draw_recording, **bands, duration=2.0)
+    one = drawn(sound.draw_recording, **bands, span=(0.0, 2.0))
     assert_readable(one)
     assert [panel.get_ylabel() for panel in one.axes[2:]] == 2 * [
         "level of a sine [dB re full scale, RMS]"

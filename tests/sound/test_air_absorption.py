@@ -11,7 +11,7 @@ import pytest
 from dynamics import Air, simulate
 from modal import eigenmodes
 from sonify import load_scene
-from sonify.plan.air import unmodelled_air_effects
+from sonify.plan.air import absorption_sentences
 from sonify.sound import absorption
 from sonify.sound.absorption import (
     FILTER_HALF_LENGTH,
@@ -47,11 +47,11 @@ def test_the_filter_takes_that_and_does_not_shift(distance, frequency):
 def test_near_by_nothing_is_filtered_and_the_plan_says_how_much_that_is():
     scene = load_scene("published")
     assert absorption_latency(scene.air, 0.5) == 0
-    assert not unmodelled_air_effects(scene)[0]
-    assert "0.053 dB at 8 kHz" in unmodelled_air_effects(scene)[1][0]
+    assert not absorption_sentences(scene)[0]
+    assert "0.053 dB at 8 kHz" in absorption_sentences(scene)[1][0]
     far = scene.replace("audio.distance=10")
-    assert "1.1 dB at 8 kHz" in unmodelled_air_effects(far)[0][0]
-    assert not unmodelled_air_effects(far)[1]
+    assert "1.1 dB at 8 kHz" in absorption_sentences(far)[0][0]
+    assert not absorption_sentences(far)[1]
     assert absorption_latency(scene.replace("air.pressure=0", "air.density=0").air, 100.0) == 0
 
 

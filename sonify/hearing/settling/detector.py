@@ -241,7 +241,7 @@ def _run(group: list[Candidate], frames: Frames, onsets: OnsetStrength, settings
     if region is None:
         return None
     exponent, t_end, rate = region.estimates(onsets.kinds[best.channel], settings)
-    return SettlingRun(
+    run = SettlingRun(
         kind=onsets.kinds[best.channel],
         start=region.start,
         t_end=t_end,
@@ -255,6 +255,8 @@ def _run(group: list[Candidate], frames: Frames, onsets: OnsetStrength, settings
         region=region,
         law_scores={name: float(score) for name, score in best.scores.items()},
     )
+    begins_slowly = run.rate(run.start) <= settings.fastest_beginning
+    return run if begins_slowly or best.score > settings.clear_score else None
 
 
 def _certain(group, settings):

@@ -134,9 +134,9 @@ class SettlingSettings:
     clear_score: float = 40.0
     """From this score on, the levels may rise more steeply towards the end, and the rate at the
     beginning of the window is free."""
-    fastest_beginning: float = 60.0
-    """Greatest rate at the beginning of the window [Hz] of other runs: the pitch of a voice is
-    above, and a disk that turns faster has been heard before."""
+    fastest_beginning: float = 40.0
+    """Greatest rate at the beginning of other runs [Hz]. The pitch of a voice is above 80 Hz, and
+    the detector may find half of it; a disk that turns faster has been heard before."""
     bounce_exponent: float = 0.6
     """A bouncing body has an exponent of at least this; 1 for a constant restitution, less where
     its last bounces are lost in noise."""
