@@ -13,6 +13,7 @@ COMPILING = (
     "test_film_motion",
 )
 LONG = (
+    "test_fit",
     "test_run_outputs",
     "test_determinism",
     "test_charts_stability",
