@@ -143,7 +143,7 @@ class ModeList:
         return np.arange(len(self))[np.asarray(selection, dtype=None if len(selection) else int)]
 
 
-@dataclass(frozen=True, kw_only=True, repr=False)
+@dataclass(frozen=True, kw_only=True, repr=False, eq=False)
 class Modes(ModeList):
     """The m elastic modes of a disk in ascending order of frequency, without rigid-body modes.
 

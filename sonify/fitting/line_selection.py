@@ -27,6 +27,7 @@ from sonify.hearing.audio_source import Source
 from sonify.hearing.recording import ENVELOPE_FROM, LONGEST, RecordingError, envelope, read
 from sonify.hearing.rising_tone import clearest_tone
 from sonify.hearing.settling.detector import settling_runs
+from sonify.hearing.settling.settings import SettlingSettings
 
 TONE_RATE = 4000
 """Samples a second [Hz] in which the tone is followed."""
@@ -34,6 +35,13 @@ SHORTEST = 1.5
 """A shorter recording is refused [s]."""
 SECOND_RUN = 1 / 3
 """A run is another disk if its score is at least this share of the best one's."""
+FAINT_TONE, FAINT_SCORE = 0.8, 12.0
+"""Share of the thresholds of a tone, and score of a run, that are evidence of a disk together, though
+neither is alone."""
+STRONG_TONE = 2.0
+"""A tone is evidence of a disk alone from this multiple of its thresholds on."""
+SAME_END = 0.5
+"""A tone and a run that end within this time [s] are of the same disk."""
 FARTHEST_END = 8.0
 """A fit whose end is farther from that of the run is none [s]."""
 MAIN = ("precession", "its double", "nutation")
@@ -138,7 +146,7 @@ def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) 
         raise RecordingError(
             f"{name}: {duration:.3g} s long: at least {SHORTEST:g} s of a disk are needed"
         )
-    runs = sorted(settling_runs(source), key=lambda run: -run.score)
+    runs = _runs_by_score(source, SettlingSettings())
     if len(runs) > 1 and runs[1].score > SECOND_RUN * runs[0].score:
         raise RecordingError(
             f"{name}: the recording contains a second run, ending at "
@@ -148,10 +156,15 @@ def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) 
         samples, rate, start, _ = read(source, runs[0].t_end.value)
     start += begin
     tone = clearest_tone(samples, rate) if runs or duration <= LONGEST else None
+    clear = tone is not None and tone.stands_out(1.0 if runs else FAINT_TONE)
+    alone = tone is not None and tone.stands_out(STRONG_TONE)
+    if clear and not runs:
+        faint = _runs_by_score(source, SettlingSettings(heard_score=FAINT_SCORE))
+        runs = [run for run in faint if abs(begin + run.t_end.value - start - tone.end) < SAME_END]
     ridges = [_ridge_of_run(runs[0].later(begin))] if runs else []
-    if tone is not None and tone.stands_out():
+    if clear:
         ridges.append(_ridge_of_tone(tone, start))
-    if not ridges:
+    if not runs and not alone:
         raise RecordingError(f"{name}: no disk or coin is heard coming to rest in it")
     _refuse_clipped(samples, name)
     return Sound(
@@ -163,6 +176,10 @@ def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) 
         ridges=tuple(ridges),
         recorded=recorded,
     )
+
+
+def _runs_by_score(source, settings):
+    return sorted(settling_runs(source, settings), key=lambda run: -run.score)
 
 
 def _refuse_clipped(samples, name):

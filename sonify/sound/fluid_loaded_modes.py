@@ -2,7 +2,7 @@
 oscillators."""
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from math import pi
 from typing import NamedTuple
 
@@ -82,6 +82,7 @@ class FluidLoadedModes:
         return [PchipInterpolator(self.gap[::-1], column[::-1]) for column in values]
 
 
+@lru_cache(maxsize=1)  # one solution for all listeners
 def fluid_loaded_modes(modes: Modes, scene, smallest_gap: float = 0.0) -> FluidLoadedModes:
     """Return the modes of a scene over its air film, tabulated down to `smallest_gap` [m].
 

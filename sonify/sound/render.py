@@ -55,6 +55,8 @@ class Renderer:
         By default the first listener of the scene.
     turn : float, optional
         Azimuth [rad] from the listener to a second ear, whose pressure is one more column.
+    sharing : Renderer, optional
+        Renderer of the same modes for another listener; it shares its modes and their film.
 
     Attributes
     ----------
@@ -79,13 +81,14 @@ class Renderer:
         table=None,
         listener: Listener | None = None,
         turn: float | None = None,
+        sharing: "Renderer | None" = None,
     ):
         self.scene = scene
         self.motion = motion
         self.sample_rate = scene.audio.sample_rate
         self.listener = listener or listener_of(scene)
         self.chosen = sounding_modes(modes, self.sample_rate, wanted)
-        self.modes = modes.select(self.chosen)
+        self.modes = sharing.modes if sharing else modes.select(self.chosen)
         self.table = table
         self._turned = turn is not None
         elastic, self.sources = self._sources_at(self.listener)
@@ -227,9 +230,9 @@ def sound_of(
     listeners = listeners_of(scene)
     turn = np.pi / 2 if len(listeners) == 1 else None
 
-    def render(i):
-        renderer = Renderer(scene, motion, modes, wanted, calm, table, listeners[i], turn)
-        return renderer.sound(lambda share: watch((i + share) / len(listeners)))
-
-    first, *others = map(render, range(len(listeners)))
-    return replace(first, others=tuple(others))
+    renderer = None
+    sounds = []
+    for i, listener in enumerate(listeners):
+        renderer = Renderer(scene, motion, modes, wanted, calm, table, listener, turn, renderer)
+        sounds.append(renderer.sound(lambda share, i=i: watch((i + share) / len(listeners))))
+    return replace(sounds[0], others=tuple(sounds[1:]))

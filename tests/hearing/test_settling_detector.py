@@ -19,7 +19,9 @@ from paths import ROOT
 from scipy.signal import butter, sosfilt
 
 from sonify import load_scene, solve
-from sonify.hearing.audio_source import excerpt
+from sonify.fitting.line_selection import heard as sound_to_fit
+from sonify.hearing.audio_source import SoundFile, excerpt
+from sonify.hearing.recording import RecordingError
 from sonify.hearing.settling.detector import SettlingRun, settling_runs
 from sonify.hearing.settling.ends import power_drop
 from sonify.hearing.settling.rate_laws import Shape, covering_shapes, families
@@ -279,3 +281,13 @@ def test_at_most_one_of_60_clips_without_a_disk_is_heard():
     assert len(clips) == 60
     found = [clip.name for clip in clips if heard(*soundfile.read(clip, dtype="float32"))]
     assert len(found) <= 1, found
+    fitted = [clip.name for clip in clips if can_be_fitted(clip)]
+    assert len(fitted) <= 1, fitted
+
+
+def can_be_fitted(clip):
+    try:
+        sound_to_fit(SoundFile(clip), clip.name)
+    except RecordingError:
+        return False
+    return True
