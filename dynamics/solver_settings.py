@@ -79,8 +79,9 @@ class Numerics:
     """Relative tolerance of the integrator."""
     final_inclination: Annotated[float, Gt(0), Le(0.1)] | None = None
     """Inclination at which the motion counts as settled [rad]."""
-    contact: Literal["auto", "filter", "full"] = "auto"
-    """Elastic contact: a linear filter along the rigid motion, or solved in full; auto chooses."""
+    contact: Literal["auto", "filter", "full", "many"] = "auto"
+    """Elastic contact: a linear filter along the rigid motion, one contact solved in full, or many
+    contacts anywhere on the rim of a disk that rattles; auto chooses one of the first two."""
     contact_rate: Annotated[float, Ge(1e3), Le(1e8)] | None = None
     """Time steps per second of an elastic contact that is solved in full [1/s]."""
     time_limit: Annotated[float, Gt(0), Le(1e6)] = 600.0

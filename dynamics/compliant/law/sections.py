@@ -31,6 +31,9 @@ class Contact:
     """Radius of the rounded edge [m], at most half the thickness; default: an eighth of it."""
     loss_factor: Annotated[float, Ge(0), Lt(1)] = 0.02
     """Energy loss per radian over the energy of the normal contact resonance."""
+    restitution: Annotated[float, Gt(0), Lt(1)] | None = None
+    """Restitution of a rigid disk that hits the table with its edge, in place of loss_factor;
+    needs numerics.contact = "many"."""
     body: Literal["elastic", "rigid"] = "elastic"
     """Whether a solid disk is rigid or bends as a whole, in series with the springs of the edge;
     with two-way coupling its modes below 20 kHz move. """

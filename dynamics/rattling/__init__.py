@@ -1,0 +1,1 @@
+"""A disk that rattles: contact anywhere on its rim, at several places at once."""
