@@ -132,6 +132,12 @@ def _with_given_table(
     modes: Any,
 ) -> Motion:
     """Solve the motion on a table with these modes, or on a rigid table if `modes` is None."""
+    if scene.numerics.contact == "many":
+        from dynamics.rattling.rattling_motion import solve_rattling_motion
+
+        if loads is not None:
+            raise ValueError("loads: numerics.contact = 'many' does not support a law of your own")
+        return solve_rattling_motion(scene, watch)
     if is_compliant(scene):
         from dynamics.compliant.compliant_motion import solve_compliant_motion
 
@@ -232,7 +238,7 @@ def is_compliant(scene: MotionScene) -> bool:
         return False
     from dynamics.compliant.model_selection import choose_contact_model
 
-    return choose_contact_model(scene).kind == "full"  # type: ignore[arg-type]
+    return choose_contact_model(scene).kind in ("full", "many")  # type: ignore[arg-type]
 
 
 def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:

@@ -91,6 +91,10 @@ class Scene(MotionScene):
                 raise ValueError(
                     f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}"
                 )
+        if self.contact.restitution is not None or self.numerics.contact == "many":
+            from dynamics.compliant.model_inputs import check_rattling
+
+            check_rattling(self)
         if self.contact.law == "elastic":
             from dynamics.compliant.model_inputs import (
                 check_contact,  # SciPy, which a rigid contact does not need

@@ -73,6 +73,32 @@ def min_step_rate(scene) -> float:
     return float(required_step_rate(contact_law(scene), np.array([least]))[0])
 
 
+def check_rattling(scene) -> None:
+    """Raise ValueError with one line if a scene cannot have contact anywhere on the rim."""
+    many = scene.numerics.contact == "many"
+    if scene.contact.restitution is not None and not many:
+        raise ValueError(
+            f"contact.restitution = {scene.contact.restitution:g}: needs numerics.contact = 'many'"
+        )
+    if not many:
+        return
+    if scene.contact.law == "rigid":
+        raise ValueError("numerics.contact = 'many': needs contact.law = 'elastic'")
+    if scene.surface.action == "motion":
+        raise ValueError("numerics.contact = 'many': needs surface.action = 'sound'")
+    if scene.air.film == "acts":
+        raise ValueError("numerics.contact = 'many': has no air film; take air.film = 'none'")
+    heights = scene.roughness
+    if heights is not None and (heights.profile or heights.profile_edge):
+        raise ValueError("numerics.contact = 'many': needs roughness.rms in place of a profile")
+    greatest = scene.disk.thickness / 10
+    if heights is not None and (heights.rms or 0.0) > greatest:
+        raise ValueError(
+            f"roughness.rms = {heights.rms:g}: must be at most a tenth of disk.thickness, "
+            f"{greatest:g} m"
+        )
+
+
 def check_contact(scene) -> None:
     """Raise ValueError with one line if the elastic contact of a scene cannot be solved."""
     law = contact_law(scene)

@@ -34,7 +34,7 @@ class ModelChoice(NamedTuple):
     Attributes
     ----------
     kind : str
-        'rigid', 'filter' or 'full'.
+        'rigid', 'filter', 'full' or 'many'.
     reason : str
         Reason of the choice.
     predicted : float
@@ -51,6 +51,8 @@ class ModelChoice(NamedTuple):
 
 def choose_contact_model(scene) -> ModelChoice:
     """Return the contact model of a scene: `numerics.contact`, or the choice for 'auto'."""
+    if scene.numerics.contact == "many":
+        return ModelChoice("many", "numerics.contact = 'many'")
     if is_two_way(scene):
         return ModelChoice("full", "surface.action = 'motion': the table moves with the disk")
     if scene.imperfection:

@@ -54,6 +54,8 @@ def decide_film(scene) -> FilmDecision:
     impossible.
     """
     air = scene.air
+    if scene.numerics.contact == "many":
+        return FilmDecision(None, "numerics.contact = 'many': a rattling disk is solved without it")
     if air.film == "none":
         return FilmDecision(None, "air.film = 'none'")
     disk = scene.disk

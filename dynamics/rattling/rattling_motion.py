@@ -180,7 +180,7 @@ class RattlingMotion(CompliantMotion):
         mobility += self.disk.radius**2 / self.model.constants.diametral_inertia
         return np.sqrt(1.5 * self.disk.weight / depth * mobility) / (2 * pi)
 
-    def vibration(self, t) -> np.ndarray:
+    def rim_vibration(self, t) -> np.ndarray:
         """Return displacement, velocity and acceleration (k, 3, m) of the modes of unit modal mass
         at times t (k,) [s].
         """

@@ -67,6 +67,12 @@ CONTACT_MODELLED = {
         "contact, with creep, slip and losses of contact. The sound above half of the first "
         "contact resonance is the stem of the contact.",
     ),
+    "many": (
+        "The disk touches the uneven table anywhere on its rim, at several places at once, and "
+        "flies in between. Each contact is a spring (Hertz) with a dashpot, friction and creep; "
+        "heights of table and edge act as one profile of the rim. The free modes of the disk move "
+        "the rim.",
+    ),
 }
 FILTER_ERROR = "its level is within 10 % of the full model for rolling, and up to 1.9 times too low for sliding"
 ROUGHNESS_LOSS_MODELLED = {
@@ -161,6 +167,10 @@ CONTACT_NEGLECTED = {
         "while the disk slides.",
     ),
     "full": (),
+    "many": (
+        "The resisting moments of nutation, rolling and spin, the air film, and the change of the "
+        "profile while the edge slips round the table.",
+    ),
 }
 ROUGHNESS_LOSS_NEGLECTED = (
     "The loss to roughness in addition to friction, {share:.1%} of the energy: the motion is that of "

@@ -24,7 +24,7 @@ def has_elastic_contact(scene: Scene) -> bool:
 
 def is_solved_in_full(scene: Scene) -> bool:
     """Return True if the time-stepping of the compliant contact starts at the release."""
-    return scene.contact.law == "elastic" and choose_contact_model(scene).kind == "full"
+    return scene.contact.law == "elastic" and choose_contact_model(scene).kind in ("full", "many")
 
 
 def has_no_spectrum(scene: Scene) -> bool:
@@ -41,6 +41,12 @@ def has_no_film(scene: Scene) -> bool:
     return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
 
 
+def rattles(scene: Scene) -> bool:
+    """Return True if the contact may be anywhere on the rim."""
+    return scene.numerics.contact == "many"
+
+
+ARM_KEYS = ("arm_nutation", "arm_rolling", "arm_pivoting")
 PATCH_KEYS = ("half_angle_deg", "height", "position", "held")
 SPECTRUM_KEYS = ("shortest", "longest", "exponent", "seed")
 ROUGHNESS_KEYS = ("rms", "rms_edge", *SPECTRUM_KEYS, "loss", "profile", "profile_edge")
@@ -52,7 +58,15 @@ def section_keys(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
 
 
 RULES = (
-    Rule(("friction.mu_dynamic",), lambda scene: scene.friction.mu_static == inf),
+    Rule(
+        ("friction.mu_dynamic",),
+        lambda scene: scene.friction.mu_static == inf and not rattles(scene),
+    ),
+    Rule(
+        (*section_keys("friction", ("mu_static", *ARM_KEYS)), "roughness.loss"),
+        rattles,
+    ),
+    Rule(("contact.loss_factor",), lambda scene: scene.contact.restitution is not None),
     Rule(("support.inclination_deg",), lambda scene: scene.support.kind != "contact"),
     Rule(section_keys("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"),
     Rule(("support.position",), lambda scene: scene.support.height in (None, scene.disk.thickness)),

@@ -18,6 +18,7 @@ from dynamics.compliant.law.roughness import profiles
 from dynamics.compliant.law.tabulated import LawTable
 from dynamics.compliant.model_inputs import law_table
 from dynamics.film.activation import decide_film
+from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.rigid_motion import RigidMotion
 from sonify.sound.force import CALM_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
 from sonify.sound.sources.contact_vibration import VibratingDisk
@@ -275,6 +276,8 @@ def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Sou
     The vibration is added to a rigid motion, or extracted from a motion that contains it. The force
     added to a rigid motion also drives the tables `below`."""
     if scene.contact.law == "rigid":
+        return [rigid, elastic]
+    if isinstance(motion, RattlingMotion):
         return [rigid, elastic]
     vibrating = VibratingDisk(scene, listener) if decide_film(scene).film else rigid
     if isinstance(motion, RigidMotion):

@@ -16,6 +16,7 @@ from dynamics.equations import DiskConstants
 from dynamics.film.activation import decide_film
 from dynamics.film.wedge import compressibility
 from dynamics.observables import precession_rate
+from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.regime import ARRAY_FORMULAS
 from sonify.sound.audible_modes import RingDown
 from sonify.sound.fluid_loaded_modes import GapTunedOscillators, fluid_loaded_modes, height_factors
@@ -24,6 +25,7 @@ from sonify.sound.radiation import Listener
 from sonify.sound.radiators import RigidFace
 from sonify.sound.response import VibrationPart
 from sonify.sound.sources.protocol import FADE_OUT, ElasticDisk, RigidDisk, energy_peaks
+from sonify.sound.sources.rattling import RattlingModes
 
 _RIM_FLOW = np.array(
     [
@@ -70,6 +72,9 @@ def disk_sources(
 ) -> tuple[RigidDisk, ElasticDisk]:
     """Return the sources of the rigid disk and of its modes; both radiate through an active
     film."""
+    if isinstance(motion, RattlingMotion):
+        rigid = RigidDisk(scene, face, listener.azimuth)
+        return rigid, RattlingModes(scene, motion, modes, chosen, listener, face.reach)
     if decide_film(scene).film is None:
         rigid = RigidDisk(scene, face, listener.azimuth)
         return rigid, ElasticDisk(scene, motion, modes, chosen, listener, face.reach)

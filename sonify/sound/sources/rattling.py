@@ -1,0 +1,76 @@
+"""MODES of a rattling disk: those that were solved together with its motion."""
+
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+
+from dynamics.rattling.rattling_motion import RattlingMotion
+from modal import Modes
+from sonify.sound.audible_modes import RingDown
+from sonify.sound.fluid_loaded_modes import fluid_loaded_modes
+from sonify.sound.response import CarriedModes
+from sonify.sound.sources.protocol import ElasticDisk
+
+MAX_MISTUNING = 0.05
+"""Greatest difference between the frequencies of one mode in two solutions, over the frequency."""
+
+
+class RattlingModes(ElasticDisk):
+    """The elastic modes of a disk that rattles; after the motion the air under it damps them."""
+
+    @cached_property
+    def ringing(self) -> RingDown:
+        """Frequencies and decay rates of the modes after the motion, at the last mean gap."""
+        gap = self._scene.disk.radius * np.sin(self._motion.state[-1, 1])
+        film = fluid_loaded_modes(self._modes, self._scene, gap)
+        frequency, decay_rate = film.nearest_tuning(np.log(gap))
+        return RingDown(
+            frequency=frequency,
+            decay_rate=decay_rate,
+            without_film=self._modes.decay_rate,
+            gap=float(gap),
+        )
+
+    def _response(self, settled) -> CarriedModes:
+        vibration = RimVibration(self._motion, self._modes)
+        return CarriedModes(vibration, np.arange(len(self._modes)), self.ringing)
+
+
+class RimVibration:
+    """The vibration of a rattling disk in the modes of its sound.
+
+    The motion knows its modes by their order and phase round the rim. A mode of the sound that
+    moved no rim in the motion is at rest.
+    """
+
+    def __init__(self, motion: RattlingMotion, modes: Modes):
+        self.t = motion.t
+        self._motion = motion
+        self._share = mode_shares(motion.model.rim, modes)
+
+    def vibration(self, t: np.ndarray) -> np.ndarray:
+        """Return displacement, velocity and acceleration (k, 3, m) of the modes at times t (k,)."""
+        return self._motion.rim_vibration(t) @ self._share
+
+
+def mode_shares(rim: Any, modes: Modes) -> np.ndarray:
+    """Return the amplitudes (d, m) of m modes for unit amplitudes of d modes of the rim: 0 or 1 and
+    -1.
+
+    Modes of unit modal mass match if order, parity and frequency do; the sign follows from their
+    axial displacement at the lower edge.
+    """
+    frequency = np.sqrt(rim.squared) / (2 * np.pi)
+    share = np.zeros((len(frequency), len(modes)))
+    for i, order in enumerate(modes.order):
+        phase = np.pi / 2 * (modes.parity[i] == "odd")
+        mistuning = np.abs(frequency / modes.frequency[i] - 1)
+        mistuning[(rim.order != order) | (rim.phase != phase)] = np.inf
+        nearest = int(np.argmin(mistuning)) if len(mistuning) else -1
+        if nearest < 0 or mistuning[nearest] > MAX_MISTUNING:
+            continue
+        wave = np.cos(order * modes.rim_angle - phase)
+        axial = float(wave @ modes.rim_shape[i, :, 2]) * float(rim.axial[nearest])
+        share[nearest, i] = np.sign(axial)
+    return share
