@@ -7,6 +7,7 @@ from pathlib import Path
 
 from dynamics.compliant.two_way_onset import needs_table_modes
 from dynamics.progress import MotionProgress
+from dynamics.rattling.rattling_motion import RattlingMotion
 from dynamics.simulation import compile_in_background
 from modal import Modes, SurfaceModes, eigenmodes
 from modal.blas_threads import one_blas_thread
@@ -16,6 +17,7 @@ from sonify.claims.checks import all_checks
 from sonify.claims.contact import contact_findings
 from sonify.claims.finding import Findings
 from sonify.claims.literature import literature_findings
+from sonify.claims.rattling import rattling_findings
 from sonify.claims.rigid_motion import all_findings
 from sonify.claims.sound import all_sound_findings, analyse_sound
 from sonify.claims.table import table_findings
@@ -118,7 +120,10 @@ def solve(
             heard and heard.tone,
             plan.error("sound"),
         )
-        on_contact, several = contact_findings(scene, motion, sound, heard)
+        if isinstance(motion, RattlingMotion):
+            on_contact, several = rattling_findings(scene, motion), []
+        else:
+            on_contact, several = contact_findings(scene, motion, sound, heard)
         findings += (
             air_findings(scene, motion, sound)
             + on_contact

@@ -98,7 +98,7 @@ class RattlingDisk(NamedTuple):
 
 
 class Edge(NamedTuple):
-    """Lower edge of the disk: p points with the heights of the unevenness, and m edge.
+    """Lower edge of the disk: p points with the heights of the unevenness, and m modes.
 
     Attributes
     ----------
@@ -107,7 +107,10 @@ class Edge(NamedTuple):
     angles : (2, p) array
         Cosine and sine of the angles of the points.
     axial, radial : (m, p) arrays
-        Displacement along the axis and the radius by modes of unit modal mass [kg^-1/2].
+        Displacement along the axis and the radius by modes of unit modal mass [kg^-1/2], averaged
+        over the free vibration in a step: times sin(x)/x with x = w h/2.
+    place_factor : (m,) array
+        x/tan(x): gives the mean of the displacements at both ends of the step.
     frequency, decay : (m,) arrays
         Angular frequency [rad/s] and decay rate [1/s] of the edge.
     highest : (1 + m,) array
@@ -118,6 +121,7 @@ class Edge(NamedTuple):
     angles: np.ndarray
     axial: np.ndarray
     radial: np.ndarray
+    place_factor: np.ndarray
     frequency: np.ndarray
     decay: np.ndarray
     highest: np.ndarray
@@ -174,8 +178,9 @@ def fly(disk, gravity, edge, motion, propagator, h):
 
 
 @kernel
-def write_velocity(disk, state, out):
-    """Write the velocity of the centre and the angular velocity to `out` (6,)."""
+def write_velocity(disk, motion, out):
+    """Write velocity, angular velocity and the velocities of the modes to `out` (6 + m,)."""
+    state = motion.disk
     axial = 0.0
     for i in range(3):
         out[i] = state[VELOCITY + i]
@@ -183,6 +188,8 @@ def write_velocity(disk, state, out):
     extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
     for i in range(3):
         out[TORQUE + i] = state[MOMENTUM + i] / disk.diametral_inertia + extra * state[AXIS + i]
+    for j in range(motion.modes.shape[0]):
+        out[LOAD_SIZE + j] = motion.modes[j, 1]
 
 
 @kernel
@@ -241,8 +248,8 @@ class RimGeometry(NamedTuple):
     tilt: float
 
 
-class ContactForces(NamedTuple):
-    """Forces of all contacts.
+class Contacts(NamedTuple):
+    """Forces and places of all contacts.
 
     Attributes
     ----------
@@ -250,10 +257,14 @@ class ContactForces(NamedTuple):
         Force and torque by origin.
     pull : (2, m) array
         Force of springs and dashpots on each mode.
+    depth, speed : (p,) arrays
+        Mean depth [m] and approach speed [m/s] of the points that were examined.
     """
 
     load: np.ndarray
     pull: np.ndarray
+    depth: np.ndarray
+    speed: np.ndarray
 
 
 @kernel
@@ -275,29 +286,31 @@ def rim_geometry(disk, state, mark_2):
 
 
 @kernel
-def point_depth(disk, edge, motion, rim, cosine, sine, i):
+def point_depth(disk, edge, motion, rim, i):
     """Return the depth [m] of point i of the rim in the table; negative above it."""
-    rise = cosine * motion.disk[MARK + 2] + sine * rim.mark_2[2]
+    rise = edge.angles[0, i] * motion.disk[MARK + 2] + edge.angles[1, i] * rim.mark_2[2]
     depth = edge.heights[i] - rim.height - disk.radius * rise
     for j in range(edge.frequency.size):
         shape = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
-        depth -= motion.modes[j, 0] * shape
+        depth -= motion.modes[j, 0] * edge.place_factor[j] * shape
     return depth
 
 
 @kernel
-def point_speed(disk, edge, motion, rim, velocity, cosine, sine, i):
+def point_speed(disk, edge, motion, rim, velocity, i):
     """Return the speed [m/s] at which point i of the rim approaches the table."""
     state = motion.disk
-    rise = cosine * state[MARK + 2] + sine * rim.mark_2[2]
-    arm_x = disk.radius * (cosine * state[MARK] + sine * rim.mark_2[0])
-    arm_y = disk.radius * (cosine * state[MARK + 1] + sine * rim.mark_2[1])
+    c = edge.angles[0, i]
+    s = edge.angles[1, i]
+    rise = c * state[MARK + 2] + s * rim.mark_2[2]
+    arm_x = disk.radius * (c * state[MARK] + s * rim.mark_2[0])
+    arm_y = disk.radius * (c * state[MARK + 1] + s * rim.mark_2[1])
     speed = -velocity[2]
-    speed -= velocity[3] * (arm_y - disk.half_thickness * state[AXIS + 1])
-    speed += velocity[4] * (arm_x - disk.half_thickness * state[AXIS])
+    speed -= velocity[TORQUE] * (arm_y - disk.half_thickness * state[AXIS + 1])
+    speed += velocity[TORQUE + 1] * (arm_x - disk.half_thickness * state[AXIS])
     for j in range(edge.frequency.size):
         shape = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
-        speed -= motion.modes[j, 1] * shape
+        speed -= velocity[LOAD_SIZE + j] * shape
     return speed
 
 
@@ -317,64 +330,44 @@ def mean_depth(depth, travel):
 
 
 @kernel
-def press_patch(disk, edge, motion, rim, velocity, stiffness, step, left, points, forces):
-    """Add the forces of the patch of so many points from the point `left` on."""
+def press_patch(disk, edge, motion, rim, velocity, stiffness, step, left, points, contacts):
+    """Add the forces of a patch of adjacent points from the point `left` on."""
     state = motion.disk
     count = edge.heights.size
     depth_sum = 0.0
     speed_sum = 0.0
     deepest = 0.0
-    squares = 0.0
-    centre_x = 0.0
-    centre_y = 0.0
-    centre_z = 0.0
+    cosine = 0.0
+    sine = 0.0
     for place in range(left, left + points):
         i = place % count
-        c = edge.angles[0, i]
-        s = edge.angles[1, i]
-        speed = point_speed(disk, edge, motion, rim, velocity, c, s, i)
-        own = point_depth(disk, edge, motion, rim, c, s, i)
-        depth = mean_depth(own, speed * step)
-        arm_x = disk.radius * (c * state[MARK] + s * rim.mark_2[0])
-        arm_y = disk.radius * (c * state[MARK + 1] + s * rim.mark_2[1])
-        rise = c * state[MARK + 2] + s * rim.mark_2[2]
+        depth = contacts.depth[i]
         depth_sum += depth
-        speed_sum += depth * speed
-        squares += max(own, 0.0) ** 2
+        speed_sum += depth * contacts.speed[i]
         deepest = max(deepest, depth)
-        centre_x += depth * arm_x
-        centre_y += depth * arm_y
-        centre_z += depth * disk.radius * rise
-    centre_x = centre_x / depth_sum - disk.half_thickness * state[AXIS]
-    centre_y = centre_y / depth_sum - disk.half_thickness * state[AXIS + 1]
-    centre_z = centre_z / depth_sum - disk.half_thickness * rim.upright
+        cosine += depth * edge.angles[0, i]
+        sine += depth * edge.angles[1, i]
+    cosine *= disk.radius / depth_sum
+    sine *= disk.radius / depth_sum
+    centre_x = cosine * state[MARK] + sine * rim.mark_2[0] - disk.half_thickness * state[AXIS]
+    centre_y = cosine * state[MARK + 1] + sine * rim.mark_2[1]
+    centre_y -= disk.half_thickness * state[AXIS + 1]
+    centre_z = cosine * state[MARK + 2] + sine * rim.mark_2[2] - disk.half_thickness * rim.upright
     mobility = 1 / disk.mass + disk.radius**2 / disk.diametral_inertia
     dashpot = 2 * disk.damping_ratio * np.sqrt(stiffness * points / mobility)
-    damping = max(dashpot * speed_sum / depth_sum, -stiffness * depth_sum)
-    middle = (left + points // 2) % count
-    rise = edge.angles[0, middle] * state[MARK + 2] + edge.angles[1, middle] * rim.mark_2[2]
+    spring = stiffness * depth_sum
+    damping = max(dashpot * speed_sum / depth_sum, -spring)
+    add_force(contacts.load[ELASTIC], 0.0, 0.0, spring, centre_x, centre_y, centre_z)
+    add_force(contacts.load[DASHPOT], 0.0, 0.0, damping, centre_x, centre_y, centre_z)
     for j in range(edge.frequency.size):
-        mobility += (edge.axial[j, middle] * rim.upright + edge.radial[j, middle] * rise) ** 2
-    # The mean of the spring force at both ends of the step, which the force itself moves apart,
-    # conserves energy exactly.
-    lag = mobility * stiffness * points * step**2 / 4
-    spring = (stiffness * depth_sum - lag * damping) / (1 + lag)
-    add_force(forces.load[ELASTIC], 0.0, 0.0, spring, centre_x, centre_y, centre_z)
-    add_force(forces.load[DASHPOT], 0.0, 0.0, damping, centre_x, centre_y, centre_z)
-    for place in range(left, left + points):
-        if edge.frequency.size == 0:
-            break
-        i = place % count
-        c = edge.angles[0, i]
-        s = edge.angles[1, i]
-        speed = point_speed(disk, edge, motion, rim, velocity, c, s, i)
-        depth = point_depth(disk, edge, motion, rim, c, s, i)
-        depth = mean_depth(depth, speed * step)
-        rise = c * state[MARK + 2] + s * rim.mark_2[2]
-        for j in range(edge.frequency.size):
-            shape = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
-            forces.pull[ELASTIC, j] += spring * depth / depth_sum * shape
-            forces.pull[DASHPOT, j] += damping * depth / depth_sum * shape
+        shape = 0.0
+        for place in range(left, left + points):
+            i = place % count
+            rise = edge.angles[0, i] * state[MARK + 2] + edge.angles[1, i] * rim.mark_2[2]
+            own = edge.axial[j, i] * rim.upright + edge.radial[j, i] * rise
+            shape += contacts.depth[i] / depth_sum * own
+        contacts.pull[ELASTIC, j] += spring * shape
+        contacts.pull[DASHPOT, j] += damping * shape
     slip_x = velocity[0] + velocity[4] * centre_z - velocity[5] * centre_y
     slip_y = velocity[1] + velocity[5] * centre_x - velocity[3] * centre_z
     slip = np.hypot(slip_x, slip_y)
@@ -385,23 +378,26 @@ def press_patch(disk, edge, motion, rim, velocity, stiffness, step, left, points
         creep = CREEP_COEFFICIENT * disk.shear_modulus * ellipse * slip / max(speed, slip)
         limit = disk.friction * (spring + damping)
         push = creep / np.sqrt(1 + (creep / limit) ** 2)
-        push = min(push, forces.load[RESISTANCE, 0] * slip)
+        push = min(push, SLIP_LIMIT * disk.mass / step * slip)
         push_x = -push * slip_x / slip
         push_y = -push * slip_y / slip
-        add_force(forces.load[FRICTION], push_x, push_y, 0.0, centre_x, centre_y, centre_z)
-    return stiffness * squares / 2
+        add_force(contacts.load[FRICTION], push_x, push_y, 0.0, centre_x, centre_y, centre_z)
 
 
 @kernel
-def press_rim(disk, edge, motion, rim, velocity, step, forces):
-    """Write the forces of all patches and return their elastic energy [J]."""
+def press_rim(disk, edge, motion, rim, velocity, change, step, contacts):
+    """Write the forces of all patches and return their elastic energy [J].
+
+    `velocity` (6 + m,) is the mean velocity in the step, and `change` (6 + m,) the change that
+    separates the depths at its ends from those of a uniform motion.
+    """
     travel = abs(velocity[2])
     travel += (abs(velocity[3]) + abs(velocity[4])) * (disk.radius + disk.half_thickness)
     reach = 0.0
     for j in range(edge.frequency.size):
-        travel += edge.highest[1 + j] * abs(motion.modes[j, 1])
+        travel += edge.highest[1 + j] * abs(velocity[LOAD_SIZE + j])
         reach += edge.highest[1 + j] * abs(motion.modes[j, 0])
-    travel *= step / 2
+    travel *= step
     room = edge.highest[0] + reach + travel - rim.height + rim.tilt
     if room <= 0:
         return 0.0
@@ -418,54 +414,50 @@ def press_rim(disk, edge, motion, rim, velocity, step, forces):
     number = min(int(2 * half / cell) + 4, count)
     points = 0
     left = first
-    energy = 0.0
+    squares = 0.0
     for m in range(number + 1):
         i = (first + m) % count
-        depth = -1.0
+        depth = 0.0
         if m < number:
-            c = edge.angles[0, i]
-            s = edge.angles[1, i]
-            depth = point_depth(disk, edge, motion, rim, c, s, i)
-            if abs(depth) < travel:
-                speed = point_speed(disk, edge, motion, rim, velocity, c, s, i)
-                depth = mean_depth(depth, speed * step)
+            own = point_depth(disk, edge, motion, rim, i)
+            squares += max(own, 0.0) ** 2
+            if own > -travel:
+                speed = point_speed(disk, edge, motion, rim, velocity, i)
+                own += step / 4 * point_speed(disk, edge, motion, rim, change, i)
+                depth = mean_depth(own, speed * step)
+                contacts.depth[i] = depth
+                contacts.speed[i] = speed
         if depth > 0:
             if points == 0:
                 left = first + m
             points += 1
         elif points > 0:
-            energy += press_patch(
-                disk, edge, motion, rim, velocity, stiffness, step, left, points, forces
-            )
+            press_patch(disk, edge, motion, rim, velocity, stiffness, step, left, points, contacts)
             points = 0
-    return energy
+    return stiffness * squares / 2
 
 
 @kernel
-def clear(forces):
+def clear(contacts):
     """Set all forces to zero."""
-    for i in range(forces.load.shape[0]):
-        for j in range(forces.load.shape[1]):
-            forces.load[i, j] = 0.0
-    for i in range(forces.pull.shape[0]):
-        for j in range(forces.pull.shape[1]):
-            forces.pull[i, j] = 0.0
+    for i in range(contacts.load.shape[0]):
+        for j in range(contacts.load.shape[1]):
+            contacts.load[i, j] = 0.0
+    for i in range(contacts.pull.shape[0]):
+        for j in range(contacts.pull.shape[1]):
+            contacts.pull[i, j] = 0.0
 
 
 @kernel
-def write_sample(motion, row):
-    """Write state, record and modes to a row of the samples."""
-    place = 0
+def add_sample(motion, share, row):
+    """Add a share of state, record and modes to a row of the samples."""
     for i in range(STATE_SIZE):
-        row[place] = motion.disk[i]
-        place += 1
+        row[i] += share * motion.disk[i]
     for i in range(RECORD_SIZE):
-        row[place] = motion.record[i]
-        place += 1
+        row[STATE_SIZE + i] += share * motion.record[i]
     for j in range(motion.modes.shape[0]):
-        row[place] = motion.modes[j, 0]
-        row[place + 1] = motion.modes[j, 1]
-        place += 2
+        row[STATE_SIZE + RECORD_SIZE + 2 * j] += share * motion.modes[j, 0]
+        row[STATE_SIZE + RECORD_SIZE + 2 * j + 1] += share * motion.modes[j, 1]
 
 
 @kernel
@@ -484,36 +476,54 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, load):
     against = velocity[3] * axis_x + velocity[4] * axis_y
     against = against * rim.upright - velocity[5] * rim.sine**2
     moment = disk.contour_moment * normal / weight / rim.sine**2 * np.sign(against)
-    load[RESISTANCE, 0] = 0.0
     load[RESISTANCE, TORQUE] = -moment * axis_x * rim.upright
     load[RESISTANCE, TORQUE + 1] = -moment * axis_y * rim.upright
     load[RESISTANCE, TORQUE + 2] = moment * rim.sine**2
 
 
 @kernel
-def kick(disk, motion, forces, before, after, h):
-    """Change momentum and modes by the forces in a time h, and record impulse and losses."""
+def write_change(disk, motion, contacts, h, out):
+    """Write the change of all velocities by the forces in a time h to `out` (6 + m,)."""
+    load = contacts.load
+    axis = motion.disk[AXIS : AXIS + 3]
+    axial = 0.0
+    for i in range(3):
+        out[i] = 0.0
+        out[TORQUE + i] = 0.0
+        for origin in range(4):
+            out[i] += h / disk.mass * load[origin, i]
+            out[TORQUE + i] += h / disk.diametral_inertia * load[origin, TORQUE + i]
+            axial += h * load[origin, TORQUE + i] * axis[i]
+    extra = (1 / disk.axial_inertia - 1 / disk.diametral_inertia) * axial
+    for i in range(3):
+        out[TORQUE + i] += extra * axis[i]
+    for j in range(motion.modes.shape[0]):
+        out[LOAD_SIZE + j] = h * (contacts.pull[ELASTIC, j] + contacts.pull[DASHPOT, j])
+
+
+@kernel
+def kick(disk, motion, contacts, before, change, h):
+    """Change momentum and modes by the forces in a time h, and record impulse and losses.
+
+    `before` and `change` (6 + m,) are the velocities before the change and the change.
+    """
     state = motion.disk
     record = motion.record
-    load = forces.load
-    write_velocity(disk, state, before)
-    for i in range(3):
-        force = load[ELASTIC, i] + load[DASHPOT, i] + load[FRICTION, i]
-        state[VELOCITY + i] += h / disk.mass * force
-        record[IMPULSE + i] += h * force
-        for origin in range(4):
-            state[MOMENTUM + i] += h * load[origin, TORQUE + i]
-    write_velocity(disk, state, after)
+    load = contacts.load
     for i in range(LOAD_SIZE):
-        mean = (before[i] + after[i]) / 2
+        mean = before[i] + change[i] / 2
         record[CONTACT_LOSS] -= h * load[DASHPOT, i] * mean
         record[SLIP_LOSS] -= h * load[FRICTION, i] * mean
         record[MOMENT_LOSS] -= h * load[RESISTANCE, i] * mean
+    for i in range(3):
+        for origin in range(4):
+            state[VELOCITY + i] += h / disk.mass * load[origin, i]
+            state[MOMENTUM + i] += h * load[origin, TORQUE + i]
+            record[IMPULSE + i] += h * load[origin, i]
     for j in range(motion.modes.shape[0]):
-        pull = forces.pull[ELASTIC, j] + forces.pull[DASHPOT, j]
-        mean = motion.modes[j, 1] + h * pull / 2
-        record[CONTACT_LOSS] -= h * forces.pull[DASHPOT, j] * mean
-        motion.modes[j, 1] += h * pull
+        mean = before[LOAD_SIZE + j] + change[LOAD_SIZE + j] / 2
+        record[CONTACT_LOSS] -= h * contacts.pull[DASHPOT, j] * mean
+        motion.modes[j, 1] += change[LOAD_SIZE + j]
 
 
 @kernel
@@ -569,26 +579,39 @@ def step_rattling_disk(
     mode_count = edge.frequency.size
     propagator = np.empty((mode_count, 4))
     write_propagator(edge, step / 2, propagator)
-    forces = ContactForces(np.zeros((4, LOAD_SIZE)), np.zeros((2, mode_count)))
+    count = edge.heights.size
+    contacts = Contacts(
+        np.zeros((4, LOAD_SIZE)), np.zeros((2, mode_count)), np.zeros(count), np.zeros(count)
+    )
     mark_2 = np.empty(3)
-    before = np.empty(LOAD_SIZE)
-    after = np.empty(LOAD_SIZE)
+    before = np.empty(LOAD_SIZE + mode_count)
+    mean = np.empty(LOAD_SIZE + mode_count)
+    change = np.empty(LOAD_SIZE + mode_count)
     record = motion.record
     highest = edge.highest[0]
+    weight = disk.mass * gravity
     losses = 0
     for sample in range(samples.shape[0]):
         for repeat in range(1, per_sample + 1):
             fly(disk, gravity, edge, motion, propagator, step / 2)
             now = begin + (sample * per_sample + repeat) * step
             rim = rim_geometry(disk, motion.disk, mark_2)
-            write_velocity(disk, motion.disk, before)
-            clear(forces)
-            forces.load[RESISTANCE, 0] = SLIP_LIMIT * disk.mass / step
-            energy = press_rim(disk, edge, motion, rim, before, step, forces)
-            forces.load[RESISTANCE, 0] = 0.0
-            touches = energy > 0
-            presses = forces.load[ELASTIC, 2] + forces.load[DASHPOT, 2] > 1e-6 * disk.mass * gravity
-            if presses:
+            write_velocity(disk, motion, before)
+            for i in range(before.size):
+                change[i] = 0.0
+                mean[i] = before[i]
+            clear(contacts)
+            record[STORED] = press_rim(disk, edge, motion, rim, mean, change, step, contacts)
+            if contacts.load[ELASTIC, 2] > 0:
+                # The forces with the mean velocity and depth in the step conserve energy.
+                write_change(disk, motion, contacts, step, change)
+                for i in range(before.size):
+                    mean[i] = before[i] + change[i] / 2
+                clear(contacts)
+                press_rim(disk, edge, motion, rim, mean, change, step, contacts)
+                add_resistance(disk, weight, motion, rim, mean, record[STORED], contacts.load)
+            touches = contacts.load[ELASTIC, 2] > 0
+            if touches and contacts.load[ELASTIC, 2] + contacts.load[DASHPOT, 2] > 1e-6 * weight:
                 if record[OPEN_SINCE] >= 0:
                     flights[losses, 0] = record[OPEN_SINCE]
                     flights[losses, 1] = now - record[OPEN_SINCE]
@@ -601,14 +624,15 @@ def step_rattling_disk(
                     record[GREATEST_GAP] = 0.0
                 record[OPEN_TIME] += step
                 record[GREATEST_GAP] = max(record[GREATEST_GAP], rim.height - rim.tilt)
-            if touches:
-                add_resistance(disk, disk.mass * gravity, motion, rim, before, energy, forces.load)
-                kick(disk, motion, forces, before, after, step / 2)
-            record[STORED] = energy
             if repeat == per_sample:
-                write_sample(motion, samples[sample])
+                for i in range(samples.shape[1]):
+                    samples[sample, i] = 0.0
+                add_sample(motion, 0.5, samples[sample])
             if touches:
-                kick(disk, motion, forces, before, after, step / 2)
+                write_change(disk, motion, contacts, step, change)
+                kick(disk, motion, contacts, before, change, step)
+            if repeat == per_sample:
+                add_sample(motion, 0.5, samples[sample])
             fly(disk, gravity, edge, motion, propagator, step / 2)
             if rim.tilt < last_tilt:
                 return sample, losses, LIES_FLAT

@@ -100,11 +100,14 @@ class RattlingModel(NamedTuple):
         """Return the lower edge of the disk."""
         angle = 2 * pi * np.arange(len(self.heights)) / len(self.heights)
         wave = np.cos(np.outer(self.rim.order, angle) - self.rim.phase[:, None])
+        turn = np.sqrt(self.rim.squared) / (2 * self.rate)
+        wave *= np.sinc(turn / pi)[:, None]
         return Edge(
             heights=self.heights,
             angles=np.array([np.cos(angle), np.sin(angle)]),
             axial=self.rim.axial[:, None] * wave,
             radial=self.rim.radial[:, None] * wave,
+            place_factor=turn / np.tan(turn),
             frequency=np.sqrt(self.rim.squared),
             decay=self.rim.decay,
             highest=np.append(self.heights.max(), abs(self.rim.axial) + abs(self.rim.radial)),
@@ -315,10 +318,9 @@ def simulate_rattling(
     per_sample = round(model.rate / FORCE_RATE)
     chunk = round(CHUNK * FORCE_RATE)
     width = layout.STATE_SIZE + layout.RECORD_SIZE + ring.size
-    start = np.concatenate([state, record, ring.ravel()])[None]
-    blocks = [start]
+    blocks = []
     flights = [np.zeros((0, 3))]
-    begin = 0.0
+    begin = -1 / FORCE_RATE  # the first sample is the start of the motion
     reason = layout.CONTINUES
     while reason == layout.CONTINUES and begin < time_limit:
         samples = np.empty((chunk, width))

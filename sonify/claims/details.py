@@ -37,6 +37,11 @@ def contact_in_words(numbers: Mapping[str, float]) -> str:
 
 DETAIL_SENTENCES: dict[str, Callable[[Mapping[str, float]], str]] = {
     "air_moves_carrier": "{force_as_radiated:.2f} of the force as film and air radiate it".format_map,
+    "disk_rattles": (
+        "{impacts_per_second:.0f} impacts per second; curvature of the heights {curvature_number:.2f} "
+        "times that of the rim, heights {rms_over_depth:.1f} times the depth of the "
+        "contact".format_map
+    ),
     "carried_by_air": (
         "lost at {time:.5g} s, {inclination:.3g} rad, {precession_frequency:.3g} turns per second".format_map
     ),
