@@ -121,14 +121,12 @@ def solve(
             plan.error("sound"),
         )
         if isinstance(motion, RattlingMotion):
-            on_contact, several = rattling_findings(scene, motion), []
+            findings += rattling_findings(scene, motion)  # of a motion without a film
+            several = []
         else:
             on_contact, several = contact_findings(scene, motion, sound, heard)
-        findings += (
-            air_findings(scene, motion, sound)
-            + on_contact
-            + literature_findings(scene, motion, modes, sound)
-        )
+            findings += air_findings(scene, motion, sound) + on_contact
+        findings += literature_findings(scene, motion, modes, sound)
     return Result(
         scene=scene,
         plan=with_end(

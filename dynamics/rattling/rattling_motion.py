@@ -320,7 +320,7 @@ def simulate_rattling(
     width = layout.STATE_SIZE + layout.RECORD_SIZE + ring.size
     blocks = []
     flights = [np.zeros((0, 3))]
-    begin = -1 / FORCE_RATE  # the first sample is the start of the motion
+    begin = 0.0
     reason = layout.CONTINUES
     while reason == layout.CONTINUES and begin < time_limit:
         samples = np.empty((chunk, width))
@@ -346,9 +346,9 @@ def simulate_rattling(
     count = (len(samples) - 1) // FORCES_PER_ROW * FORCES_PER_ROW + 1
     if count < 2 * FORCES_PER_ROW:
         raise ImpossibleContactError("the disk lies flat or leaves the table at once")
-    return _motion_of_samples(
-        model, samples[:count], np.concatenate(flights), OUTCOME_OF_END[reason], gravity
-    )
+    lost = np.concatenate(flights)
+    lost[:, 0] -= 1 / FORCE_RATE  # the first sample is the start of the motion
+    return _motion_of_samples(model, samples[:count], lost, OUTCOME_OF_END[reason], gravity)
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):

@@ -1,0 +1,282 @@
+"""Claim: a disk with contact anywhere on its rim hops, rattles and comes to rest as closed forms and
+an independent solution of its flat limit predict.
+
+Source: dynamics/rattling, in three dimensions, against tests/helpers/flat_rattle.py, the limit of
+small inclinations. Oracle: the normal force on a wavy table, the time of flight of the rim, the
+exponent (2 - H)/(4 - H) of the rate, the energy balance from states, and numbers of a prototype of
+the flat limit with its own stepper.
+"""
+
+from math import pi, radians, sin, sqrt
+
+import numpy as np
+import pytest
+
+from dynamics.disk import GRAVITY
+from dynamics.motion import Outcome
+from dynamics.rattling.contact_steps import AXIS, CENTRE, MOMENTUM, VELOCITY
+from dynamics.rattling.rattling_motion import (
+    modal_energy,
+    motion_columns,
+    rattling_model,
+    released_state,
+    simulate_rattling,
+    solve_rattling_motion,
+)
+from dynamics.rattling.unevenness import (
+    curvature_number,
+    rate_exponent,
+    rim_amplitudes,
+    rim_heights,
+    static_depth,
+)
+from dynamics.steady_motion import steady_precession
+from sonify import SceneError, load_scene
+from sonify.claims.rattling import fitted_exponent
+
+RADIUS = 12.875e-3
+CIRCUMFERENCE = 2 * pi * RADIUS
+GYRATION = 0.25 + 2.2**2 / (12 * 12.875**2)
+"""Moment of inertia about a diameter over m R^2."""
+
+
+def coin(rms=1e-6, exponent=1.0, restitution=0.5, seed=0, inclination=0.1, *changes):
+    """Return the scene of a coin that rolls steadily at an inclination [rad], orders 2 to 300."""
+    aspect = 2.2e-3 / (2 * RADIUS)
+    time_unit = sqrt(5 / 4 * RADIUS / GRAVITY)
+    turning = steady_precession(inclination, aspect, 1.0) / time_unit * sin(inclination)
+    spin = [0.0, aspect * turning, turning]
+    return load_scene("coin").replace(
+        "disk.radius=0.012875",
+        "disk.thickness=0.0022",
+        "disk.mass=0.0085",
+        "numerics.contact=many",
+        f"contact.restitution={restitution}",
+        "contact.body=rigid",
+        "friction.mu_dynamic=0",
+        "dissipation.contour_moment=0",
+        f"roughness.rms={rms}",
+        "roughness.rms_edge=0",
+        f"roughness.longest={CIRCUMFERENCE / 1.99}",
+        f"roughness.shortest={CIRCUMFERENCE / 300.5}",
+        f"roughness.exponent={exponent}",
+        f"roughness.seed={seed}",
+        f"release.inclination_deg={np.degrees(inclination)}",
+        f"release.omega={spin}",
+        *changes,
+    )
+
+
+def model_of(scene, heights=None):
+    """Return the model of a scene with E* = 40 GPa, and with other heights if given."""
+    model = rattling_model(scene)
+    model = model._replace(constants=model.constants._replace(modulus=40e9))
+    return model if heights is None else model._replace(heights=heights)
+
+
+def settle(model, scene, last, time_limit=5.0):
+    state = released_state(model, radians(scene.release.inclination_deg), scene.release.omega)
+    return simulate_rattling(model, state, time_limit, last * RADIUS)
+
+
+def wave(order, amplitude, points=8192):
+    return amplitude * np.cos(order * 2 * pi * np.arange(points) / points)
+
+
+def test_force_on_crest_and_in_valley_of_a_smooth_wave():
+    """N/mg = (eps + 1/(1 + alpha cos n theta))/(1 + eps), alpha = (n^2 - 1) a/(R beta) = 1/2."""
+    scene = coin(inclination=0.05)
+    model = model_of(scene, wave(10, 3.2513e-6))
+    motion = settle(model, scene, 0.0, 0.12)
+    late = np.arange(0.08, 0.119, 1e-5)
+    load = motion.force(late)[:, 2] / model.disk.weight
+    for value, alpha in ((load.min(), 0.5), (load.max(), -0.5)):
+        assert value == pytest.approx((GYRATION + 1 / (1 + alpha)) / (1 + GYRATION), rel=0.01)
+
+
+def test_hop_of_a_kicked_rim_lasts_as_long_as_a_free_flight():
+    """2 v/(g (1 + 1/eps)) = 0.410 ms for v = 10 mm/s."""
+    scene = coin(inclination=0.03)
+    model = model_of(scene, np.zeros(8192))
+    state = released_state(model, 0.03, scene.release.omega)
+    impulse = 0.01 / (1 / model.disk.mass + RADIUS**2 / model.constants.diametral_inertia)
+    state[VELOCITY + 2] += impulse / model.disk.mass
+    state[MOMENTUM] += impulse * RADIUS
+    state[CENTRE + 2] += model.depth(0.03)
+    motion = simulate_rattling(model, state, 0.001, 0.0)
+    assert motion.contact_losses[0].duration == pytest.approx(0.410e-3, rel=0.01)
+
+
+@pytest.mark.parametrize(
+    ("ratio", "open_share", "tolerance"),
+    [(1, 0.01, 0.01), (2, 0.09, 0.03), (5, 0.34, 0.04), (20, 0.62, 0.05)],
+)
+def test_share_of_time_without_contact_grows_with_the_unevenness(ratio, open_share, tolerance):
+    depth = static_depth(0.0085 * GRAVITY, 40e9, RADIUS, 0.5e-3, 0.1)
+    scene = coin(rms=ratio * depth, inclination=0.105)
+    motion = settle(model_of(scene), scene, 0.095, 0.25)
+    assert motion.open_share == pytest.approx(open_share, abs=tolerance)
+
+
+@pytest.mark.parametrize("modes", ["rigid", "elastic"])
+def test_energy_and_losses_add_up(modes):
+    """The energy follows from states alone. The error falls with the square of the step."""
+    errors = []
+    for rate in (5e5, 1e6):
+        scene = coin(2e-6, 1.0, 0.5, 1, 0.09, f"contact.body={modes}", "friction.mu_dynamic=0.3")
+        scene = scene.replace(f"numerics.contact_rate={rate}", "numerics.time_limit=0.1")
+        motion = solve_rattling_motion(scene)
+        total = motion.energy(motion.t) + motion.state[:, -1]
+        errors.append(np.abs(total / total[0] - 1).max())
+        assert motion.state[-1, -1] > 0.2 * total[0]
+    assert errors[0] < 1e-4
+    assert errors[1] < 0.6 * errors[0]
+
+
+def test_a_lossless_disk_gains_nothing():
+    scene = coin(1e-6, 1.0, 0.999999999, 1, 0.1, "numerics.time_limit=0.1")
+    motion = solve_rattling_motion(scene)
+    energy = motion.energy(motion.t)
+    assert np.abs(energy / energy[0] - 1).max() < 3e-5
+    assert motion.contact_losses
+
+
+def test_columns_describe_the_steady_motion_of_the_release():
+    """Precession at the rate of w_3/sin(beta), no fall, no slip; the spin turns back."""
+    scene = coin(inclination=0.3)
+    model = model_of(scene)
+    state = released_state(model, 0.3, scene.release.omega)
+    columns = motion_columns(model, state[None])[0]
+    assert columns[1] == pytest.approx(0.3)
+    assert columns[5:8] == pytest.approx(scene.release.omega, abs=1e-12)
+    assert columns[8:10] == pytest.approx(0.0, abs=1e-12)
+    smooth = model_of(scene, np.zeros(8192))
+    motion = settle(smooth, scene, 0.0, 0.01)
+    turned = motion.precession(motion.t[-1:])[0]
+    rate = scene.release.omega[2] / sin(0.3)
+    assert turned == pytest.approx(rate * motion.t[-1], rel=0.1)
+    assert motion.spin(motion.t[-1:])[0] < 0 < turned
+    assert np.linalg.norm(state[AXIS : AXIS + 3]) == pytest.approx(1.0)
+
+
+def test_heights_have_the_rms_and_the_spectrum_of_the_roughness():
+    roughness = coin(rms=3e-6, exponent=2.0).roughness
+    amplitudes = np.abs(rim_amplitudes(roughness, RADIUS))
+    assert np.flatnonzero(amplitudes)[[0, -1]].tolist() == [2, 300]
+    assert amplitudes[200] / amplitudes[20] == pytest.approx(10**-1.0)
+    assert np.std(rim_heights(roughness, None, RADIUS)) == pytest.approx(3e-6, rel=1e-9)
+
+
+def test_curvature_number_of_scale_free_unevenness_depends_on_the_depth_alone():
+    """kappa = s/(9 delta) at any inclination for H = 0, orders 2 to 300."""
+    amplitudes = rim_amplitudes(coin(rms=1e-6).roughness, RADIUS)
+    for inclination in (0.05, 0.1, 0.2):
+        depth = static_depth(0.0085 * GRAVITY, 40e9, RADIUS, 0.5e-3, inclination)
+        found = curvature_number(amplitudes, RADIUS, inclination, depth)
+        assert found == pytest.approx(1e-6 / (9 * depth), rel=0.15)
+
+
+@pytest.mark.parametrize(("H", "n"), [(0.0, 0.5), (0.5, 0.429), (1.0, 1 / 3)])
+def test_exponent_of_the_rate_from_that_of_the_spectrum(H, n):
+    assert rate_exponent(1 + 2 * H) == pytest.approx(n, abs=5e-4)
+
+
+@pytest.mark.parametrize("n", [0.35, 0.5])
+def test_the_exponent_of_a_known_law_is_found(n):
+    t = np.linspace(0, 0.99, 400)
+    assert fitted_exponent(t, 0.1 * (1 - t) ** (2 * n)) == pytest.approx(n, abs=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ("contact.law=rigid", "needs contact.law = 'elastic'"),
+        ("air.film=acts", "take air.film = 'none'"),
+        ("roughness.rms=1e-3", "at most a tenth of disk.thickness"),
+        ("numerics.contact=full", "needs numerics.contact = 'many'"),
+        ("roughness.profile=heights.csv", "give either rms or profile"),
+    ],
+)
+def test_what_cannot_rattle_is_refused_in_one_line(change, message):
+    with pytest.raises(SceneError, match=message) as refused:
+        coin().replace(change)
+    assert "\n" not in str(refused.value)
+
+
+def test_an_upright_disk_ends_with_a_name():
+    scene = coin(1e-6, 1.0, 0.5, 0, 1.2)
+    spinning = scene.replace("release.omega=[-30.0, 0.0, 0.0]")
+    assert solve_rattling_motion(spinning).outcome in {Outcome.UPRIGHT, Outcome.LIFTED_OFF}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("restitution", "k"), [(0.3, 0.81), (0.5, 0.69), (0.8, 0.46)])
+def test_impacts_lower_the_inclination_at_a_constant_rate(restitution, k):
+    """d beta/dt = -k sqrt(g s)/R for H = 0, from 0.18 to 0.006 rad; k is the mean of seeds."""
+    rates = []
+    for seed in range(4):
+        scene = coin(3e-6, 1.0, restitution, seed, 0.2)
+        motion = settle(model_of(scene), scene, 0.006)
+        t = np.arange(0, motion.t[-1], 1e-3)
+        inclination = motion.inclination(t)
+        late = inclination < 0.18
+        fall = -np.polyfit(t[late], inclination[late], 1)[0]
+        rates.append(fall * RADIUS / sqrt(GRAVITY * 3e-6))
+    assert np.mean(rates) == pytest.approx(k, rel=0.08)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("H", "rms", "n"), [(0.0, 3e-6, 0.5), (0.5, 3e-6, 0.43), (1.0, 1e-5, 0.32)]
+)
+def test_exponent_of_the_rate_follows_from_the_spectrum(H, rms, n):
+    exponents = []
+    for seed in (1, 2, 3):
+        scene = coin(rms, 1 + 2 * H, 0.5, seed, 0.2)
+        motion = settle(model_of(scene), scene, 0.006)
+        t = np.arange(0, motion.t[-1], 2e-3)
+        inclination = motion.inclination(t)
+        late = inclination < 0.18
+        exponents.append(fitted_exponent(t[late], inclination[late]))
+    assert np.mean(exponents) == pytest.approx(n, abs=0.03)
+
+
+@pytest.mark.slow
+def test_free_modes_delay_the_end_of_a_rattling_coin():
+    """Modes of 10,587 and 17,790 Hz, 1 um: 0.730 s from 0.12 to 0.01 rad, 2,130 hits a second."""
+    ends = []
+    rates = []
+    for seed in range(1, 5):
+        scene = coin(1e-6, 1.0, 0.5, seed, 0.12, "contact.body=elastic")
+        model = model_of(scene)
+        rim = model.rim._replace(
+            order=np.array([2.0, 2.0, 0.0]),
+            phase=np.array([0.0, pi / 2, 0.0]),
+            axial=1 / np.sqrt(np.array([0.191, 0.191, 0.475]) * model.disk.mass),
+            radial=np.zeros(3),
+            squared=(2 * pi * np.array([10587.0, 10587.0, 17790.0])) ** 2,
+            decay=np.array([5.0, 5.0, 17.0]),
+        )
+        motion = settle(model._replace(rim=rim), scene, 0.01)
+        assert np.all(modal_energy(motion.model, motion.ringing) >= 0)
+        ends.append(motion.t[-1])
+        rates.append(motion.impact_rate)
+    assert np.mean(ends) == pytest.approx(0.730, rel=0.05)
+    assert np.mean(rates) == pytest.approx(2130, rel=0.08)
+
+
+@pytest.mark.slow
+def test_half_the_step_and_twice_the_points_give_the_same_loss():
+    """k as a mean over 8 seeds stays within 4 %."""
+    means = []
+    for rate, points in ((1e6, 1), (2e6, 1), (1e6, 2)):
+        rates = []
+        for seed in range(8):
+            scene = coin(3e-6, 1.0, 0.5, seed, 0.12).replace(f"numerics.contact_rate={rate}")
+            model = model_of(scene)
+            waves = np.fft.rfft(model.heights)
+            finer = np.fft.irfft(waves * points, points * len(model.heights))
+            motion = settle(model._replace(heights=finer), scene, 0.02)
+            rates.append(0.1 / motion.t[-1])
+        means.append(np.mean(rates))
+    assert means[1:] == pytest.approx([means[0], means[0]], rel=0.04)
