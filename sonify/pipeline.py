@@ -121,8 +121,8 @@ def solve(
             plan.error("sound"),
         )
         if isinstance(motion, RattlingMotion):
+            several: list[str] = []
             findings += rattling_findings(scene, motion)  # of a motion without a film
-            several = []
         else:
             on_contact, several = contact_findings(scene, motion, sound, heard)
             findings += air_findings(scene, motion, sound) + on_contact

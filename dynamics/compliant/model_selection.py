@@ -52,7 +52,7 @@ class ModelChoice(NamedTuple):
 def choose_contact_model(scene) -> ModelChoice:
     """Return the contact model of a scene: `numerics.contact`, or the choice for 'auto'."""
     if scene.numerics.contact == "many":
-        return ModelChoice("many", f"numerics.contact = 'many'{uneven_curvature(scene)}")
+        return ModelChoice("many", "numerics.contact = 'many'")
     if is_two_way(scene):
         return ModelChoice("full", "surface.action = 'motion': the table moves with the disk")
     if scene.imperfection:
@@ -83,23 +83,6 @@ def choose_contact_model(scene) -> ModelChoice:
         kind = "filter"
         reason = f"{expected}{less}, and no slip is expected"
     return ModelChoice(kind, reason, predicted, below)
-
-
-def uneven_curvature(scene) -> str:
-    """Return how uneven table and edge are at the release and near the end, in words."""
-    if scene.roughness is None or scene.roughness.rms is None:
-        return ""
-    from dynamics.rattling.rattling_motion import rattling_model
-
-    model = rattling_model(scene)
-    release = radians(scene.release.inclination_deg)
-    late = release / 10
-    return (
-        f"; the curvature of the heights is {model.curvature_number(release):.2g} times that of "
-        f"the rim at {release:.2g} rad and {model.curvature_number(late):.2g} times at {late:.2g} "
-        f"rad (contact is lost from 0.25 to 0.5 on), and their rms is "
-        f"{model.roughness_rms / model.depth(release):.2g} times the depth of the contact"
-    )
 
 
 def predicted_vibration(scene) -> tuple[np.ndarray, np.ndarray]:

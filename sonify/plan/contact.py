@@ -2,6 +2,7 @@
 omissions."""
 
 from dataclasses import replace
+from math import radians
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from dynamics.compliant.model_selection import (
     steady_rate,
 )
 from dynamics.film.activation import decide_film
+from dynamics.rattling.rattling_motion import rattling_model
 from sonify.plan import sentences
 from sonify.plan.plan import Decision, Plan
 from sonify.plan.predictions import Prediction
@@ -31,6 +33,8 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
     chosen = choose_contact_model(scene)
     film = decide_film(scene).film is not None
     reason = chosen.reason
+    if chosen.kind == "many":
+        reason += uneven_curvature(scene)
     if chosen.kind == "filter":
         reason = f"{chosen.reason}; {sentences.FILTER_ERROR}"
     contact = Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)
@@ -57,6 +61,21 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
         )
         plan = replace(plan, predictions=tuple(rough))
     return plan.also(contact, modelled=modelled, left_out=neglected)
+
+
+def uneven_curvature(scene: Scene) -> str:
+    """Return how uneven table and edge are at the release and near the end, in words."""
+    if scene.roughness is None or scene.roughness.rms is None:
+        return ""
+    model = rattling_model(scene)
+    release = radians(scene.release.inclination_deg)
+    late = release / 10
+    return (
+        f"; the curvature of the heights is {model.curvature_number(release):.2g} times that of "
+        f"the rim at {release:.2g} rad and {model.curvature_number(late):.2g} times at {late:.2g} "
+        f"rad (contact is lost from 0.25 to 0.5 on), and their rms is "
+        f"{model.roughness_rms / model.depth(release):.2g} times the depth of the contact"
+    )
 
 
 def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:

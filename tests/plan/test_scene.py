@@ -206,7 +206,10 @@ ROUGH = [
     ),
     ("contact.loss_factor=1", "contact.loss_factor = 1: must be less than 1"),
     ("contact.law=soft", "contact.law = 'soft': must be 'rigid' or 'elastic'"),
-    ("numerics.contact=best", "numerics.contact = 'best': must be 'auto', 'filter' or 'full'"),
+    (
+        "numerics.contact=best",
+        "numerics.contact = 'best': must be 'auto', 'filter', 'full' or 'many'",
+    ),
     ("numerics.contact_rate=2e4", "numerics.contact_rate = 20000: too low for so stiff a contact"),
 ]
 

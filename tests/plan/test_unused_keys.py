@@ -139,7 +139,7 @@ ANOTHER_SCENE = {
     "surface.held",
     "contact.law",
 }
-ANOTHER_SCENE |= {"roughness.profile", "roughness.profile_edge"}
+ANOTHER_SCENE |= {"roughness.profile", "roughness.profile_edge", "contact.restitution"}
 """Keys with alternatives that require further keys."""
 NOT_REACHED = {
     "friction.mu_static": "no change of the regime in the first 30 ms",
