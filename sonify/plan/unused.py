@@ -41,6 +41,13 @@ def has_no_film(scene: Scene) -> bool:
     return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
 
 
+def has_own_constants(scene: Scene) -> bool:
+    """Return True if the scene gives every number that would follow from `material.name`."""
+    material = scene.document["material"]
+    mass = {"mass", "density"} & set(scene.document["disk"])
+    return bool(mass) and {"young", "poisson", "loss_factor"} <= set(material)
+
+
 PATCH_KEYS = ("half_angle_deg", "height", "position", "held")
 SPECTRUM_KEYS = ("shortest", "longest", "exponent", "seed")
 ROUGHNESS_KEYS = ("rms", "rms_edge", *SPECTRUM_KEYS, "loss", "profile", "profile_edge")
@@ -52,6 +59,7 @@ def section_keys(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
 
 
 RULES = (
+    Rule(("material.name",), has_own_constants),
     Rule(("friction.mu_dynamic",), lambda scene: scene.friction.mu_static == inf),
     Rule(("support.inclination_deg",), lambda scene: scene.support.kind != "contact"),
     Rule(section_keys("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"),
