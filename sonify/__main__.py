@@ -28,6 +28,13 @@ ACCESS_ERRORS = {
     errno.ELOOP,
 }
 ASSIGNMENT = re.compile(r"[A-Za-z_][\w.]*\s*=")
+EXPORT_FORMS: dict[str, tuple[str, ...]] = {
+    "modes": ("faust", "uff", "vtu"),
+    "motion": ("gltf", "parquet", "csv"),
+}
+"""What can be exported -> its file formats."""
+EXPORT_OPTIONS = {"modes": ("--strike",), "motion": ("--rate",)}
+"""What can be exported -> options that apply to it alone."""
 ACCURACY_LEVELS = ("draft", "standard", "reference")
 
 
@@ -320,10 +327,13 @@ def chart(name, quick, out, redraw):
 
 
 @main.command()
-@click.argument("what", type=click.Choice(["modes"]))
+@click.argument("what", type=click.Choice([*EXPORT_FORMS]))
 @click.argument("scene", default="published", type=TEXT)
 @click.option(
-    "--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="File format."
+    "--as",
+    "form",
+    type=click.Choice([form for forms in EXPORT_FORMS.values() for form in forms]),
+    help="File format: faust, uff or vtu for modes; gltf, parquet or csv for motion.",
 )
 @click.option(
     "--strike",
@@ -332,13 +342,48 @@ def chart(name, quick, out, redraw):
     help="Angle of the strike in the Faust program [degrees]; default 180, opposite the patch.",
 )
 @click.option(
+    "--rate",
+    type=float,
+    metavar="HZ",
+    help="Frames or rows per second of a motion; default 60 for gltf, the steps of the solution "
+    "for parquet and csv.",
+)
+@click.option(
     "--out", type=PATH, help="Output file; default <scene name> with the suffix of the format."
 )
-def export(what, scene, form, strike, out):
-    """Export the modes of SCENE as a Faust program, a universal file (extra `uff`) or a ParaView file."""
-    from sonify.export import export_modes
+def export(what, scene, form, strike, rate, out):
+    """Export modes or motion of SCENE for other programs.
 
-    click.echo(str(export_modes(scene, form, out, strike)))
+    modes: a Faust program, a universal file (extra `uff`) or a ParaView file. motion: an animated
+    glTF model, or a table as Parquet or CSV. SCENE is a shipped name, a TOML file, or the folder or
+    run.json of an earlier run.
+    """
+    _check_export_options(what, form, {"--strike": strike, "--rate": rate})
+    from sonify.console import Console
+
+    if what == "modes":
+        from sonify.export.modes import export_modes
+
+        click.echo(str(export_modes(scene, form, out, strike)))
+    else:
+        from sonify.export.motion import export_motion
+
+        with Console() as stages:
+            path = export_motion(scene, form, out, rate, stages)
+        click.echo(str(path))
+
+
+def _check_export_options(what, form, options):
+    """Raise UsageError for a missing or foreign format, or an option that does not apply."""
+    forms = EXPORT_FORMS[what]
+    allowed = ", ".join(forms)
+    if forms and form is None:
+        raise click.UsageError(f"--as is missing: the format of the {what}, one of {allowed}")
+    if form is not None and form not in forms:
+        raise click.UsageError(f"--as = {form!r}: the {what} can be exported as {allowed}")
+    for option, value in options.items():
+        if value is not None and option not in EXPORT_OPTIONS[what]:
+            raise click.UsageError(f"{option} = {value}: does not apply to the {what}")
 
 
 @main.command()

@@ -17,7 +17,7 @@ from scipy.signal import lfilter
 from modal import Material, Plate, as_faust, as_faust_library, eigenmodes, plate_modes, write_uff
 from modal.export import STRIKE_PEAK
 from sonify.__main__ import main
-from sonify.export import export_modes
+from sonify.export.modes import export_modes
 from sonify.plan.preflight import plan_with_modes
 from sonify.scene import load_scene
 from sonify.scene_errors import InputError
