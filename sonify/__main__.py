@@ -176,7 +176,14 @@ def main():
     is_flag=True,
     help="Also render a video of the last seconds (needs the extra `animation`).",
 )
-def run(scene, out, accuracy, assignments, animation):
+@click.option(
+    "--dynamics",
+    type=click.Choice(["compressed", "natural"]),
+    default="compressed",
+    show_default=True,
+    help="Dynamics of audible.wav: compressed at -18 LUFS, or natural at -23 LUFS.",
+)
+def run(scene, out, accuracy, assignments, animation, dynamics):
     """Simulate SCENE and write its sound, pictures and report.
 
     SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run.
@@ -195,7 +202,7 @@ def run(scene, out, accuracy, assignments, animation):
     with Console() as stages:
         from sonify.entry_points import run as solve
 
-        result = solve(scene, out, accuracy, stages)
+        result = solve(scene, out, accuracy, stages, dynamics)
         if animation:
             with stages.stage("animation") as watch:
                 animate(result, watch)

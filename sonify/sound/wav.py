@@ -17,6 +17,10 @@ AUDIBLE_SCALE_TEXT = (
     "A-weighted and amplified for small loudspeakers, not the pressure; "
     "1.0 = {:.6g} pascal, A-weighted"
 )
+MASTER_SCALE_TEXT = (
+    "A-weighted, with compressed dynamics, for small loudspeakers, not the pressure; "
+    "1.0 = {:.6g} pascal, A-weighted, where neither compressor nor limiter acts"
+)
 
 MAX_RIFF_BYTES = 2**32 - 2**12
 """Largest size of the samples [bytes] in a WAV file. A larger file is RF64 (EBU Tech 3306), with
@@ -53,7 +57,9 @@ def write_sound(
             folder / "audible.wav",
             sound.audible,
             "PCM_24",
-            AUDIBLE_SCALE_TEXT.format(sound.audible.full_scale),
+            (AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT).format(
+                sound.audible.full_scale
+            ),
         ),
     ]
     with ExitStack() as stack:
