@@ -31,9 +31,14 @@ ASSIGNMENT = re.compile(r"[A-Za-z_][\w.]*\s*=")
 EXPORT_FORMS: dict[str, tuple[str, ...]] = {
     "modes": ("faust", "uff", "vtu"),
     "motion": ("gltf", "parquet", "csv"),
+    "sound": (),
 }
 """What can be exported -> its file formats."""
-EXPORT_OPTIONS = {"modes": ("--strike",), "motion": ("--rate",)}
+EXPORT_OPTIONS = {
+    "modes": ("--strike",),
+    "motion": ("--rate",),
+    "sound": ("--rate", "--takes", "--seed"),
+}
 """What can be exported -> options that apply to it alone."""
 ACCURACY_LEVELS = ("draft", "standard", "reference")
 
@@ -353,25 +358,55 @@ def chart(name, quick, out, redraw):
     type=float,
     metavar="HZ",
     help="Frames or rows per second of a motion; default 60 for gltf, the steps of the solution "
-    "for parquet and csv.",
+    "for parquet and csv. Sample rate of a sound, 48000 or 96000; default that of the scene.",
 )
 @click.option(
-    "--out", type=PATH, help="Output file; default <scene name> with the suffix of the format."
+    "--takes",
+    type=click.IntRange(1, 9999),
+    metavar="N",
+    help="Number of variations of the sound; default 1.",
 )
-def export(what, scene, form, strike, rate, out):
-    """Export modes or motion of SCENE for other programs.
+@click.option(
+    "--seed",
+    type=click.IntRange(0, 10**9),
+    metavar="S",
+    help="Seed of the variations; default 1.",
+)
+@click.option(
+    "--out",
+    type=PATH,
+    help="Output file, default <scene name> with the suffix of the format; for sound the output "
+    "folder, default the current one.",
+)
+def export(what, scene, form, strike, rate, takes, seed, out):
+    """Export modes, motion or sound of SCENE for other programs.
 
     modes: a Faust program, a universal file (extra `uff`) or a ParaView file. motion: an animated
-    glTF model, or a table as Parquet or CSV. SCENE is a shipped name, a TOML file, or the folder or
-    run.json of an earlier run.
+    glTF model, or a table as Parquet or CSV. sound: WAV files SCENE-01.wav, ... for samplers,
+    trimmed and with loop points; each is a variation of release and roughness. SCENE is a shipped
+    name, a TOML file, or the folder or run.json of an earlier run.
     """
-    _check_export_options(what, form, {"--strike": strike, "--rate": rate})
+    options = {"--strike": strike, "--rate": rate, "--takes": takes, "--seed": seed}
+    _check_export_options(what, form, options)
     from sonify.console import Console
 
     if what == "modes":
         from sonify.export.modes import export_modes
 
         click.echo(str(export_modes(scene, form, out, strike)))
+    elif what == "sound":
+        from sonify.export.takes import export_takes
+
+        with Console() as stages:
+            export_takes(
+                scene,
+                1 if takes is None else takes,
+                1 if seed is None else seed,
+                rate,
+                out,
+                stages,
+                lambda path: click.echo(str(path)),
+            )
     else:
         from sonify.export.motion import export_motion
 
@@ -386,6 +421,8 @@ def _check_export_options(what, form, options):
     allowed = ", ".join(forms)
     if forms and form is None:
         raise click.UsageError(f"--as is missing: the format of the {what}, one of {allowed}")
+    if form is not None and not forms:
+        raise click.UsageError(f"--as = {form!r}: does not apply to the {what}")
     if form is not None and form not in forms:
         raise click.UsageError(f"--as = {form!r}: the {what} can be exported as {allowed}")
     for option, value in options.items():
