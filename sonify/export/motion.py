@@ -15,6 +15,7 @@ from dynamics.progress import MotionProgress
 from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify.export.gltf import animated_model
+from sonify.export.scene_source import scene_of_run
 from sonify.plan.plan import plan_of
 from sonify.plan.preflight import check_solvable_scene, solve_motion
 from sonify.plan.table import with_table
@@ -83,14 +84,6 @@ def export_motion(
         else:
             csv.write_csv(motion_table(motion, times), temporary)
     return path
-
-
-def scene_of_run(scene: Scene | str | Path) -> Scene | str | Path:
-    """Return the run.json in a folder of a run, and any other scene unchanged."""
-    if isinstance(scene, Scene):
-        return scene
-    record = Path(scene) / "run.json"
-    return record if record.is_file() else scene
 
 
 def solved_motion(

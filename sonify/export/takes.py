@@ -9,7 +9,8 @@ import numpy as np
 from modal import SurfaceModes
 from modal.blas_threads import one_blas_thread
 from sonify import __version__
-from sonify.export.motion import scene_of_run, solved_motion
+from sonify.export.motion import solved_motion
+from sonify.export.scene_source import scene_of_run
 from sonify.hearing.audio_source import stretch
 from sonify.pipeline import cached_modes
 from sonify.plan.plan import plan_of
