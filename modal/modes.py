@@ -15,6 +15,8 @@ from annotated_types import Ge, Gt, Le, Lt
 from numpy.polynomial.legendre import legvander
 from numpy.typing import ArrayLike
 
+from modal.materials import MATERIALS, MaterialName
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -26,17 +28,54 @@ class UnsolvableError(ArithmeticError, ValueError):
 
 @dataclass(frozen=True, kw_only=True)
 class Material:
-    """An isotropic elastic solid."""
+    """An isotropic elastic solid, given by a name from `modal.materials` or by its constants.
 
-    young: Annotated[float, Ge(1), Le(1e15)]
-    """Young's modulus [Pa]."""
-    poisson: Annotated[float, Gt(-1), Lt(0.5)]
-    """Poisson's ratio."""
-    loss_factor: Annotated[float, Ge(0), Le(1)] = 0.0
+    Constants that are given take precedence over those of the name.
+
+    Raises
+    ------
+    ValueError
+        If there is neither a name nor both elastic constants.
+
+    Examples
+    --------
+    >>> from modal import Material
+    >>> glass = Material(name="glass", loss_factor=0.005)
+    >>> glass.young, glass.loss_factor
+    (70000000000.0, 0.005)
+    """
+
+    name: MaterialName | None = None
+    """Name of a material with typical values, for what is not given."""
+    young: Annotated[float, Ge(1), Le(1e15)] = None  # type: ignore[assignment]
+    """Young's modulus [Pa]; required unless the material is named."""
+    poisson: Annotated[float, Gt(-1), Lt(0.5)] = None  # type: ignore[assignment]
+    """Poisson's ratio; required unless the material is named."""
+    loss_factor: Annotated[float, Ge(0), Le(1)] = None  # type: ignore[assignment]
     """Loss factor: energy lost per radian over the stored energy, the inverse of the quality
-    factor."""
+    factor; by default that of the named material, or 0."""
     decay_rates: tuple[Annotated[float, Ge(0), Le(1e6)], ...] = ()
     """Measured decay rates of the first modes, in order of their frequencies [1/s]."""
+
+    def __post_init__(self):
+        typical = self.typical_values
+        for key in ("young", "poisson"):
+            if vars(self)[key] is None and key not in typical:
+                raise ValueError(
+                    f"{key}: missing; give it, or the name of a material: {', '.join(MATERIALS)}"
+                )
+        typical.setdefault("loss_factor", 0.0)
+        for key, value in typical.items():
+            if vars(self)[key] is None:
+                object.__setattr__(self, key, value)
+
+    @property
+    def typical_values(self) -> dict[str, float]:
+        """Constants of the named material; empty without a name."""
+        if self.name is None:
+            return {}
+        named = MATERIALS[self.name]
+        return {key: getattr(named, key) for key in ("young", "poisson", "loss_factor")}
 
 
 @dataclass(frozen=True, kw_only=True)

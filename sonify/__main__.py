@@ -28,6 +28,18 @@ ACCESS_ERRORS = {
     errno.ELOOP,
 }
 ASSIGNMENT = re.compile(r"[A-Za-z_][\w.]*\s*=")
+EXPORT_FORMS: dict[str, tuple[str, ...]] = {
+    "modes": ("faust", "uff", "vtu"),
+    "motion": ("gltf", "parquet", "csv"),
+    "sound": (),
+}
+"""What can be exported -> its file formats."""
+EXPORT_OPTIONS = {
+    "modes": ("--strike",),
+    "motion": ("--rate",),
+    "sound": ("--rate", "--takes", "--seed"),
+}
+"""What can be exported -> options that apply to it alone."""
 ACCURACY_LEVELS = ("draft", "standard", "reference")
 
 
@@ -169,7 +181,14 @@ def main():
     is_flag=True,
     help="Also render a video of the last seconds (needs the extra `animation`).",
 )
-def run(scene, out, accuracy, assignments, animation):
+@click.option(
+    "--dynamics",
+    type=click.Choice(["compressed", "natural"]),
+    default="compressed",
+    show_default=True,
+    help="Dynamics of audible.wav: compressed at -18 LUFS, or natural at -23 LUFS.",
+)
+def run(scene, out, accuracy, assignments, animation, dynamics):
     """Simulate SCENE and write its sound, pictures and report.
 
     SCENE is the name of a shipped scene, a TOML file or the run.json of an earlier run.
@@ -188,7 +207,7 @@ def run(scene, out, accuracy, assignments, animation):
     with Console() as stages:
         from sonify.entry_points import run as solve
 
-        result = solve(scene, out, accuracy, stages)
+        result = solve(scene, out, accuracy, stages, dynamics)
         if animation:
             with stages.stage("animation") as watch:
                 animate(result, watch)
@@ -320,10 +339,13 @@ def chart(name, quick, out, redraw):
 
 
 @main.command()
-@click.argument("what", type=click.Choice(["modes"]))
+@click.argument("what", type=click.Choice([*EXPORT_FORMS]))
 @click.argument("scene", default="published", type=TEXT)
 @click.option(
-    "--as", "form", type=click.Choice(["faust", "uff", "vtu"]), required=True, help="File format."
+    "--as",
+    "form",
+    type=click.Choice([form for forms in EXPORT_FORMS.values() for form in forms]),
+    help="File format: faust, uff or vtu for modes; gltf, parquet or csv for motion.",
 )
 @click.option(
     "--strike",
@@ -332,13 +354,80 @@ def chart(name, quick, out, redraw):
     help="Angle of the strike in the Faust program [degrees]; default 180, opposite the patch.",
 )
 @click.option(
-    "--out", type=PATH, help="Output file; default <scene name> with the suffix of the format."
+    "--rate",
+    type=float,
+    metavar="HZ",
+    help="Frames or rows per second of a motion; default 60 for gltf, the steps of the solution "
+    "for parquet and csv. Sample rate of a sound, 48000 or 96000; default that of the scene.",
 )
-def export(what, scene, form, strike, out):
-    """Export the modes of SCENE as a Faust program, a universal file (extra `uff`) or a ParaView file."""
-    from sonify.export import export_modes
+@click.option(
+    "--takes",
+    type=click.IntRange(1, 9999),
+    metavar="N",
+    help="Number of variations of the sound; default 1.",
+)
+@click.option(
+    "--seed",
+    type=click.IntRange(0, 10**9),
+    metavar="S",
+    help="Seed of the variations; default 1.",
+)
+@click.option(
+    "--out",
+    type=PATH,
+    help="Output file, default <scene name> with the suffix of the format; for sound the output "
+    "folder, default the current one.",
+)
+def export(what, scene, form, strike, rate, takes, seed, out):
+    """Export modes, motion or sound of SCENE for other programs.
 
-    click.echo(str(export_modes(scene, form, out, strike)))
+    modes: a Faust program, a universal file (extra `uff`) or a ParaView file. motion: an animated
+    glTF model, or a table as Parquet or CSV. sound: WAV files SCENE-01.wav, ... for samplers,
+    trimmed and with loop points; each is a variation of release and roughness. SCENE is a shipped
+    name, a TOML file, or the folder or run.json of an earlier run.
+    """
+    options = {"--strike": strike, "--rate": rate, "--takes": takes, "--seed": seed}
+    _check_export_options(what, form, options)
+    from sonify.console import Console
+
+    if what == "modes":
+        from sonify.export.modes import export_modes
+
+        click.echo(str(export_modes(scene, form, out, strike)))
+    elif what == "sound":
+        from sonify.export.takes import export_takes
+
+        with Console() as stages:
+            export_takes(
+                scene,
+                1 if takes is None else takes,
+                1 if seed is None else seed,
+                rate,
+                out,
+                stages,
+                lambda path: click.echo(str(path)),
+            )
+    else:
+        from sonify.export.motion import export_motion
+
+        with Console() as stages:
+            path = export_motion(scene, form, out, rate, stages)
+        click.echo(str(path))
+
+
+def _check_export_options(what, form, options):
+    """Raise UsageError for a missing or foreign format, or an option that does not apply."""
+    forms = EXPORT_FORMS[what]
+    allowed = ", ".join(forms)
+    if forms and form is None:
+        raise click.UsageError(f"--as is missing: the format of the {what}, one of {allowed}")
+    if form is not None and not forms:
+        raise click.UsageError(f"--as = {form!r}: does not apply to the {what}")
+    if form is not None and form not in forms:
+        raise click.UsageError(f"--as = {form!r}: the {what} can be exported as {allowed}")
+    for option, value in options.items():
+        if value is not None and option not in EXPORT_OPTIONS[what]:
+            raise click.UsageError(f"{option} = {value}: does not apply to the {what}")
 
 
 @main.command()

@@ -2,7 +2,7 @@
 
 from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from dynamics.simulation import compile_in_background
 from sonify.report.render_worker import painter
@@ -18,6 +18,7 @@ def run(
     out: str | Path | None = None,
     accuracy: str | None = None,
     stages: Stages | None = None,
+    dynamics: Literal["compressed", "natural"] = "compressed",
 ) -> "Result":
     """Solve a scene and write the result into `out`, as `sonify.pipeline.run` does.
 
@@ -31,6 +32,8 @@ def run(
         "draft", "standard" or "reference"; replaces the accuracy of the scene.
     stages : Stages, optional
         Receives the progress of the run.
+    dynamics : str
+        Dynamics of audible.wav, "compressed" or "natural".
 
     Returns
     -------
@@ -48,7 +51,7 @@ def run(
     painter()
     from sonify import pipeline  # slow to import
 
-    return pipeline.run(scene, out, stages=stages)
+    return pipeline.run(scene, out, stages=stages, dynamics=dynamics)
 
 
 def begin_run(scene: Scene | str | Path, accuracy: str | None) -> Scene:

@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
+from typing import get_args
 
 from dynamics.compliant.two_way_onset import needs_table_modes
 from dynamics.progress import MotionProgress
@@ -36,7 +37,9 @@ from sonify.result import Result, SolvedMotion
 from sonify.runtime.files import claimed_folder
 from sonify.runtime.progress import Stages, in_background
 from sonify.scene import Scene
+from sonify.scene_errors import InputError
 from sonify.sound.oscillators import compile_oscillators
+from sonify.sound.pressure import Dynamics
 from sonify.sound.radiation import listener_of
 from sonify.sound.radiators import compile_radiators
 from sonify.sound.render import sound_of
@@ -56,6 +59,7 @@ def solve(
     stages: Stages | None = None,
     eigenmodes: Callable[..., Modes] = eigenmodes,
     begin: Callable = lambda found: None,
+    dynamics: Dynamics = "compressed",
 ) -> Result:
     """Solve a scene and return the result without writing files.
 
@@ -71,6 +75,8 @@ def solve(
         Computes the modes of the disk; `modal.eigenmodes` by default.
     begin : callable
         Called as begin(solved) with a SolvedMotion, after the motion and again after the sound.
+    dynamics : str
+        Dynamics of audible.wav, "compressed" or "natural".
 
     Returns
     -------
@@ -81,7 +87,11 @@ def solve(
     ------
     SceneError
         If the scene is invalid or cannot be solved.
+    InputError
+        If the dynamics are unknown.
     """
+    if dynamics not in get_args(Dynamics):
+        raise InputError(f"dynamics = {dynamics!r}: must be compressed or natural")
     scene = check_solvable_scene(scene, accuracy)
     stages = stages or Stages()
     compile_in_background(scene)
@@ -104,6 +114,7 @@ def solve(
     halt = in_background(halt_findings, scene, motion)  # may repeat the two-way motion
     with stages.stage("sound") as watch:
         sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
+        sound = replace(sound, dynamics=dynamics)
     begin(replace(solved, sound=sound))
     with stages.stage("findings"):
         hearing = in_background(analyse_sound, sound)
@@ -210,6 +221,7 @@ def run(
     out: str | Path | None = None,
     accuracy: str | None = None,
     stages: Stages | None = None,
+    dynamics: Dynamics = "compressed",
 ) -> Result:
     """Solve a scene and write the result into `out`, by `solve` and `write`.
 
@@ -225,6 +237,8 @@ def run(
         "draft", "standard" or "reference"; replaces the accuracy of the scene.
     stages : Stages, optional
         Receives the progress of the run.
+    dynamics : str
+        Dynamics of audible.wav, "compressed" or "natural".
 
     Returns
     -------
@@ -248,7 +262,13 @@ def run(
         if unused := unused_keys(scene):
             stages.notice(f"unused: {', '.join(unused)} (no effect on this run)")
         pictures = Pictures()
-        result = solve(scene, stages=stages, eigenmodes=cached_modes, begin=pictures.begin)
+        result = solve(
+            scene,
+            stages=stages,
+            eigenmodes=cached_modes,
+            begin=pictures.begin,
+            dynamics=dynamics,
+        )
         stages.answer(result)
         return write(result, folder, stages, pictures)
 

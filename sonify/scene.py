@@ -15,6 +15,7 @@ from pydantic import ConfigDict, Field, TypeAdapter, ValidationError
 from dynamics.air import Air, dry_air_density
 from dynamics.sections import MotionScene
 from dynamics.surface import AnySurface, PlateSurface, Surface
+from modal.materials import MATERIALS
 from modal.modes import Material, Support
 from sonify.runtime.toml_files import find_file, read_toml, shipped_names
 from sonify.scene_errors import (
@@ -24,6 +25,7 @@ from sonify.scene_errors import (
     is_contradiction,
     with_whole_numbers,
 )
+from sonify.suggestions import did_you_mean
 
 SCENES = Path(__file__).parent / "scenes"
 MAY_BE_INFINITE = ("friction.mu_static", "friction.mu_dynamic")
@@ -195,8 +197,9 @@ def from_document(document: dict) -> Scene:
     impossible.
     """
     _refuse_non_finite(document)
+    complete = _with_density(document)
     try:
-        scene = scene_adapter().validate_json(json.dumps(document, default=str))
+        scene = scene_adapter().validate_json(json.dumps(complete, default=str))
     except ValidationError as error:
         corrected = with_whole_numbers(document, error, Scene)
         if corrected is not None:
@@ -205,6 +208,22 @@ def from_document(document: dict) -> Scene:
         raise kind(error_sentence(error, Scene)) from None
     object.__setattr__(scene, "_document", deepcopy(document))
     return scene
+
+
+def _with_density(document):
+    """Return the document with the density of its named material, unless it gives the mass."""
+    material = document.get("material")
+    disk = document.get("disk")
+    name = material.get("name") if isinstance(material, dict) else None
+    if not isinstance(name, str):
+        return document
+    if name not in MATERIALS:
+        allowed = ", ".join(map(repr, MATERIALS))
+        meant = did_you_mean(name, MATERIALS)
+        raise SceneError(f"material.name = {name!r}: must be one of {allowed}{meant}")
+    if not isinstance(disk, dict) or {"mass", "density"} & set(disk):
+        return document
+    return document | {"disk": disk | {"density": MATERIALS[name].density}}
 
 
 def load_scene(source: str | Path = "published") -> Scene:
@@ -262,10 +281,22 @@ def _document(sections):
     document = _set_values(sections)
     if "density" in document["disk"]:
         del document["disk"]["mass"]  # it follows from the density
+    _remove_typical_values(document["disk"], document["material"])
     air = document.get("air", {})
     if "density" in air and air["density"] == dry_air_density(air["pressure"], air["temperature"]):
         del air["density"]  # it follows from pressure and temperature
     return document
+
+
+def _remove_typical_values(disk, material):
+    """Remove from the sections what follows from the name of the material."""
+    if "name" not in material:
+        return
+    typical = MATERIALS[material["name"]]
+    for section, keys in ((material, ("young", "poisson", "loss_factor")), (disk, ("density",))):
+        for key in keys:
+            if section.get(key) == getattr(typical, key):
+                del section[key]
 
 
 def _scene_of_record(record):

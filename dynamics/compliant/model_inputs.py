@@ -88,6 +88,16 @@ def check_rattling(scene) -> None:
         raise ValueError("numerics.contact = 'many': needs surface.action = 'sound'")
     if scene.air.film == "acts":
         raise ValueError("numerics.contact = 'many': has no air film; take air.film = 'none'")
+    others = [
+        name
+        for name, value in vars(scene.dissipation).items()
+        if name not in ("contour_moment", "power_exponent", "air_density") and value
+    ]
+    if others:
+        raise ValueError(
+            f"numerics.contact = 'many': dissipation.{others[0]} does not act on it; only "
+            f"contour_moment does"
+        )
     heights = scene.roughness
     if heights is not None and (heights.profile or heights.profile_edge):
         raise ValueError("numerics.contact = 'many': needs roughness.rms in place of a profile")

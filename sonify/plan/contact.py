@@ -12,6 +12,7 @@ from dynamics.compliant.model_selection import (
     roughness_energy_share,
     steady_rate,
 )
+from dynamics.disk import GRAVITY
 from dynamics.film.activation import decide_film
 from dynamics.rattling.rattling_motion import rattling_model
 from sonify.plan import sentences
@@ -19,6 +20,8 @@ from sonify.plan.plan import Decision, Plan
 from sonify.plan.predictions import Prediction
 from sonify.scene import Scene
 
+END_SCATTER = 0.02
+"""Relative change of the duration of a rattling motion with the time step."""
 MODE_SHARE = 0.25
 """Share of the modes in the sound of a rough contact, in amplitude."""
 MODE_SHARE_WITH_FILM = 0.05
@@ -55,6 +58,9 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
             neglected.append(sentences.FILM_ACTION_NEGLECTED)
         else:
             neglected.append(sentences.HEIGHT_SOUND_NEGLECTED)
+    if chosen.kind == "many":
+        chaotic = (rattling_end(p, scene) if p.key == "end" else p for p in plan.predictions)
+        plan = replace(plan, predictions=tuple(chaotic))
     if scene.roughness:
         rough = (
             rough_sound(p, chosen.kind, film) if p.key == "sound" else p for p in plan.predictions
@@ -78,6 +84,23 @@ def uneven_curvature(scene: Scene) -> str:
     )
 
 
+def rattling_end(predicted: Prediction, scene: Scene) -> Prediction:
+    """Return the predicted error of the end of a rattling motion, which is chaotic.
+
+    The inclination falls at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a restitution e.
+    """
+    if scene.roughness is None:
+        return predicted
+    rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
+    fall = (1 - 0.66 * (scene.contact.restitution or 1.0)) * np.sqrt(GRAVITY * rms)
+    lasts = scene.disk.radius * radians(scene.release.inclination_deg) / fall
+    return replace(
+        predicted,
+        error=float(END_SCATTER * lasts),
+        source="the end of a rattling motion is chaotic: it varies by 2 % with the time step",
+    )
+
+
 def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
     """Return the predicted error of the sound samples for a rough contact, which dominates them.
 
@@ -87,7 +110,7 @@ def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
     """
     if kind == "rigid":
         return predicted
-    if kind == "full":
+    if kind in ("full", "many"):
         return replace(
             predicted,
             error=2**0.5,

@@ -47,6 +47,15 @@ def rattles(scene: Scene) -> bool:
 
 
 ARM_KEYS = ("arm_nutation", "arm_rolling", "arm_pivoting")
+
+
+def has_own_constants(scene: Scene) -> bool:
+    """Return True if the scene gives every number that would follow from `material.name`."""
+    material = scene.document["material"]
+    mass = {"mass", "density"} & set(scene.document["disk"])
+    return bool(mass) and {"young", "poisson", "loss_factor"} <= set(material)
+
+
 PATCH_KEYS = ("half_angle_deg", "height", "position", "held")
 SPECTRUM_KEYS = ("shortest", "longest", "exponent", "seed")
 ROUGHNESS_KEYS = ("rms", "rms_edge", *SPECTRUM_KEYS, "loss", "profile", "profile_edge")
@@ -67,6 +76,7 @@ RULES = (
         rattles,
     ),
     Rule(("contact.loss_factor",), lambda scene: scene.contact.restitution is not None),
+    Rule(("material.name",), has_own_constants),
     Rule(("support.inclination_deg",), lambda scene: scene.support.kind != "contact"),
     Rule(section_keys("support", PATCH_KEYS), lambda scene: scene.support.kind != "patch"),
     Rule(("support.position",), lambda scene: scene.support.height in (None, scene.disk.thickness)),

@@ -24,6 +24,7 @@ from sonify.report import captions as words
 from sonify.report.headline import headline
 from sonify.report.mode_names import shape_name
 from sonify.report.page_data import flac_data_url, page_data
+from sonify.report.plain_explanation import plain_explanation
 from sonify.runtime.files import atomic_write
 
 if TYPE_CHECKING:
@@ -51,6 +52,7 @@ def write(result: "Result", path: Path, numbers: dict[str, Any] | None = None):
             depends_on=depends_on,
             unit_and_details=unit_and_details,
             headline=headline(result.findings),
+            explanation=plain_explanation(result.motion, result.findings),
             answers=answers_in_short(result.findings),
             claims=verdict_counts(result.findings),
             paper=paper_rows(result.motion, result.findings)

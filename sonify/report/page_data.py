@@ -80,7 +80,7 @@ def page_data(result: "Result", parts: dict[str, Any] | None = None) -> dict[str
 
 
 def encoded_sounds(sound: Sound) -> dict[str, Any]:
-    """Return the stems at two scales: A-weighted as in audible.wav, and true as in sound.wav.
+    """Return the stems at two scales: A-weighted with natural dynamics, and true as in sound.wav.
 
     Of a sound longer than MAX_SOUND_SECONDS or larger than MAX_SOUND_BYTES, only the end is
     returned; `start` is its time [s].
@@ -95,7 +95,7 @@ def encoded_sounds(sound: Sound) -> dict[str, Any]:
 
 
 def _scales(sound, start):
-    audible = sound.audible.full_scale
+    audible = sound.natural.full_scale
     weighted = {name: WeightedTrack(track=track) for name, track in sound.stems.items()}
     return {
         "audible": {

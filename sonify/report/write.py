@@ -26,6 +26,7 @@ from sonify.report.pictures import Pictures
 from sonify.runtime.files import atomic_write
 from sonify.runtime.progress import Stages
 from sonify.sound.audible_modes import RingDown
+from sonify.sound.mastering import chain_record, true_peak_dbtp
 from sonify.sound.pressure import Sound
 
 if TYPE_CHECKING:
@@ -155,6 +156,8 @@ def run_record(result: "Result") -> dict:
             "ring_down": finite(ring_down_record(sound.ringing)),
             "audible_full_scale_pascal": sound.audible.full_scale,
             "audible_loudness_lufs": finite(sound.loudness[1]),
+            "audible_true_peak_dbtp": true_peak_dbtp(sound.audible),
+            "audible_chain": chain_record(sound.audible),
         },
         "checks": [finite(asdict(check)) | {"passed": check.passed} for check in result.checks],
         "findings": [

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf
+from typing import Protocol
 
 import numpy as np
 from scipy.signal import freqz_zpk, resample_poly, sosfilt, zpk2sos
@@ -15,9 +16,9 @@ from sonify.hearing.spectrogram import spectrogram
 A_WEIGHTING_POLES = (20.598997, 20.598997, 107.65265, 737.86223, 12194.217, 12194.217)  # Hz
 """Poles of the A-weighting, IEC 61672-1, annex E; its four zeros are at 0."""
 LOUDNESS_LUFS = -23.0
-"""Loudness of audible.wav, EBU R 128."""
+"""Loudness of audible.wav with natural dynamics, EBU R 128."""
 TRUE_PEAK_DB = -1.0
-"""Highest true peak [dBTP] of audible.wav; it takes precedence over the loudness."""
+"""Highest true peak [dBTP] of this copy; it takes precedence over the loudness."""
 TRUE_PEAK_OVERSAMPLING = 4
 """Oversampling in the search for the true peak, BS.1770-4, annex 2."""
 MAX_OVERSHOOT = 2.5
@@ -106,7 +107,15 @@ def audible_copy(track) -> ScaledTrack:
     )
 
 
-def loudness(copy: ScaledTrack) -> float | str:
+class LoudTrack(Protocol):
+    """A track with a loudness."""
+
+    @property
+    def loudness(self) -> float:
+        """Loudness by BS.1770 [LUFS]."""
+
+
+def loudness(copy: LoudTrack) -> float | str:
     """Return the loudness of a copy [LUFS], or the reason why it is undefined."""
     try:
         return copy.loudness

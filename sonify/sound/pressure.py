@@ -5,18 +5,20 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import chain
 from tempfile import TemporaryFile
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 from weakref import finalize
 
 import numpy as np
 
 from dynamics import Outcome
 from sonify.sound.audible_modes import RingDown
+from sonify.sound.mastering import MasteredTrack, master_copy
 from sonify.sound.playback import ScaledTrack, audible_copy, energy_below, loudness
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+Dynamics = Literal["compressed", "natural"]
 STEMS = ("heave", "tilt", "ringing_smooth", "ringing_jumps")
 """Causes of sound in every scene: heave and tilt of the rigid disk, and its modes under the smooth
 force and under jumps. A scene may have more."""
@@ -103,6 +105,8 @@ class Sound:
     turned : bool
         True if one more column contains the pressure at an ear a quarter turn round the disk, for
         audible.wav.
+    dynamics : str
+        Dynamics of audible.wav, "compressed" or "natural".
     """
 
     name: str
@@ -118,6 +122,7 @@ class Sound:
     names: tuple[str, ...] = STEMS
     others: "tuple[Sound, ...]" = ()
     turned: bool = False
+    dynamics: Dynamics = "compressed"
 
     @property
     def pressure(self) -> Track:
@@ -199,10 +204,19 @@ class Sound:
         return ScaledTrack(track=self.pressure, full_scale=self.full_scale)
 
     @cached_property
-    def audible(self) -> ScaledTrack:
-        """Content of audible.wav: the A-weighted, amplified pressure; two ears if `turned`."""
+    def natural(self) -> ScaledTrack:
+        """The A-weighted, amplified pressure with its own dynamics; two ears if `turned`."""
+        return audible_copy(self._ears)
+
+    @cached_property
+    def audible(self) -> MasteredTrack | ScaledTrack:
+        """Content of audible.wav: `natural`, or its master with compressed dynamics."""
+        return self.natural if self.dynamics == "natural" else master_copy(self._ears)
+
+    @property
+    def _ears(self):
         beside = (self._track("beside", 1 + len(self.names)),) if self.turned else ()
-        return audible_copy(replace(self.pressure, others=beside or self.pressure.others))
+        return replace(self.pressure, others=beside or self.pressure.others)
 
     @cached_property
     def loudness(self) -> tuple[float | str, float | str]:

@@ -3,6 +3,7 @@
 import errno
 from collections.abc import Callable
 from contextlib import ExitStack, contextmanager
+from io import SEEK_END
 from pathlib import Path
 
 import soundfile
@@ -16,6 +17,10 @@ MISSING_END_TEXT = "; the motion did not come to rest, and its end is missing: {
 AUDIBLE_SCALE_TEXT = (
     "A-weighted and amplified for small loudspeakers, not the pressure; "
     "1.0 = {:.6g} pascal, A-weighted"
+)
+MASTER_SCALE_TEXT = (
+    "A-weighted, with compressed dynamics, for small loudspeakers, not the pressure; "
+    "1.0 = {:.6g} pascal, A-weighted, where neither compressor nor limiter acts"
 )
 
 MAX_RIFF_BYTES = 2**32 - 2**12
@@ -53,7 +58,9 @@ def write_sound(
             folder / "audible.wav",
             sound.audible,
             "PCM_24",
-            AUDIBLE_SCALE_TEXT.format(sound.audible.full_scale),
+            (AUDIBLE_SCALE_TEXT if sound.dynamics == "natural" else MASTER_SCALE_TEXT).format(
+                sound.audible.full_scale
+            ),
         ),
     ]
     with ExitStack() as stack:
@@ -64,7 +71,7 @@ def write_sound(
                 else "WAV"
             )
             file = stack.enter_context(
-                _open_wav(path, source.sample_rate, source.channels, subtype, form)
+                open_wav(path, source.sample_rate, source.channels, subtype, form)
             )
             file.title = f"Euler's disk, {sound.name}: {path.stem.replace('_', ' ')}"
             file.comment = comment + unfinished
@@ -75,8 +82,10 @@ def write_sound(
 
 
 @contextmanager
-def _open_wav(path, rate, channels, subtype, form):
-    """Open a WAV file that is written completely or not at all; equal samples give equal bytes."""
+def open_wav(path, rate, channels, subtype, form, chunk: bytes = b""):
+    """Open a WAV file that is written completely or not at all; equal samples give equal bytes.
+
+    `chunk` is appended as the last chunk of the file, which must not be RF64."""
     with atomic_write(path) as temporary:
         try:
             with soundfile.SoundFile(temporary, "w", rate, channels, subtype, format=form) as file:
@@ -87,6 +96,8 @@ def _open_wav(path, rate, channels, subtype, form):
         ) as error:  # libsndfile reports only a short write
             raise OSError(errno.ENOSPC, "could not be written in full", str(path)) from error
         _clear_timestamp(temporary)
+        if chunk:
+            _append_chunk(temporary, chunk)
 
 
 def _clear_timestamp(path):
@@ -96,3 +107,13 @@ def _clear_timestamp(path):
         if stamp >= 0:
             file.seek(stamp + 12)
             file.write(bytes(4))
+
+
+def _append_chunk(path, chunk):
+    """Append a chunk of even length to a RIFF file and correct the length in its header."""
+    with open(path, "r+b") as file:
+        end = file.seek(0, SEEK_END)
+        file.write(b"\0" * (end % 2) + chunk)
+        length = file.tell() - 8
+        file.seek(4)
+        file.write(length.to_bytes(4, "little"))

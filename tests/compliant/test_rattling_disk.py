@@ -195,6 +195,7 @@ def test_the_exponent_of_a_known_law_is_found(n):
         ("roughness.rms=1e-3", "at most a tenth of disk.thickness"),
         ("numerics.contact=full", "needs numerics.contact = 'many'"),
         ("roughness.profile=heights.csv", "give either rms or profile"),
+        ("dissipation.viscous_moment=1e-7", "dissipation.viscous_moment does not act"),
     ],
 )
 def test_what_cannot_rattle_is_refused_in_one_line(change, message):

@@ -17,8 +17,9 @@ from scipy.signal import lfilter
 from modal import Material, Plate, as_faust, as_faust_library, eigenmodes, plate_modes, write_uff
 from modal.export import STRIKE_PEAK
 from sonify.__main__ import main
-from sonify.export import export_modes
+from sonify.export.modes import export_modes
 from sonify.plan.preflight import plan_with_modes
+from sonify.report.write import scene_record, write_json
 from sonify.scene import load_scene
 from sonify.scene_errors import InputError
 
@@ -205,6 +206,16 @@ def test_a_strike_where_the_disk_cannot_move_is_refused_in_one_line(strike, tmp_
     assert (answer.exit_code, len(answer.stderr.splitlines())) == (2, 1)
     assert "--strike" in answer.stderr
     assert not path.exists()
+
+
+def test_the_folder_of_a_run_is_a_scene(tmp_path):
+    scene = load_scene("published").replace("support.kind=free", "numerics.accuracy=draft")
+    write_json({"scene": scene_record(scene)}, tmp_path / "run.json")
+    paths = [
+        export_modes(source, "faust", tmp_path / f"{i}.dsp")
+        for i, source in enumerate([scene, tmp_path])
+    ]
+    assert len({path.read_bytes() for path in paths}) == 1
 
 
 def test_a_strike_near_the_patch_and_anywhere_on_a_free_disk_is_taken(tmp_path):

@@ -61,6 +61,7 @@ VALUES = {
     "disk.thickness": "0.0141",
     "disk.mass": "0.5",
     "disk.wall": "0.006",
+    "material.name": "glass",
     "material.young": "1.9e11",
     "material.poisson": "0.31",
     "material.loss_factor": "0.003",

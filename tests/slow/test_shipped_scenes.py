@@ -25,6 +25,10 @@ CHAOTIC = {
 }  # fmt: skip
 """Findings on the last, chaotic milliseconds or on rounding; they are excluded from the comparison.
 """
+RATTLING = ("coin-stone",)
+"""Scenes whose whole motion is chaotic: only the verdicts of the claims on it are compared."""
+LEAST_CHANGE = {"carriers_are_steady": 0.2}
+"""Changes [in the unit of the finding] below which a value is zero: rounding decides it."""
 
 
 @pytest.fixture(scope="module")
@@ -58,12 +62,18 @@ def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
     """Values agree within 2 % or their margin; verdicts agree unless one is undecided."""
     _, found = record(name)
     findings = {finding["key"]: finding for finding in found["findings"]}
+    if name in RATTLING:
+        claims = ("disk_rattles", "impacts_end_it", "rate_follows_unevenness")
+        assert [findings[key]["verdict"] for key in claims[:2]] == ["yes", "yes"]
+        assert findings[claims[2]]["verdict"] != "no"
+        return
     known = KNOWN[name]
     assert findings.keys() - CHAOTIC == known.keys() - CHAOTIC
     changed = {}
     for key in sorted(findings.keys() - CHAOTIC):
         value, margin, verdict = (findings[key][part] for part in ("value", "margin", "verdict"))
         tolerance = max(0.02 * abs(float(known[key]["value"])), float(margin), 1e-12)
+        tolerance = max(tolerance, LEAST_CHANGE.get(key, 0.0))
         same_verdict = (
             "undecided" in (verdict, known[key]["verdict"]) or verdict == known[key]["verdict"]
         )

@@ -4,6 +4,7 @@ from math import isfinite, radians
 from pathlib import Path
 
 from modal import Modes, as_faust, write_uff, write_vtu
+from sonify.export.scene_source import scene_of_run
 from sonify.pipeline import check_solvable_scene, plan_with_modes
 from sonify.runtime.files import atomic_write
 from sonify.scene import Scene
@@ -26,7 +27,7 @@ def export_modes(
     Parameters
     ----------
     scene : Scene, str or Path
-        Scene, shipped name or scene file.
+        Scene, shipped name, scene file, or the folder or run.json of an earlier run.
     form : str
         File format, one of SUFFIXES.
     out : str or Path, optional
@@ -46,7 +47,7 @@ def export_modes(
         If the scene cannot be solved or has no modes, if the format needs a missing package, or if
         the disk cannot be struck at this angle.
     """
-    scene = check_solvable_scene(scene, None)
+    scene = check_solvable_scene(scene_of_run(scene), None)
     _check_strike(scene, form, strike_deg)
     _, modes = plan_with_modes(scene)
     path = Path(out or f"{scene.name}.{SUFFIXES[form]}")

@@ -1,0 +1,85 @@
+"""MATERIAL NAME -> elastic constants, loss factor and density, with their sources."""
+
+from typing import Literal, NamedTuple
+
+MaterialName = Literal["aluminium", "brass", "bronze", "ceramic", "glass", "steel", "wood"]
+
+
+class NamedMaterial(NamedTuple):
+    """Typical values of a material at room temperature, with their sources.
+
+    The loss factor is that of the material itself; it varies between samples by a factor of three
+    or more.
+    """
+
+    young: float
+    """Young's modulus [Pa]."""
+    poisson: float
+    """Poisson's ratio."""
+    loss_factor: float
+    """Loss factor in bending."""
+    density: float
+    """Density [kg/m^3]."""
+    source: str
+    """Kind of the material, and where the values are from."""
+
+
+CREMER_HECKL = "Cremer and Heckl, Structure-Borne Sound (1988)"
+KAYE_LABY = "Kaye and Laby, Tables of Physical and Chemical Constants (1995)"
+
+MATERIALS: dict[str, NamedMaterial] = {
+    "aluminium": NamedMaterial(
+        young=70.3e9,
+        poisson=0.345,
+        loss_factor=1e-4,
+        density=2700.0,
+        source=f"{KAYE_LABY}; loss factor: {CREMER_HECKL}",
+    ),
+    "brass": NamedMaterial(
+        young=110e9,
+        poisson=0.34,
+        loss_factor=5e-4,
+        density=8530.0,
+        source="cartridge brass, C26000: Copper Development Association, which gives the shear "
+        f"modulus 41 GPa; loss factor, below 1e-3: {CREMER_HECKL}",
+    ),
+    "bronze": NamedMaterial(
+        young=110e9,
+        poisson=0.34,
+        loss_factor=5e-4,
+        density=8860.0,
+        source="phosphor bronze, C51000: Copper Development Association, which gives the shear "
+        "modulus 41 GPa; loss factor: assumed, as of brass",
+    ),
+    "ceramic": NamedMaterial(
+        young=416e9,
+        poisson=0.231,
+        loss_factor=1e-4,
+        density=3984.0,
+        source="sintered alumina: Munro, Journal of the American Ceramic Society 80, 1919 (1997); "
+        "loss factor: assumed",
+    ),
+    "glass": NamedMaterial(
+        young=70e9,
+        poisson=0.2,
+        loss_factor=1e-3,
+        density=2500.0,
+        source="soda-lime glass: EN 572-1; loss factor: the lower end of 0.001 to 0.005",
+    ),
+    "steel": NamedMaterial(
+        young=211.9e9,
+        poisson=0.291,
+        loss_factor=3e-4,
+        density=7850.0,
+        source=f"mild steel: {KAYE_LABY}; loss factor, 2e-4 to 6e-4: {CREMER_HECKL}",
+    ),
+    "wood": NamedMaterial(
+        young=11.9e9,
+        poisson=0.3,
+        loss_factor=0.01,
+        density=720.0,
+        source="American beech along the grain at 12 % moisture, taken as the same in every "
+        "direction: Wood Handbook (FPL-GTR-190, 2010); Poisson's ratio and loss factor: assumed",
+    ),
+}
+"""Materials that a scene may name, in alphabetical order."""

@@ -1,0 +1,292 @@
+"""MOTION -> glTF 2.0: the disk, its contact and the table as an animated model, y upwards."""
+
+import json
+from base64 import b64encode
+from dataclasses import dataclass, field
+from math import acos, ceil, pi
+from typing import Any
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from dynamics import Disk, Motion
+from dynamics.surface import PlateSurface
+from sonify import __version__
+from sonify.report.perspective import contact_points, patch_frame
+from sonify.scene import Scene
+
+MAX_SAGITTA = 2e-7
+"""Largest distance [m] between the rim and the sides of the polygon that represents it."""
+SIDES_RANGE = (96, 4096)
+"""Least and greatest number of these sides."""
+MARKED_SHARE = 1 / 24
+"""Share of the circumference that carries a coloured mark, which shows the spin."""
+MARKER_SIZE = 0.03
+"""Radius of the marker at the contact, relative to that of the disk."""
+COLOURS = {
+    "metal": (0.6, 0.62, 0.65, 0.9),
+    "mark": (0.63, 0.08, 0.16, 0.2),
+    "contact": (0.0, 0.24, 0.55, 0.0),
+    "table": (0.86, 0.84, 0.8, 0.0),
+}
+"""Material -> red, green, blue and metallic factor."""
+FLOAT = 5126
+UNSIGNED_INT = 5125
+ARRAY_BUFFER = 34962
+ELEMENT_ARRAY_BUFFER = 34963
+
+
+@dataclass
+class Mesh:
+    """Triangles of one or more materials with common vertices."""
+
+    points: np.ndarray
+    normals: np.ndarray
+    triangles: dict[str, np.ndarray]
+
+
+@dataclass
+class Buffer:
+    """The binary part of a model, with its views and accessors."""
+
+    content: bytearray = field(default_factory=bytearray)
+    views: list[dict] = field(default_factory=list)
+    accessors: list[dict] = field(default_factory=list)
+
+    def add(self, values: np.ndarray, target: int | None = None, bounds: bool = False) -> int:
+        """Append float or index values (k,) or (k, n); return the number of their accessor."""
+        is_index = values.dtype.kind in "iu"
+        array = np.ascontiguousarray(values, "<u4" if is_index else "<f4")
+        view: dict[str, Any] = {
+            "buffer": 0,
+            "byteOffset": len(self.content),
+            "byteLength": array.nbytes,
+        }
+        if target is not None:
+            view["target"] = target
+        width = array.shape[1] if array.ndim == 2 else 1
+        accessor = {
+            "bufferView": len(self.views),
+            "componentType": UNSIGNED_INT if is_index else FLOAT,
+            "count": len(array),
+            "type": {1: "SCALAR", 3: "VEC3", 4: "VEC4"}[width],
+        }
+        if bounds:
+            columns = array.reshape(len(array), width)
+            accessor["min"] = columns.min(axis=0).tolist()
+            accessor["max"] = columns.max(axis=0).tolist()
+        self.content += array.tobytes()
+        self.views.append(view)
+        self.accessors.append(accessor)
+        return len(self.accessors) - 1
+
+
+def animated_model(scene: Scene, motion: Motion, times: np.ndarray, as_text: bool) -> bytes:
+    """Return the motion at times (k,) [s] as a glTF 2.0 file, binary (.glb) or text (.gltf).
+
+    Lengths are in metres, and the y axis points upwards. The nodes are `table`, `disk` (translation
+    and rotation are animated) and `contact` (its translation is animated).
+    """
+    state = motion.at(times)
+    contact = upwards(contact_points(state, state[:, 1], motion.disk))
+    centre, quaternion = body_poses(state, motion.disk)
+    buffer = Buffer()
+    materials = list(COLOURS)
+    meshes = {
+        "table": table_mesh(scene, contact),
+        "disk": disk_mesh(motion.disk),
+        "contact": marker_mesh(MARKER_SIZE * motion.disk.radius),
+    }
+    nodes: list[dict] = [{"name": name, "mesh": i} for i, name in enumerate(meshes)]
+    nodes[1] |= {"translation": centre[0].tolist(), "rotation": quaternion[0].tolist()}
+    nodes[2] |= {"translation": contact[0].tolist()}
+    clock = buffer.add(times, bounds=True)
+    channels = []
+    samplers: list[dict] = []
+    for node, path, values in (
+        (1, "translation", centre),
+        (1, "rotation", quaternion),
+        (2, "translation", contact),
+    ):
+        channels.append({"sampler": len(samplers), "target": {"node": node, "path": path}})
+        samplers.append({"input": clock, "output": buffer.add(values), "interpolation": "LINEAR"})
+    model: dict[str, Any] = {
+        "asset": {"version": "2.0", "generator": f"eulers-disk-sonify {__version__}"},
+        "scene": 0,
+        "scenes": [{"name": scene.name, "nodes": [0, 1, 2]}],
+        "nodes": nodes,
+        "meshes": [_mesh_record(name, mesh, buffer, materials) for name, mesh in meshes.items()],
+        "materials": [_material_record(name) for name in materials],
+        "animations": [{"name": "motion", "channels": channels, "samplers": samplers}],
+        "accessors": buffer.accessors,
+        "bufferViews": buffer.views,
+    }
+    return _text(model, buffer.content) if as_text else _binary(model, buffer.content)
+
+
+def upwards(points: np.ndarray) -> np.ndarray:
+    """Return points (..., 3) with z upwards in the axes of glTF, with y upwards."""
+    x, y, z = np.moveaxis(points, -1, 0)
+    return np.stack([x, z, -y], axis=-1)
+
+
+def body_poses(state: np.ndarray, disk: Disk) -> tuple[np.ndarray, np.ndarray]:
+    """Return centres (k, 3) [m] and quaternions (k, 4), x, y, z, w, of states (k, 11).
+
+    The quaternions turn the body, with its axis along y, and their signs are continuous.
+    """
+    inclination = state[:, 1]
+    x, y, z = patch_frame(state, inclination).swapaxes(0, 1)
+    c = np.cos(state[:, 2, None])
+    s = np.sin(state[:, 2, None])
+    height = disk.radius * np.sin(inclination) + disk.thickness / 2 * np.cos(inclination)
+    centre = np.column_stack([state[:, 3:5], height])
+    axes = np.stack([upwards(axis) for axis in (c * x + s * y, z, s * x - c * y)], axis=2)
+    quaternion = Rotation.from_matrix(axes).as_quat()
+    reversals = np.einsum("ki,ki->k", quaternion[1:], quaternion[:-1]) < 0
+    quaternion[1:][np.cumsum(reversals) % 2 == 1] *= -1
+    return upwards(centre), quaternion
+
+
+def rim_sides(radius: float) -> int:
+    """Return the number of sides of the polygon for a rim of that radius [m]."""
+    least, greatest = SIDES_RANGE
+    wanted = pi / acos(max(1 - MAX_SAGITTA / radius, 0.0))
+    return min(max(ceil(wanted), least), greatest)
+
+
+def disk_mesh(disk: Disk) -> Mesh:
+    """Return the disk or hoop about its centre, with its axis along y and a mark on its upper face
+    and rim."""
+    sides = rim_sides(disk.radius)
+    angle = np.arange(sides + 1) % sides * 2 * np.pi / sides
+    outward = np.column_stack([np.cos(angle), 0 * angle, -np.sin(angle)])
+    up = np.array([0.0, disk.thickness / 2, 0.0])
+    axis = np.array([0.0, 1.0, 0.0])
+    outer = disk.radius * outward
+    inner = disk.inner_radius * outward
+    rings = [(outer - up, outward), (outer + up, outward)]  # pairs of rings: a strip each
+    rings += [(outer + up, axis), (inner + up, axis)]
+    rings += [(inner - up, -axis), (outer - up, -axis)]
+    strips = [(0, True), (2, True), (4, False)]
+    if disk.inner_radius > 0:
+        rings += [(inner + up, -outward), (inner - up, -outward)]
+        strips.append((6, False))
+    count = sides + 1
+    first = np.arange(sides)
+    parts: dict[str, list[np.ndarray]] = {"metal": [], "mark": []}
+    marked = first < MARKED_SHARE * sides
+    for ring, carries_mark in strips:
+        a = ring * count + first
+        b = a + count
+        strip = np.stack([[a, a + 1, b + 1], [a, b + 1, b]], axis=0).transpose(2, 0, 1)
+        parts["metal"].append(strip[~marked] if carries_mark else strip)
+        if carries_mark:
+            parts["mark"].append(strip[marked])
+    points = np.concatenate([ring for ring, _ in rings])
+    triangles = {name: np.concatenate(some).reshape(-1, 3) for name, some in parts.items()}
+    return Mesh(
+        points=points,
+        normals=np.concatenate([np.broadcast_to(normal, (count, 3)) for _, normal in rings]),
+        triangles={name: _with_area(points, some) for name, some in triangles.items()},
+    )
+
+
+def _with_area(points, triangles):
+    """Return the triangles (n, 3) with three different corners."""
+    a, b, c = points[triangles].swapaxes(0, 1)
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    return triangles[area > 0]
+
+
+def marker_mesh(radius: float, bands: int = 12) -> Mesh:
+    """Return a sphere of that radius [m]."""
+    latitude, longitude = np.meshgrid(
+        np.linspace(-pi / 2, pi / 2, bands + 1),
+        np.linspace(0, 2 * pi, 2 * bands + 1),
+        indexing="ij",
+    )
+    normals = np.stack(
+        [
+            np.cos(latitude) * np.sin(longitude),
+            np.sin(latitude),
+            np.cos(latitude) * np.cos(longitude),
+        ],
+        axis=-1,
+    ).reshape(-1, 3)
+    width = 2 * bands + 1
+    row, column = np.meshgrid(np.arange(bands), np.arange(2 * bands), indexing="ij")
+    a = (row * width + column).ravel()
+    triangles = np.concatenate(
+        [
+            np.column_stack([a, a + 1, a + width + 1]),
+            np.column_stack([a, a + width + 1, a + width]),
+        ]
+    )
+    return Mesh(points=radius * normals, normals=normals, triangles={"contact": triangles})
+
+
+def table_mesh(scene: Scene, contact: np.ndarray) -> Mesh:
+    """Return the top of the table at y = 0: the plate of the scene, or a square below the motion."""
+    radius = scene.disk.radius
+    if isinstance(scene.surface, PlateSurface):
+        angle = np.arange(240) * 2 * np.pi / 240
+        x, y = scene.surface.place
+        middle = np.array([-x, 0.0, y])  # the disk is released at the origin
+        edge = scene.surface.radius * np.column_stack([np.cos(angle), 0 * angle, -np.sin(angle)])
+    else:
+        low = contact.min(axis=0) - 3 * radius
+        high = contact.max(axis=0) + 3 * radius
+        middle = (low + high) / 2 * [1.0, 0.0, 1.0]
+        a, _, b = (high - low) / 2
+        edge = np.array([[a, 0.0, b], [a, 0.0, -b], [-a, 0.0, -b], [-a, 0.0, b]])
+    first = np.arange(1, len(edge) + 1)
+    triangles = np.column_stack([0 * first, first, np.roll(first, -1)])
+    points = np.vstack([middle, middle + edge])
+    return Mesh(
+        points=points,
+        normals=np.tile([0.0, 1.0, 0.0], (len(points), 1)),
+        triangles={"table": triangles},
+    )
+
+
+def _mesh_record(name, mesh, buffer, materials):
+    attributes = {
+        "POSITION": buffer.add(mesh.points, ARRAY_BUFFER, bounds=True),
+        "NORMAL": buffer.add(mesh.normals, ARRAY_BUFFER),
+    }
+    primitives = [
+        {
+            "attributes": attributes,
+            "indices": buffer.add(triangles.ravel(), ELEMENT_ARRAY_BUFFER),
+            "material": materials.index(material),
+        }
+        for material, triangles in mesh.triangles.items()
+    ]
+    return {"name": name, "primitives": primitives}
+
+
+def _material_record(name):
+    *colour, metallic = COLOURS[name]
+    surface = {
+        "baseColorFactor": [*colour, 1.0],
+        "metallicFactor": metallic,
+        "roughnessFactor": 0.5,
+    }
+    return {"name": name, "pbrMetallicRoughness": surface}
+
+
+def _text(model, content):
+    uri = f"data:application/octet-stream;base64,{b64encode(content).decode()}"
+    buffers = [{"byteLength": len(content), "uri": uri}]
+    return (json.dumps(model | {"buffers": buffers}, allow_nan=False) + "\n").encode()
+
+
+def _binary(model, content):
+    """Return the header and the two chunks of a .glb file, each padded to four bytes."""
+    model = model | {"buffers": [{"byteLength": len(content)}]}
+    text = json.dumps(model, allow_nan=False, separators=(",", ":")).encode()
+    chunks = ((b"JSON", text + b" " * (-len(text) % 4)), (b"BIN\0", bytes(content)))
+    body = b"".join(len(data).to_bytes(4, "little") + kind + data for kind, data in chunks)
+    header = b"glTF" + (2).to_bytes(4, "little") + (12 + len(body)).to_bytes(4, "little")
+    return header + body

@@ -1,0 +1,230 @@
+"""SCENE -> WAV FILES: variations of a sound, trimmed and with loop points, for samplers."""
+
+from collections.abc import Callable
+from pathlib import Path
+from struct import pack
+
+import numpy as np
+
+from modal import SurfaceModes
+from modal.blas_threads import one_blas_thread
+from sonify import __version__
+from sonify.export.motion import solved_motion
+from sonify.export.scene_source import scene_of_run
+from sonify.hearing.audio_source import stretch
+from sonify.pipeline import cached_modes
+from sonify.plan.plan import plan_of
+from sonify.plan.preflight import check_solvable_scene, plan_with_modes
+from sonify.plan.table import with_table
+from sonify.runtime.files import claimed_folder
+from sonify.runtime.progress import Stages
+from sonify.scene import Scene
+from sonify.scene_errors import InputError, SceneError
+from sonify.sound.pressure import Sound
+from sonify.sound.render import sound_of
+from sonify.sound.wav import BYTES_PER_SAMPLE, MAX_RIFF_BYTES, open_wav
+
+TAKE_RATES = (48000, 96000)
+"""Sample rates [Hz] that `--rate` allows."""
+RELEASE_CHANGE = 0.02
+"""Greatest relative change of inclination and angular velocity at the release."""
+MAX_SEED = 10**9
+SILENCE_DB = -60.0
+"""Level below the peak [dB] of what is trimmed at both ends."""
+FADE_IN = 0.005  # s
+FADE_OUT = 0.02  # s
+LOOP_SECONDS = 1.0
+"""Wanted length of the loop, or half of a shorter take."""
+LOOP_MATCH = 0.005
+"""Time [s] on both sides of a loop point in which the two waveforms are compared."""
+
+
+@one_blas_thread
+def export_takes(
+    scene: Scene | str | Path,
+    takes: int = 1,
+    seed: int = 1,
+    rate: float | None = None,
+    out: str | Path | None = None,
+    stages: Stages | None = None,
+    tell: Callable[[Path], None] = lambda path: None,
+) -> list[Path]:
+    """Render variations of the sound of a scene and write each to a WAV file.
+
+    Every take has its own small changes of the release and, if the scene is rough, its own seed of
+    the roughness. A take depends on `seed` and its number, not on the number of takes.
+
+    Parameters
+    ----------
+    scene : Scene, str or Path
+        Scene, shipped name, scene file, or the folder or run.json of an earlier run.
+    takes : int
+        Number of takes.
+    seed : int
+        Seed of the changes.
+    rate : float, optional
+        Sample rate [Hz], one of TAKE_RATES (default: that of the scene).
+    out : str or Path, optional
+        Folder of the files <scene name>-01.wav, ... (default: the current folder).
+    stages : Stages, optional
+        Receives the progress.
+    tell : callable
+        Called with the path of each file when it is complete.
+
+    Returns
+    -------
+    list of Path
+        Paths of the files.
+
+    Raises
+    ------
+    InputError
+        If a take cannot be solved or is silent, or the sample rate is not allowed.
+    """
+    if rate is not None and rate not in TAKE_RATES:
+        allowed = " or ".join(map(str, TAKE_RATES))
+        raise InputError(f"--rate = {rate:g}: must be {allowed} for a sound")
+    scene = check_solvable_scene(scene_of_run(scene), None)
+    if rate is not None:
+        scene = scene.replace(f"audio.sample_rate={round(rate)}")
+    variations = [varied(scene, seed, number) for number in range(1, takes + 1)]
+    stages = stages or Stages()
+    paths = []
+    with claimed_folder(out or ".") as folder, stages.stage("takes") as watch:
+        table = None if scene.surface.kind == "rigid" else with_table(plan_of(scene), scene)[1]
+        for number, (take, changes) in enumerate(variations, 1):
+            title = f"take {number} of {takes}"
+
+            def watch_take(share, note="", done=number - 1, title=title):
+                watch((done + share) / takes, f"{title}{note and ': '}{note}")
+
+            path = folder / f"{scene.name}-{number:0{max(2, len(str(takes)))}}.wav"
+            try:
+                sound = sound_of_take(take, table, watch_take)
+                write_take(sound, path, f"{title}, seed {seed}; {' '.join(changes)}")
+            except SceneError as error:
+                raise InputError(f"{title}: {error}") from None
+            paths.append(path)
+            tell(path)
+    return paths
+
+
+def varied(scene: Scene, seed: int, number: int) -> tuple[Scene, list[str]]:
+    """Return the scene of a take, and its changes as assignments of `Scene.replace`."""
+    draw = np.random.default_rng([seed, number])
+    steeper, faster = RELEASE_CHANGE * draw.uniform(-1, 1, 2)
+    released = scene.release
+    halfway_upright = (released.inclination_deg + 90) / 2
+    inclination = min(released.inclination_deg * (1 + steeper), halfway_upright)
+    fastest = 1e6  # rad/s
+    omega = np.clip(np.array(released.omega) * (1 + faster), -fastest, fastest)
+    changes = [
+        f"release.inclination_deg={max(float(inclination), 1e-6)!r}",
+        f"release.omega={[float(rate) for rate in omega]}",
+    ]
+    if scene.roughness is not None:
+        changes.append(f"roughness.seed={draw.integers(MAX_SEED)}")
+    return scene.replace(*changes), changes
+
+
+def sound_of_take(
+    scene: Scene,
+    table: SurfaceModes | None,
+    watch: Callable[..., None] = lambda share, note="": None,
+) -> Sound:
+    """Return the sound of a take; `watch(share, note)` is called with the share done."""
+    scene = check_solvable_scene(scene, None)
+    plan, modes = plan_with_modes(scene, cached_modes)
+    motion = solved_motion(scene, lambda share, note="": watch(share / 2, note), table)
+    return sound_of(
+        scene,
+        motion,
+        modes,
+        plan.sounding,
+        plan.calm,
+        table,
+        lambda share: watch(0.5 + share / 2, "sound"),
+    )
+
+
+def write_take(sound: Sound, path: Path, note: str) -> None:
+    """Write a sound without the silence at both ends, as 24-bit PCM with loop points.
+
+    The text fields hold the scene, the program with its version, the pressure that 1.0 represents,
+    and `note`. Raises InputError if the sound is silent or too long for a WAV file.
+    """
+    copy = sound.copy
+    first, last = audible_range(copy)
+    samples = stretch(copy, first, last)
+    fade(samples, sound.sample_rate)
+    if samples.size * BYTES_PER_SAMPLE["PCM_24"] > MAX_RIFF_BYTES:
+        raise InputError(f"{path.name}: the sound is too long for a WAV file of 4 GiB")
+    loop = loop_points(samples[:, 0], sound.sample_rate)
+    chunk = b"" if loop is None else sampler_chunk(sound.sample_rate, *loop)
+    with open_wav(path, sound.sample_rate, copy.channels, "PCM_24", "WAV", chunk) as file:
+        file.title = f"Euler's disk, {sound.name}"
+        file.comment = f"1.0 = {sound.full_scale:.9g} pascal at the listener; {note}"
+        file.software = f"eulers-disk-sonify {__version__}"
+        file.write(samples)
+
+
+def audible_range(source) -> tuple[int, int]:
+    """Return the first sample and the end of what is louder than SILENCE_DB below the peak.
+
+    The times of the fades are added at both ends. The length is even, because some readers expect
+    an even number of bytes. Raises InputError for silence.
+    """
+    tops = [np.abs(block).max(axis=1) for block in source.blocks()]
+    level = np.concatenate(tops)
+    loud = np.flatnonzero(level > level.max() * 10 ** (SILENCE_DB / 20))
+    if not len(loud):
+        raise InputError("the sound is silent")
+    rate = source.sample_rate
+    first = max(int(loud[0]) - round(FADE_IN * rate), 0)
+    last = min(int(loud[-1]) + 1 + round(FADE_OUT * rate), source.frames)
+    return first, last - (last - first) % 2 if last - first > 1 else last
+
+
+def fade(samples: np.ndarray, sample_rate: int) -> None:
+    """Multiply both ends of samples (k, channels) by fades, in place."""
+    for part, seconds in ((samples, FADE_IN), (samples[::-1], FADE_OUT)):
+        count = min(round(seconds * sample_rate), len(samples))
+        rise = np.sin(np.pi / 2 * np.arange(count) / count) ** 2
+        part[:count] *= rise[:, None]
+
+
+def loop_points(samples: np.ndarray, sample_rate: int) -> tuple[int, int] | None:
+    """Return the first and the last sample of a loop in samples (k,); None if there is no loop.
+
+    The loop is in the middle. It begins at an upward zero crossing and ends before the one whose
+    surroundings resemble those of its beginning most.
+    """
+    crossings = np.flatnonzero((samples[:-1] < 0) & (samples[1:] >= 0)) + 1
+    around = round(LOOP_MATCH * sample_rate)
+    crossings = crossings[(crossings >= around) & (crossings <= len(samples) - around)]
+    if len(crossings) < 2:
+        return None
+    length = min(LOOP_SECONDS * sample_rate, len(samples) / 2)
+    begin = crossings[np.abs(crossings - (len(samples) - length) / 2).argmin()]
+    later = crossings[crossings > begin]
+    if not len(later):
+        return None
+    tolerance = 0.2
+    near = later[np.abs(later - begin - length) <= tolerance * length]
+    if not len(near):
+        near = later[[np.abs(later - begin - length).argmin()]]
+    pattern = samples[begin - around : begin + around]
+    differences = [np.square(samples[end - around : end + around] - pattern).sum() for end in near]
+    return int(begin), int(near[int(np.argmin(differences))]) - 1
+
+
+def sampler_chunk(sample_rate: int, begin: int, end: int) -> bytes:
+    """Return a `smpl` chunk with one forward loop from sample `begin` to sample `end`, both played.
+
+    The note of the unchanged pitch is middle C.
+    """
+    middle_c = 60
+    period = round(1e9 / sample_rate)  # ns
+    sampler = pack("<9I", 0, 0, period, middle_c, 0, 0, 0, 1, 0)
+    content = sampler + pack("<6I", 0, 0, begin, end, 0, 0)
+    return b"smpl" + pack("<I", len(content)) + content

@@ -1,0 +1,105 @@
+"""MOTION + FINDINGS -> "Why does it buzz?": five sentences for readers without physics."""
+
+from collections.abc import Sequence
+from math import pi
+
+from dynamics import Motion, Outcome
+from sonify.claims.air import CAUSE_IN_WORDS
+from sonify.claims.finding import Finding
+
+END_CLAUSES = {
+    Outcome.SETTLED: "the disk lies flat",
+    Outcome.TIME_LIMIT: "the computation stops before the disk is at rest",
+    Outcome.LIFTED_OFF: "the disk jumps off the table",
+    Outcome.AIRBORNE: "the disk floats on the air under it",
+    Outcome.LEFT_TABLE: "the disk falls off the table",
+    Outcome.UPRIGHT: "the disk stands upright",
+    Outcome.FELL: "the disk drops flat while it still turns",
+}
+"""Outcome -> clause; any other outcome is stated by its own sentence."""
+LOUDEST_PARTS = {
+    "table_is_louder": "the table vibrates under the moving contact and sounds like a drum skin",
+    "carrier_is_contact": "the disk vibrates on its springy contact, too fast to be seen",
+    "modes_carry_the_end": "the disk rings like a bell under the moving contact",
+}
+"""Key of a finding -> what sounds if it holds; the first finding that holds counts."""
+PITCH_KEYS = ("table_tone_rises", "carrier_rises", "pitch_rises")
+
+
+def plain_explanation(motion: Motion, findings: Sequence[Finding]) -> list[str]:
+    """Return five sentences on the movement, the pitch, the source, the contact and the end.
+
+    They use the numbers of the run. An undecided or missing finding is not replaced by a guess.
+    """
+    by_key = {finding.key: finding for finding in findings}
+    return [
+        _movement(motion),
+        _pitch(by_key),
+        _source(by_key),
+        _contact(by_key),
+        _end(motion, by_key),
+    ]
+
+
+def _movement(motion):
+    """State how often the contact runs round the disk in the first and in the last second."""
+    end = float(motion.t[-1])
+    window = min(1.0, end / 2)
+    angles = motion.precession([0.0, window, end - window, end])
+    first, last = (abs(float(angles[i + 1] - angles[i])) / (2 * pi) for i in (0, 2))
+    span = "second" if window == 1 else f"{window:.2g} s"
+    return (
+        f"The disk rolls on its edge, and the point where it touches the table runs round "
+        f"{first:.3g} times in the first {span} and {last:.3g} times in the last."
+    )
+
+
+def _pitch(by_key):
+    law = "The flatter a rolling disk lies, the faster this point has to run"
+    found = next((by_key[key] for key in PITCH_KEYS if key in by_key), None)
+    if found is None or found.holds is None:
+        return f"{law}; whether the pitch rises was not decided in this run."
+    if not found.holds:
+        return f"{law}, but the pitch of this sound does not rise."
+    tone = by_key.get("tone_is_precession")
+    if tone is not None and tone.holds:
+        return f"{law}; this is the tone that you hear, and therefore its pitch rises."
+    return f"{law}, and the pitch rises towards the end."
+
+
+def _source(by_key):
+    decided = [key for key in LOUDEST_PARTS if key in by_key and by_key[key].holds is not None]
+    sounding = next((key for key in decided if by_key[key].holds), None)
+    if sounding is not None:
+        return f"What you hear most is this: {LOUDEST_PARTS[sounding]}."
+    if "modes_carry_the_end" in decided:
+        return (
+            "What you hear most is the disk as a whole, which pushes the air as it rocks; it rings "
+            "less loudly."
+        )
+    return "What sounds most was not decided in this run."
+
+
+def _contact(by_key):
+    lost = by_key.get("contact_is_lost")
+    kept = by_key.get("contact_kept")
+    if lost is not None and lost.holds is not None:
+        leaves = lost.holds
+    elif kept is not None and kept.holds is not None:
+        leaves = not kept.holds
+    else:
+        return "Whether the disk leaves the table was not decided in this run."
+    if leaves:
+        return "The disk leaves the table for moments, and every landing is a small knock."
+    return "The disk never leaves the table: the sound comes from a rolling edge, not from knocks."
+
+
+def _end(motion, by_key):
+    clause = END_CLAUSES.get(motion.outcome, motion.outcome.sentence)
+    time = f"after {float(motion.t[-1]):.3g} s {clause}"
+    found = by_key.get("what_ends")
+    if found is None or found.cause not in CAUSE_IN_WORDS:
+        return f"{time[0].upper()}{time[1:]}."
+    cause = CAUSE_IN_WORDS[found.cause]
+    share = f"{100 * found.value:.0f} % of the last tenth of the energy"
+    return f"{cause[0].upper()}{cause[1:]} takes {share}, and {time}."

@@ -1,0 +1,304 @@
+"""PLAYBACK COPY -> MASTER for small loudspeakers: compressed dynamics, stated loudness, true peak."""
+
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from scipy.ndimage import minimum_filter1d, uniform_filter1d
+from scipy.signal import resample_poly
+
+from sonify.hearing.audio_source import Excerpt, pieces
+from sonify.hearing.loudness import loudness_lufs
+from sonify.sound.playback import (
+    LOUDNESS_LUFS,
+    MAX_OVERSHOOT,
+    TRUE_PEAK_DB,
+    TRUE_PEAK_OVERSAMPLING,
+    DerivedTrack,
+    ScaledTrack,
+    WeightedTrack,
+    true_peak,
+)
+
+PIECE = 1 << 16
+"""Samples processed at once; pieces begin at its multiples."""
+FILTER_REACH = 32
+"""Reach of the filter that finds the values between samples [samples]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Mastering:
+    """Settings of the master, a chain of compressor, gain, limiter and trim."""
+
+    loudness_lufs: float = -18.0
+    """Integrated loudness [LUFS] by BS.1770."""
+    limit_dbtp: float = -1.5
+    """True peak [dBTP] that the limiter allows; its meter may read 0.5 dB less than another one."""
+    ratio: float = 3.0
+    """Ratio of the compressor: 3 dB below the loudest window become 1 dB."""
+    max_boost_db: float = 24.0
+    """Greatest gain of the compressor [dB]; the loudest window has none."""
+    window: float = 0.1
+    """Length [s] of the windows in which the compressor measures the level."""
+    limiter_reach: float = 0.005
+    """Time [s] before and after a peak in which the limiter lowers the gain."""
+    max_gain_db: float = 120.0
+    """Greatest gain [dB] above the one that brings the highest peak to the limit."""
+    sparse_gain_db: float = 12.0
+    """The same gain [dB] for a sound too sparse for the loudness, such as a single click."""
+    tolerance: float = 0.2
+    """Greatest excess of loudness [LU] that the trim removes."""
+
+
+@dataclass(frozen=True)
+class WithLeadIn:
+    """A track with a number of zeros before its first sample."""
+
+    track: Any
+    zeros: int
+
+    @property
+    def sample_rate(self) -> int:
+        """Sample rate [Hz]."""
+        return self.track.sample_rate
+
+    @property
+    def frames(self) -> int:
+        """Number of samples."""
+        return self.zeros + self.track.frames
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield the zeros, then the blocks of the track; `start` must be 0."""
+        yield np.zeros((self.zeros, self.track.channels))
+        yield from self.track.blocks(start)
+
+
+@dataclass(frozen=True, kw_only=True)
+class ProcessedTrack(DerivedTrack):
+    """A track processed piece by piece; `reach` samples on both sides of a piece affect it.
+
+    The result is cached up to `max_cached` samples.
+    """
+
+    track: Any
+    settings: Mastering
+    max_cached: int = 1 << 23
+
+    @property
+    def reach(self) -> int:
+        """Number of samples before and after a piece that affect it."""
+        raise NotImplementedError
+
+    def processed(self, samples: np.ndarray) -> np.ndarray:
+        """Return the processed samples (k, channels)."""
+        raise NotImplementedError
+
+    @cached_property
+    def _cached_blocks(self):
+        few = self.frames * self.channels <= self.max_cached
+        return list(self._processed_blocks()) if few else None
+
+    def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
+        """Yield blocks (k, channels) of samples from number `start` on; each call starts again."""
+        first = start // PIECE * PIECE
+        cached = self._cached_blocks
+        for block in cached[start // PIECE :] if cached else self._processed_blocks(first):
+            yield block[max(start - first, 0) :]
+            first += PIECE
+
+    def _processed_blocks(self, start=0):
+        """Yield the pieces from the one that begins at sample `start` on."""
+        reach = self.reach  # shorter than a piece
+        source = self.track if start else WithLeadIn(self.track, reach)
+        padded = pieces(source, PIECE, 2 * reach, start - reach if start else 0)
+        for first, samples in zip(range(start, self.frames, PIECE), padded, strict=False):
+            yield self.processed(samples)[reach : reach + min(PIECE, self.frames - first)]
+
+
+@dataclass(frozen=True, kw_only=True)
+class CompressedTrack(ProcessedTrack):
+    """A track whose windows fainter than the loudest one are raised, all channels alike.
+
+    `loudest` is the greatest mean square of a window.
+    """
+
+    loudest: float
+
+    @property
+    def reach(self) -> int:
+        """Half the length of a window [samples]."""
+        return window_reach(self.sample_rate, self.settings)
+
+    def processed(self, samples: np.ndarray) -> np.ndarray:
+        """Return the samples multiplied by the gain of the compressor."""
+        power = windowed_power(samples, self.reach)
+        below = 10 * np.log10(self.loudest / np.maximum(power, 1e-30 * self.loudest))
+        boost = np.clip(below * (1 - 1 / self.settings.ratio), 0.0, self.settings.max_boost_db)
+        return samples * 10 ** (boost[:, None] / 20)
+
+
+@dataclass(frozen=True, kw_only=True)
+class MasteredTrack(ProcessedTrack):
+    """A compressed track after gain, limiter and trim; 1.0 is full scale."""
+
+    gain: float
+    """Gain before the limiter [1/Pa]."""
+    trim: float = 1.0
+    """Gain after the limiter, at most 1."""
+
+    @property
+    def full_scale(self) -> float:
+        """Pressure [Pa] that 1.0 represents where neither compressor nor limiter acts."""
+        return 1 / (self.gain * self.trim)
+
+    @property
+    def reach(self) -> int:
+        """Reach of the limiter and of its meter [samples]."""
+        return 2 * limiter_samples(self.sample_rate, self.settings) + FILTER_REACH
+
+    def processed(self, samples: np.ndarray) -> np.ndarray:
+        """Return the samples after gain, limiter and trim.
+
+        At a peak the mean of the smallest allowed gains around it is at most the allowed one.
+        """
+        around = limiter_samples(self.sample_rate, self.settings)
+        loud = samples * self.gain
+        limit = 10 ** (self.settings.limit_dbtp / 20)
+        if np.abs(loud).max() * MAX_OVERSHOOT <= limit:
+            return loud * self.trim
+        between = np.abs(resample_poly(loud, TRUE_PEAK_OVERSAMPLING, 1, axis=0))
+        peak = between.reshape(len(loud), -1).max(axis=1)
+        allowed = limit / np.maximum(peak, limit)
+        lowest = minimum_filter1d(allowed, 2 * around + 1)
+        smooth = uniform_filter1d(uniform_filter1d(lowest, around), around)
+        return loud * (np.minimum(smooth, allowed) * self.trim)[:, None]
+
+    @cached_property
+    def loudness(self) -> float:
+        """Loudness by BS.1770 [LUFS] of the complete gating blocks.
+
+        Raises ValueError if the track is too short for it.
+        """
+        return loudness_lufs(Excerpt(self, 0, complete_blocks(self)))
+
+
+def complete_blocks(track) -> int:
+    """Return the length [samples] of the complete gating blocks of 0.4 s that overlap by 75 %."""
+    block = round(0.4 * track.sample_rate)
+    if track.frames < block:
+        return track.frames
+    count = (10 * (track.frames - block)) // track.sample_rate
+    return block + round(0.1 * count * track.sample_rate)
+
+
+def window_reach(sample_rate: int, settings: Mastering) -> int:
+    """Return half the length of a window of the compressor [samples]."""
+    return max(round(settings.window * sample_rate / 2), 1)
+
+
+def limiter_samples(sample_rate: int, settings: Mastering) -> int:
+    """Return the time in which the limiter lowers the gain before a peak [samples]."""
+    return max(round(settings.limiter_reach * sample_rate), 1)
+
+
+def windowed_power(samples: np.ndarray, reach: int) -> np.ndarray:
+    """Return the mean square (k,) of samples (k, channels) in triangular windows."""
+    power = np.square(samples).mean(axis=1)
+    return uniform_filter1d(uniform_filter1d(power, reach, mode="constant"), reach, mode="constant")
+
+
+def loudest_window(track, settings: Mastering) -> float:
+    """Return the greatest mean square of a window of a track [Pa^2]."""
+    reach = window_reach(track.sample_rate, settings)
+    padded = pieces(WithLeadIn(track, reach), PIECE, 2 * reach)
+    return max(float(windowed_power(piece, reach)[reach:-reach].max()) for piece in padded)
+
+
+def master_copy(track, settings: Mastering | None = None) -> MasteredTrack | ScaledTrack:
+    """Return the A-weighted copy of a track [Pa] with compressed dynamics and stated loudness.
+
+    A sound too short for a loudness has its highest peak at the limit, and one so sparse that the
+    loudness cannot be reached is raised by `sparse_gain_db` into the limiter. Silence stays silent.
+    """
+    settings = settings or Mastering()
+    weighted = WeightedTrack(track=track)
+    loudest = loudest_window(weighted, settings)
+    if not loudest:
+        return ScaledTrack(track=weighted, full_scale=1.0)
+    compressed = CompressedTrack(track=weighted, loudest=loudest, settings=settings)
+    gain_to_limit = 10 ** (settings.limit_dbtp / 20) / true_peak(compressed)
+    at_limit = MasteredTrack(track=compressed, gain=gain_to_limit, settings=settings)
+    try:
+        found = _with_loudness(at_limit, settings)
+    except ValueError:  # too short for a loudness
+        found = at_limit
+    return _below_limit(found, settings)
+
+
+def _with_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrack:
+    """Return the track with the loudness of the settings, or a fainter one if it is unreachable.
+
+    The gain before the limiter is increased until the loudness is reached; the trim removes the
+    rest, so that the loudness is exact. Raises ValueError if the track is too short.
+    """
+    raised_db = _first_step(at_limit, settings)
+    low: float | None = None
+    found: MasteredTrack | None = None
+    found_db = 0.0
+    max_trials = 24
+    for _ in range(max_trials):
+        trial = _raised(at_limit, raised_db)
+        excess = trial.loudness - settings.loudness_lufs
+        negligible = 0.05  # LU
+        if excess >= -negligible:
+            found, found_db = trial, raised_db
+            if excess <= settings.tolerance:
+                break
+            raised_db = raised_db - excess if low is None else (low + raised_db) / 2
+        else:
+            low = raised_db
+            step = min(max(-1.5 * excess, 0.3), 20.0)
+            raised_db = raised_db + step if found is None else (raised_db + found_db) / 2
+        if raised_db > settings.max_gain_db:
+            break
+    if found is None:
+        return _raised(at_limit, settings.sparse_gain_db)
+    excess = found.loudness - settings.loudness_lufs
+    return found if excess <= 1e-6 else replace(found, trim=10 ** (-excess / 20))
+
+
+def _first_step(at_limit, settings):
+    """Return the gain [dB] over that at the limit which suffices if the limiter changes nothing."""
+    unlimited = ScaledTrack(track=at_limit.track, full_scale=1 / at_limit.gain)
+    missing = settings.loudness_lufs - unlimited.loudness
+    return missing if np.isfinite(missing) else 0.0
+
+
+def _raised(track, gain_db, trim=1.0):
+    return replace(track, gain=track.gain * 10 ** (gain_db / 20), trim=trim)
+
+
+def true_peak_dbtp(track) -> float | str:
+    """Return the true peak [dBTP] of a track, or "silence"."""
+    peak = true_peak(track)
+    return float(20 * np.log10(peak)) if peak else "silence"
+
+
+def chain_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
+    """Return the settings and gains of a copy for small loudspeakers, for run.json."""
+    if isinstance(track, MasteredTrack):
+        gain_db = float(20 * np.log10(track.gain))
+        trim_db = float(20 * np.log10(track.trim))
+        gains = {"gain_db": gain_db, "trim_db": trim_db}
+        return {"dynamics": "compressed", "weighting": "A"} | asdict(track.settings) | gains
+    gain_db = float(-20 * np.log10(track.full_scale))
+    targets = {"loudness_lufs": LOUDNESS_LUFS, "limit_dbtp": TRUE_PEAK_DB}
+    return {"dynamics": "natural", "weighting": "A"} | targets | {"gain_db": gain_db}
+
+
+def _below_limit(track: MasteredTrack, settings: Mastering) -> MasteredTrack:
+    """Return the track with so much trim that its true peak does not exceed -1.1 dBTP."""
+    excess = true_peak(track) / 10 ** (-1.1 / 20)
+    return track if excess <= 1 else replace(track, trim=track.trim / excess)
