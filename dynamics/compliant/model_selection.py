@@ -14,7 +14,7 @@ from dynamics.equations import disk_constants
 from dynamics.film.activation import airborne_inclination, non_contact_loads
 from dynamics.quasi_steady import steady_power
 from dynamics.regime import FLOAT_FORMULAS, Branch
-from dynamics.rolling import RollingDisk, released
+from dynamics.rolling import RollingDisk, initial_state
 from dynamics.steady_motion import steady_precession
 from dynamics.switching import ImpossibleContactError
 
@@ -181,7 +181,7 @@ def release_force(scene) -> np.ndarray:
         tolerance=0.0,
     )
     try:
-        start = system.begin(released(disk, scene.release))
+        start = system.begin(initial_state(disk, scene.release))
     except ImpossibleContactError:
         return np.array([0.0, 0.0, disk.weight])
     branch = Branch.of(start.regime, law, loads)

@@ -129,7 +129,7 @@ def displacement_on_faces(matrices, points, quarter, c):
     return np.stack(values, axis=1) * np.array(signs)[:, (points[:, 1] < 0).astype(int)]
 
 
-def class_columns(solid, part, c, rim, face):
+def symmetry_class_arrays(solid, part, c, rim, face):
     """Return the arrays (k, ...) that one class contributes to `Modes`; rim and face are (matrices,
     points)."""
     rim_displacement = displacement_on_faces(*rim, part.quarter, c)[:, 0]
@@ -152,7 +152,7 @@ def whole_disk_modes(part, solid, solved, error, plate) -> Modes:
     rim_points, face_points = sample.sample_points(plate.radius)
     rim = face_interpolation_pair(solid, part, rim_points), rim_points
     face = face_interpolation_pair(solid, part, face_points), face_points
-    by_class = [class_columns(solid, part, c, rim, face) for c in solved]
+    by_class = [symmetry_class_arrays(solid, part, c, rim, face) for c in solved]
     columns = {name: np.concatenate([c[name] for c in by_class]) for name in by_class[0]}
     points, cells, source = whole_mesh(solid.points, solid.cells, part.quarter)
     shapes = []

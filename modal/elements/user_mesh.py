@@ -25,7 +25,7 @@ from skfem import (
 from modal.elements.elastic import Solid, assemble, lowest_eigenpairs
 from modal.elements.mirrors import mirrors, symmetry_bases
 from modal.elements.patch import rigid_body_shift
-from modal.elements.user_mesh_error import FLAT_FACE_REMAINDER, relative_errors
+from modal.elements.user_mesh_error import FLAT_FACE_ERROR_RATIO, relative_errors
 from modal.elements.user_mesh_modes import mesh_modes_record
 from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import hexahedra
@@ -168,13 +168,13 @@ def solve_body(
     density,
     below,
     max_unknowns,
-    end_remainder,
+    edge_error_ratio,
 ) -> SolvedBody:
     """Solve the modes of a body with quadratic elements and estimate their errors.
 
     Every cell is divided into eight, unless a symmetry class would then have more than
     `max_unknowns` unknowns. In that case the mesh is solved as given, and the errors are estimated
-    from linear elements. Facets hold components; a body without any is free. `end_remainder` as in
+    from linear elements. Facets hold components; a body without any is free. `edge_error_ratio` as in
     `relative_errors`. ValueError if the held components leave the body free to move.
     """
     linear, quadratic = lagrange_elements(mesh)
@@ -205,7 +205,7 @@ def solve_body(
         values,
         shapes,
         shift,
-        end_remainder,
+        edge_error_ratio,
     )
     return SolvedBody(
         body=fine,
@@ -272,6 +272,6 @@ def mesh_modes(
         density,
         below,
         max_unknowns,
-        FLAT_FACE_REMAINDER,
+        FLAT_FACE_ERROR_RATIO,
     )
     return mesh_modes_record(solved, material)

@@ -13,10 +13,10 @@ import scipy.sparse as sp
 
 from modal.elements.elastic import inverse_at
 
-CORNER_REMAINDER = 0.7
+CORNER_ERROR_RATIO = 0.7
 """Remaining over removed error energy near the edge of a held face at a corner: division divides it
 by 2.4."""
-FLAT_FACE_REMAINDER = 1.0
+FLAT_FACE_ERROR_RATIO = 1.0
 """The same if the held facets end within a flat face, where u ~ r^(1/2): division divides it by
 2."""
 
@@ -30,8 +30,8 @@ def relative_errors(
     values,
     shapes,
     shift,
-    end_remainder,
-    smooth_remainder=1 / 4,
+    edge_error_ratio,
+    smooth_error_ratio=1 / 4,
     safety=1.5,
 ):
     """Return estimated relative errors (k,) of the frequencies of pairs values (k,), shapes (k, p,
@@ -39,8 +39,8 @@ def relative_errors(
 
     The pairs are those of the `DiscreteBody` fine; coarse is the `DiscreteBody` of the mesh as
     given, or of linear elements on it. part_nodes (q, 3, n) are the nodes of the fine cells in
-    their coarse cell. `end_remainder` is CORNER_REMAINDER or FLAT_FACE_REMAINDER,
-    `smooth_remainder` the same ratio elsewhere, where division divides the error energy by 5.
+    their coarse cell. `edge_error_ratio` is CORNER_ERROR_RATIO or FLAT_FACE_ERROR_RATIO,
+    `smooth_error_ratio` the same ratio elsewhere, where division divides the error energy by 5.
     `safety` multiplies the estimate.
     """
     from_coarse = prolongation(fine.solid, coarse, part_nodes)[:, np.repeat(~coarse.held, 3)]
@@ -55,7 +55,7 @@ def relative_errors(
     near_edges = np.unique(cells[:, singular_cells(mesh, facets)])
     singular_energy = np.abs(energy[near_edges].sum(axis=0))
     smooth_energy = np.abs(energy.sum(axis=0) - energy[near_edges].sum(axis=0))
-    remaining_energy = end_remainder * singular_energy + smooth_remainder * smooth_energy
+    remaining_energy = edge_error_ratio * singular_energy + smooth_error_ratio * smooth_energy
     return safety * remaining_energy / (2 * values)
 
 

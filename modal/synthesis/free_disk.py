@@ -24,7 +24,7 @@ from modal.progress import reporting
 from modal.spectral.basis import Plate, problem, rigid_mode_count
 from modal.spectral.ritz import matrices
 from modal.synthesis.clamped import HeldClass, held_class
-from modal.synthesis.tractions import STANDARD_RICHNESS, PatchTractions, Richness
+from modal.synthesis.tractions import DEFAULT_BASIS_SIZES, PatchTractions, Richness
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,7 +112,7 @@ class FreeDisk:
     """
 
     plate: Plate
-    richness: Richness = STANDARD_RICHNESS
+    richness: Richness = DEFAULT_BASIS_SIZES
 
     def __post_init__(self):
         if self.plate.edge != "free" or self.plate.inner_radius or self.plate.ring_stiffness:

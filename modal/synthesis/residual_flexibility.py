@@ -129,13 +129,13 @@ def strip_flexibility(disk: FreeDisk, size: float):
     for (n, even, _), order in disk.kept.items():
         elastic = order.values > 0
         kept = (order.shapes[:, elastic] / order.values[elastic]) @ order.shapes[:, elastic].T
-        result += np.sinc(n * half / pi) ** 2 * between_strip_means(
+        result += np.sinc(n * half / pi) ** 2 * flexibility_of_strip_means(
             through[even],
             order.rest[[0, 2]] + [kept, 0 * kept],
         )
     for even, (n, rest) in disk.high.items():
         far = np.arange(n[-1] + 1, n[-1] + 30 / half)
-        local = between_strip_means(through[even], rest[:, [0, 2]])
+        local = flexibility_of_strip_means(through[even], rest[:, [0, 2]])
         share = np.sinc(n * half / pi) ** 2
         result += (
             np.tensordot(share, local, 1)
@@ -157,7 +157,7 @@ def legendre_means(count, even, height):
     return (next_value - np.where(degree, previous_value, 0)) / (2 * degree + 1) / height
 
 
-def between_strip_means(through, nodal):
+def flexibility_of_strip_means(through, nodal):
     """Return flexibilities (..., 3, 3) between the means of a strip from those (..., 3 nz, 3 nz) of
     coefficients."""
     count = through.shape[1]

@@ -55,7 +55,7 @@ class Richness:
             )
 
 
-STANDARD_RICHNESS = Richness()
+DEFAULT_BASIS_SIZES = Richness()
 """Default sizes."""
 
 
@@ -78,7 +78,7 @@ class PatchTractions:
                 f"{MAX_HALF_ANGLE_DEG} degrees to either side"
             )
 
-    def work_around(self, n, y):
+    def circumferential_work(self, n, y):
         """Return the work (3, k, J) [m] of cos n theta or sin n theta with the tractions of
         symmetry y.
 
@@ -94,7 +94,7 @@ class PatchTractions:
         radial, tangential = (cosine, sine) if y > 0 else (sine, -cosine)
         return pi * angle * self.plate.radius * np.stack([radial, tangential, radial])
 
-    def work_through(self, even):
+    def axial_work(self, even):
         """Return the work (3, L, nz) [m] of the Legendre polynomials of the free disk with the
         tractions.
 
