@@ -1,4 +1,4 @@
-"""The interface of a solved motion, and the types of its outcome, transitions and jumps."""
+"""Interface of a solved motion, and the types of its outcome, transitions and jumps."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -29,9 +29,11 @@ COLUMNS = (
     "slip_2",
     "dissipated_energy",
 )
-"""Names of the columns of `Motion.state`: precession, inclination and spin [rad], x and y of the
-centre [m], angular velocity [rad/s] and slip velocity [m/s] in the precessing frame, and dissipated
-energy [J]."""
+"""Names of the columns of `Motion.state`.
+
+They are precession, inclination and spin [rad], x and y of the centre [m], the angular velocity
+[rad/s] and the slip velocity [m/s] in the precessing frame, and the dissipated energy [J].
+"""
 FORCE_COLUMNS = ("friction_1", "friction_2", "normal_force")
 """Names of the columns of `Motion.force` [N]: friction along a_1 and a_2, and the normal force."""
 
@@ -83,7 +85,15 @@ class Transition(NamedTuple):
 
 
 class Jumps(NamedTuple):
-    """Discontinuities of the contact force: times (j,) [s] and one-sided forces (j, 3) [N]."""
+    """Discontinuities of the contact force.
+
+    Parameters
+    ----------
+    t : ndarray, (j,)
+        Times [s].
+    before, after : ndarray, (j, 3)
+        Limits of the force from the left and from the right [N].
+    """
 
     t: np.ndarray
     before: np.ndarray
@@ -91,12 +101,24 @@ class Jumps(NamedTuple):
 
 
 CAUSES = ("contact", "creep", "slip", "moments", "table", "film", "body")
-"""The sinks of energy: compression of the contact, its creep, sliding, the resisting moments, the
-modes of the table, the air film, the modes of the disk."""
+"""Names of the energy sinks.
+
+"contact" is the compression of the contact, "creep" its creep, "slip" sliding friction, "moments"
+the resisting moments, "table" the modes of the table, "film" the air film, and "body" the modes of
+the disk.
+"""
 
 
 class MotionPart(NamedTuple):
-    """A part of a motion, solved by one model: its start [s], and the motion in its own time."""
+    """Part of a motion that one model solved.
+
+    Parameters
+    ----------
+    begin : float
+        Start of the part [s].
+    motion : Motion
+        The motion, with its time measured from `begin`.
+    """
 
     begin: float
     motion: "Motion"
@@ -223,7 +245,13 @@ class Motion(Protocol):
         """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
 
     def plot(self) -> "Figure":
-        """Return a matplotlib figure of inclination, precession rate and normal force over time."""
+        """Plot inclination, precession rate and normal force against time.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
         ...
 
     def to_frame(self, t: ArrayLike | None = None) -> "DataFrame":
@@ -264,15 +292,37 @@ class Motion(Protocol):
         """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest."""
 
     def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
-        """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s]."""
+        """Return the energy lost until times t, by cause.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        dict of str to ndarray, (k,)
+            Lost energy [J] for each of CAUSES.
+        """
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
-        """Return the power (k,) [W] lost to each of CAUSES at times t (k,) [s]."""
+        """Return the dissipated power at times t, by cause.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        dict of str to ndarray, (k,)
+            Dissipated power [W] for each of CAUSES.
+        """
 
     def largest_regain(self) -> float:
-        """Return the largest decrease [J] of the dissipated energy between any two instants.
+        """Return the largest decrease [J] of the dissipated energy between any two times.
 
-        The exact value is zero.
+        It measures the error of the solution; the exact value is zero.
         """
 
     def friction_excess(self) -> float:
@@ -287,7 +337,7 @@ class Motion(Protocol):
 
 
 class MotionBase:
-    """Quantities that follow from `t`, `at` and `force` of any motion."""
+    """Base class of motions: quantities that follow from `t`, `at` and `force`."""
 
     @property
     def parts(self: Motion) -> tuple[MotionPart, ...]:

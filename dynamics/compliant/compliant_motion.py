@@ -1,4 +1,4 @@
-"""Solve the motion of a scene on an elastic contact, and the record that answers as a `Motion`."""
+"""Solution of a scene with an elastic contact, and the record that implements `Motion`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -48,7 +48,9 @@ FORCE_RATE = 1e5
 FORCES_PER_ROW = 4
 """Mean forces stored per row."""
 MAX_OVERTONE = 2
-"""Bandwidth of the contact force over the contact resonance; the force above is below a hundredth.
+"""Ratio of the bandwidth of the contact force to the contact resonance.
+
+The force at higher frequencies is less than a hundredth.
 """
 LOAD_WINDOW_PARTS = 24
 """Intervals in the mean of the force over half a turn."""
@@ -307,8 +309,9 @@ class CompliantMotion(MotionBase):
 
     @cached_property
     def t_end(self) -> float:
-        """Extrapolated time [s] at which the inclination reaches zero, from the steady fall of its
-        square root.
+        """Time [s] at which the inclination reaches zero.
+
+        It is extrapolated from the steady decrease of the square root of the inclination.
         """
         decade = self._last_decade
         r = np.sqrt(self.rows[[decade, -1], 1])
@@ -495,9 +498,7 @@ def simulate_from(
 
 
 def compliant_model(scene, modes=None) -> CompliantModel:
-    """Return the model of a scene, with two-way coupling to the modes of its table where they are
-    given.
-    """
+    """Return the model of a scene, with two-way coupling to the modes of its table if given."""
     dissipation = scene.dissipation
     disk = scene.disk
     bends = modes is not None  # the modes of the disk then move
@@ -538,7 +539,7 @@ def _stored_columns(model, y) -> np.ndarray:
 
 
 def _unwrap_precession(rows, dt) -> np.ndarray:
-    """Return rows (k, 21), dt [s] apart, with a continuous precession from the first row on."""
+    """Make the precession of rows (k, 21), dt [s] apart, continuous from the first row."""
     rate = precession_rate(rows)
     step = np.diff(rows[:, 0])
     step -= 2 * np.pi * np.rint((step - (rate[1:] + rate[:-1]) / 2 * dt) / (2 * np.pi))

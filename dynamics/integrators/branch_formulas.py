@@ -1,4 +1,4 @@
-"""Formulas of one branch of the flow for compilers, with symbols for state and constants."""
+"""Formulas of one branch of the flow for compilers, with symbolic state and constants."""
 
 from collections.abc import Callable
 from functools import lru_cache

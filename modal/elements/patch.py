@@ -141,12 +141,13 @@ def held_modes(plate, support, below, accuracy) -> Modes:
 
 
 def error_estimates(solved, coarse, safety=1.8, min_share=0.5):
-    """Return estimated relative errors (m,) of the frequencies of all classes, from those of a
-    coarser mesh.
+    """Estimate the relative errors (m,) of the frequencies of all classes from a coarser mesh.
 
-    `safety` multiplies the difference of the two meshes, since the coarser one may err only 1.6
-    times as much. The least estimate is `min_share` of the median: by chance a mode may have the
-    same error on both meshes.
+    The difference of the two meshes is multiplied by `safety`, because the error of the coarser
+    mesh
+    may be only 1.6 times as large. No estimate is less than `min_share` of the median, because a
+    mode
+    may have equal errors on both meshes by chance.
     """
     differences = [
         np.abs(np.sqrt(b.values[: len(a.values)] / a.values) - 1)  # of the frequencies

@@ -1,5 +1,4 @@
-"""The record of modes on fixed grids of the rim and the faces, and interpolation of finite-element
-fields there."""
+"""Sampling of modes on fixed grids of rim and faces, and interpolation of finite-element fields."""
 
 import numpy as np
 import scipy.sparse as sp

@@ -1,4 +1,4 @@
-"""The whole disk from the solved sector of its symmetry classes, and the record of its modes."""
+"""Assembly of the whole disk and of its `Modes` from the symmetry classes of a sector."""
 
 from itertools import product
 from math import pi
@@ -18,10 +18,11 @@ def mirror_flips(quarter):
 
 
 def whole_mesh(points, cells, quarter):
-    """Return nodes (p', 3), cells (c', 27) in VTK's order, and the source (p', 2) of every node of
-    the whole disk.
+    """Return the mesh of the whole disk and the source of its nodes in the sector.
 
-    The source is the node of the sector and the index of its image in `mirror_flips`.
+    The mesh consists of nodes (p', 3) and cells (c', 27) in VTK's order. The source (p', 2)
+    contains
+    the node of the sector and the index of the image in `mirror_flips`.
     """
     lattice = {tuple(node): i for i, node in enumerate(HEXAHEDRON_NODES)}
     images = []
@@ -130,8 +131,10 @@ def displacement_on_faces(matrices, points, quarter, c):
 
 
 def symmetry_class_arrays(solid, part, c, rim, face):
-    """Return the arrays (k, ...) that one class contributes to `Modes`; rim and face are (matrices,
-    points)."""
+    """Return the arrays (k, ...) of `Modes` for one symmetry class.
+
+    `rim` and `face` are pairs of interpolation matrices and points.
+    """
     rim_displacement = displacement_on_faces(*rim, part.quarter, c)[:, 0]
     rim_shape = sample.polar_components(rim_displacement, sample.rim_angles())
     axial = displacement_on_faces(*face, part.quarter, c)[..., 2]

@@ -173,9 +173,11 @@ def solve_body(
     """Solve the modes of a body with quadratic elements and estimate their errors.
 
     Every cell is divided into eight, unless a symmetry class would then have more than
-    `max_unknowns` unknowns. In that case the mesh is solved as given, and the errors are estimated
-    from linear elements. Facets hold components; a body without any is free. `edge_error_ratio` as in
-    `relative_errors`. ValueError if the held components leave the body free to move.
+    `max_unknowns`
+    unknowns. In that case the mesh is solved as given, and the errors are estimated from linear
+    elements. The components are held on the facets; a body without held facets is free.
+    `edge_error_ratio` is a parameter of `relative_errors`. Raises ValueError if the held components
+    leave a rigid-body motion free.
     """
     linear, quadratic = lagrange_elements(mesh)
     whole_cell = [quadratic.doflocs.T]

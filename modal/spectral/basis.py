@@ -85,7 +85,7 @@ class Plate:
 
     @property
     def hole(self) -> float:
-        """Inner over outer radius."""
+        """Ratio of the inner to the outer radius."""
         return self.inner_radius / self.radius
 
 

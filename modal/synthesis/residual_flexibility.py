@@ -19,14 +19,14 @@ from modal.spectral.basis import Plate
 from modal.synthesis.free_disk import FreeDisk
 
 FINEST_STRIP_SHARE = 1 / 8
-"""Least height of a strip that the polynomials resolve, over the thickness: F0 is computed
-there."""
+"""Smallest height of a strip that the polynomials resolve, divided by the thickness."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Edge:
-    """Flexibility of a free disk as a body at its bottom edge, along radius, rim and axis of the
-    disk.
+    """Flexibility of a free elastic disk at its bottom edge.
+
+    The three directions are those of radius, rim and axis of the disk.
 
     Attributes
     ----------
@@ -158,8 +158,12 @@ def legendre_means(count, even, height):
 
 
 def flexibility_of_strip_means(through, nodal):
-    """Return flexibilities (..., 3, 3) between the means of a strip from those (..., 3 nz, 3 nz) of
-    coefficients."""
+    """Return the flexibility (..., 3, 3) of mean strip displacements.
+
+    `nodal` (..., 3 nz, 3 nz) is the flexibility of the polynomial coefficients, and `through` (3,
+    nz)
+    contains the strip means of the polynomials.
+    """
     count = through.shape[1]
     parts = nodal.reshape(*nodal.shape[:-2], 3, count, 3, count)
     return np.einsum("ca,...cadb,db->...cd", through, parts, through)

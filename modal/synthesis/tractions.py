@@ -56,7 +56,7 @@ class Richness:
 
 
 DEFAULT_BASIS_SIZES = Richness()
-"""Default sizes."""
+"""Default sizes of the bases."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -79,13 +79,15 @@ class PatchTractions:
             )
 
     def circumferential_work(self, n, y):
-        """Return the work (3, k, J) [m] of cos n theta or sin n theta with the tractions of
-        symmetry y.
+        """Return the work (3, k, J) [m] of tractions around the patch on circumferential waves.
 
-        The tractions are radial, tangential and axial. The integral of T_j(theta/a)/sqrt(1 -
-        (theta/a)^2) is pi a (-1)^(j/2) J_j(n a) with cos n theta (j even) and pi a (-1)^((j-1)/2)
-        J_j(n a) with sin n theta (j odd). The sine partner of a free mode has u_theta ~ -cos n
-        theta.
+        The waves are cos n theta or sin n theta; the symmetry y (1 or -1) selects the tractions.
+        The first
+        index is radial, tangential, axial. The integral of T_j(theta/a)/sqrt(1 - (theta/a)^2) is pi
+        a
+        (-1)^(j/2) J_j(n a) with cos n theta (j even) and pi a (-1)^((j-1)/2) J_j(n a) with sin n
+        theta (j
+        odd). The sine partner of a free mode has u_theta ~ -cos n theta.
         """
         angle = np.deg2rad(self.support.half_angle_deg)
         j = np.arange(self.richness.around)
@@ -95,11 +97,11 @@ class PatchTractions:
         return pi * angle * self.plate.radius * np.stack([radial, tangential, radial])
 
     def axial_work(self, even):
-        """Return the work (3, L, nz) [m] of the Legendre polynomials of the free disk with the
-        tractions.
+        """Return the work (3, L, nz) [m] of tractions through the thickness on axial polynomials.
 
-        At the faces the radial and axial tractions behave as distance^p, p = `corner_exponent`; the
-        tangential one is finite.
+        The polynomials are the Legendre polynomials of the free disk. Near the faces the radial and
+        axial
+        tractions vary as distance^p with p = `corner_exponent`. The tangential traction is finite.
         """
         m = np.arange(self.richness.size[1])[:, None]
         l = np.arange(self.richness.through)[:, None]

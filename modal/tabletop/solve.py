@@ -59,8 +59,10 @@ def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> Surfa
 
 
 def round_plate_modes(surface, below, level):
-    """Return the `SurfaceModes` of a round plate by Ritz's method: shapes w(r) cos n theta and w(r)
-    sin n theta."""
+    """Return the `SurfaceModes` of a round plate by Ritz's method.
+
+    The shapes are w(r) cos n theta and w(r) sin n theta.
+    """
     plate = Plate(
         radius=surface.radius,
         thickness=surface.thickness,

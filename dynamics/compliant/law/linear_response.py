@@ -29,7 +29,7 @@ TAYLOR_TERMS = 20
 MAX_STEP_TURN = 2.0
 """Largest phase of the fastest resonance in one step [rad]."""
 MIN_VIBRATION_FREQUENCY = 200.0
-"""Frequency above which the force belongs to the contact, and below to the motion [Hz]."""
+"""Frequency [Hz] that separates the vibration of the contact from the motion of the disk."""
 
 
 class MotionBlock(NamedTuple):
@@ -62,7 +62,7 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
     """Yield the motion as MotionBlocks; the last knot of a block is the first of the next.
 
     `rate` [1/s] is that of the samples. The contact advances by R d(spin) of the edge and the slip.
-    The motion ends at LEAST_INCLINATION, where the contact is no longer an ellipse.
+    The motion ends at MIN_CONTACT_INCLINATION, where the contact is no longer an ellipse.
     """
     valid = motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
     knots = int(

@@ -139,8 +139,9 @@ def spectral_density(roughness: Roughness, radius: float) -> tuple[np.ndarray, n
 
 
 def circumference_gain(roughness: Roughness, period: float) -> float:
-    """Return the gain of each wave that fits a period [m] over an infinite profile of the same rms;
-    1 if none fits.
+    """Return the gain of each wave that fits a period [m]; 1 if no wave fits.
+
+    The gain is relative to an infinite profile of the same rms.
     """
     low = period / roughness.longest
     high = period / roughness.shortest

@@ -68,7 +68,7 @@ class LawTable:
         Flexibility of the edge in series with the springs; None for a rigid disk.
     moves : float
         Modes below this frequency [Hz] are not part of the vertical flexibility, because they move
-        (bending.py).
+        (rim_modes.py).
     """
 
     law: ContactLaw

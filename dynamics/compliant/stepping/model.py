@@ -32,7 +32,7 @@ DEFAULT_STEP_RATE = 400e3
 STEPS_PER_CALL = 2**15
 """Steps in one call of the time loop, or one row if a row has more steps."""
 NODES_PER_RATE_CHECK = 10
-"""Distance of the nodes of the tabulated law at which the required step rate is known.
+"""Spacing of the nodes of the tabulated law at which the required step rate is computed.
 
 Linear interpolation between them is accurate to 2e-4.
 """
@@ -285,7 +285,7 @@ class CompliantModel:
             )
 
     def waves(self, y):
-        """Return the modes that carry a disk in the state y, and raise the disk onto them."""
+        """Return the modes that support a disk in the state y, and raise the disk onto them."""
         if self.imperfection is not None:
             return wavy_table(self.imperfection, y, self.constants)
         waves = modes_at_rest(self.modes, 1 / self.rate, self.bending)
@@ -293,7 +293,7 @@ class CompliantModel:
         return waves
 
     def _hold(self, y):
-        """Raise ValueError if a resonance turns too far in one step."""
+        """Raise ValueError if the phase of a resonance changes too much in one step."""
         fastest = np.interp(
             np.hypot(*y[STATE.axis : STATE.axis + 2]),
             np.exp(self.table.grid[::NODES_PER_RATE_CHECK]),

@@ -43,8 +43,9 @@ from dynamics.compliant.stepping.tangential import step_tangential_at
 from dynamics.numba_kernels import kernel
 
 MAX_ROLLING_TURN = 0.3
-"""A contact that turns by more in one step has jumped to another place and did not roll there
-[rad].
+"""Largest turn of the contact in one step [rad].
+
+A contact that turns by more has jumped to another place and did not roll there.
 """
 
 
