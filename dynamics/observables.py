@@ -12,11 +12,11 @@ from dynamics.motion import Motion, piece_ends_and_middles
 
 
 def free_rolling_load(disk: Disk, state) -> np.ndarray:
-    """Return the normal force over the weight (k,) of free rolling at states (k, 11).
+    """Return the normal force of free rolling divided by the weight, (k,), at states (k, 11).
 
     It follows from the inclination and from omega_2, omega_3 by the second of (5.3) without
-    moments. It excludes the vibration of contact and table, has no jumps, and has one peak for each
-    nutation.
+    moments. It
+    excludes the vibration of contact and table, has no jumps, and has one peak for each nutation.
     """
     h = disk.aspect
     K = disk.gyration

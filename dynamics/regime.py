@@ -104,11 +104,11 @@ class FlowFormulas:
         self.solve = equations_of_motion(sin, cos)
 
     def speed(self, y):
-        """Return the slip speed over r."""
+        """Return the slip speed divided by r."""
         return self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
 
     def grip(self, y):
-        """Return the guard of a slide that comes to rest: slip speed over r minus STOP_SPEED."""
+        """Return the guard of a slide that comes to rest: slip speed divided by r, minus STOP_SPEED."""
         return self.speed(y) - STOP_SPEED
 
     def contact(self, y, branch: Branch, senses, law: DiskConstants) -> Contact:

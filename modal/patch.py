@@ -28,7 +28,7 @@ FREE_MODE_FREQUENCY_RATIO = 2.0
 
 
 def synthesis_richness(accuracy):
-    """Return the least `Richness` of the synthesis at an accuracy."""
+    """Return the smallest `Richness` of the synthesis at an accuracy."""
     return replace(DEFAULT_BASIS_SIZES, **ACCURACY_LEVELS[accuracy].richness)
 
 

@@ -99,7 +99,7 @@ class CompliantMotion(MotionBase):
     excess : float
         Largest excess of the friction over its cone [N].
     outcome : Outcome
-        How the motion ended.
+        Outcome of the motion.
     """
 
     model: CompliantModel

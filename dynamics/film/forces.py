@@ -46,7 +46,7 @@ def film_parts(s, rate, turning, falling, inertia, number, ambient, slip):
     ambient : float
         p pi R^3.
     slip : float
-        SLIP_FACTOR times the mean free path over R.
+        SLIP_FACTOR times the mean free path divided by R.
 
     Returns
     -------

@@ -37,7 +37,7 @@ for _k in range(ORDER + 1):
 FIRST_STEP_FROM_REST = 0.4  # in units of r, as all lengths of steps
 MAX_STEP = 1.0
 MIN_STEP_GROWTH = 2.5
-"""Least growth factor of a step, because transients decay within it."""
+"""Smallest growth factor of a step, because transients decay within it."""
 STEP_REDUCTION = 0.3
 """Factor on the length of a step that does not converge."""
 RELAXATION_TIMES_PER_STEP = 12.0

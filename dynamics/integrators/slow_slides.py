@@ -27,7 +27,7 @@ NUTATION_REVERSAL = guard_named("nutation reverses")
 
 
 class PolarSlipFormulas(FlowFormulas):
-    """The flow with the slip in polar coordinates: signed speed over r at V1, direction at V2.
+    """The flow with the slip in polar coordinates: signed speed divided by r at V1, direction at V2.
 
     The rate at V2 is that of the direction times the speed, which is regular at rest."""
 

@@ -5,8 +5,11 @@ import scipy.sparse as sp
 from scipy.spatial import cKDTree
 
 MIRROR_TOLERANCE = 1e-9
-"""Largest difference of mirrored nodes, over the size, and of mirrored matrices, over the largest
-entry."""
+"""Tolerance of mirror symmetry.
+
+It is the largest difference of mirrored nodes divided by the size, and of mirrored matrices divided
+by the largest entry.
+"""
 
 
 def mirrors(body):

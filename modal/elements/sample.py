@@ -14,7 +14,7 @@ FACE_ANGLE_COUNT = 64
 
 
 def rim_angles():
-    """Return the even angles (k,) [rad] of `Modes.rim_shape`."""
+    """Return the equidistant angles (k,) [rad] of `Modes.rim_shape`."""
     return np.arange(RIM_ANGLE_COUNT) * 2 * np.pi / RIM_ANGLE_COUNT
 
 

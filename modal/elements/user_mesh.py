@@ -73,7 +73,7 @@ class SolvedBody:
     error: np.ndarray
     """Estimated relative errors (k,) of the frequencies."""
     divided: bool
-    """Whether every cell was divided into eight."""
+    """True if every cell was divided into eight."""
 
 
 def lagrange_elements(mesh):
@@ -99,7 +99,7 @@ def discretise(mesh, facets, element, part_nodes, material, density) -> Discrete
     """Return the `DiscreteBody` whose cells are parts of the mesh's cells.
 
     part_nodes (q, 3, n) are the nodes of the q parts in reference coordinates. Linear elements get
-    straight sides: on curved ones they would resist rotations of the body.
+    straight sides: with curved sides they would resist rotations of the body.
     """
     nodes = np.concatenate([mesh.mapping().F(x).transpose(1, 2, 0) for x in part_nodes])
     is_tetrahedral = mesh.t.shape[0] == 4

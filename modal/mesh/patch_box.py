@@ -31,7 +31,7 @@ class NestedBoxes:
 
 
 def max_layer_height(size):
-    """Return the largest height of a layer over the radius for a `MeshSize`."""
+    """Return the largest height of a layer, divided by the radius, for a `MeshSize`."""
     return 1.2 * size.width
 
 

@@ -28,7 +28,7 @@ def read_mesh(path):
 
 
 class SilencedStream:
-    """A stream that drops what this thread writes and passes on what others write."""
+    """Stream that discards the output of this thread and forwards that of other threads."""
 
     def __init__(self, stream):
         self._stream = stream
@@ -82,8 +82,10 @@ def read_checked(path):
 
 
 def with_supported_cells(file):
-    """Return the meshio mesh with 27-node hexahedra instead of 20-node ones, and linear instead of
-    quadratic sides."""
+    """Return the meshio mesh with supported cells.
+
+    Hexahedra with 20 nodes become hexahedra with 27 nodes, and quadratic sides become linear.
+    """
     import meshio
 
     points = file.points

@@ -25,7 +25,7 @@ class Sector:
     mesh: MeshHex2
     """Mesh [m]."""
     quarter: bool
-    """Whether the disk is also symmetric in z."""
+    """True if the disk is also symmetric in z."""
     patch: tuple[float, float] | None
     """Lowest and highest z of the patch [m]; None for a free disk."""
 

@@ -104,7 +104,7 @@ class Term:
     even: int
     """Symmetry in z: 1 or -1."""
     held: bool = False
-    """Whether the functions vanish on the lateral surface."""
+    """True if the functions vanish on the lateral surface."""
     hole: float = 0.0
     """Inner over outer radius."""
 

@@ -45,7 +45,7 @@ class Richness:
     """Jacobi tractions through the thickness, per component and parity; at most the axial
     polynomials."""
     cutoff: float = 1.4
-    """Highest frequency of the free modes, over the shear wave speed over the radius."""
+    """Highest frequency of the free modes, in units of shear wave speed divided by radius."""
 
     def __post_init__(self):
         if self.through > self.size[1]:

@@ -34,7 +34,7 @@ class Profile(NamedTuple):
 SMOOTH_PROFILE = Profile(np.zeros(6), 1.0)
 """Profile of a smooth surface."""
 RELATIVE_SLOPE_STEP = 1 / 32
-"""Step of the height differences for slopes, over the half-length of the ellipse; accurate to 1
+"""Ratio of the step for slopes of heights to the half-length of the ellipse; accurate to 1
 %."""
 
 

@@ -42,7 +42,7 @@ class MotionBlock(NamedTuple):
     inclination, load : (k,) arrays
         Inclination [rad] and normal force [N].
     rolls : (k,) array of bool
-        Whether the disk rolls.
+        True if the disk rolls.
     path, edge : (k,) arrays
         Path lengths of the contact on the table and on the edge [m].
     jumps : (k, 2) array

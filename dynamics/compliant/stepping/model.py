@@ -129,7 +129,7 @@ class CompliantModel:
     film : Film, optional
         Air film.
     fitted : bool
-        Whether the friction was fitted to a rough disk and includes the losses of contact and
+        True if the friction was fitted to a rough disk and includes the losses of contact and
         creep.
     rate : float
         Steps per second.

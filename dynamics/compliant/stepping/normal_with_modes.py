@@ -1,4 +1,4 @@
-"""Both parts of a time step on a table with modes; regular where the disk lies flat.
+"""Both parts of a time step on a table with modes; regular where the disk is flat.
 
 The scheme conserves or dissipates energy. The rim touches the table in the horizontal direction e
 of least gap G = z - R n.e + H (1 - c) - sum q_m w_m - r. Here n is the axis, c = n_z, and r the sum
