@@ -150,15 +150,24 @@ class Motion(Protocol):
 
     def __hash__(self) -> int: ...
     @property
-    def disk(self) -> Disk: ...
+    def disk(self) -> Disk:
+        """Disk of the scene."""
+
     @property
-    def transitions(self) -> tuple[Transition, ...]: ...
+    def transitions(self) -> tuple[Transition, ...]:
+        """Changes of regime, in order of time."""
+
     @property
-    def contact_losses(self) -> Sequence: ...
+    def contact_losses(self) -> Sequence:
+        """Losses of contact: t [s], duration [s] and height [m] of each; empty if rigid."""
+
     @property
-    def outcome(self) -> Outcome: ...
+    def outcome(self) -> Outcome:
+        """Outcome of the motion."""
+
     @property
-    def integrator(self) -> str: ...
+    def integrator(self) -> str:
+        """Name of the integrator."""
 
     @property
     def parts(self) -> tuple[MotionPart, ...]:
@@ -233,7 +242,25 @@ class Motion(Protocol):
         """
 
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return `at(t)` and `force(t)` from one evaluation."""
+        """Return the state and the contact force at times t from one evaluation.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        state : ndarray, (k, 11)
+            As `at` returns it.
+        force : ndarray, (k, 3)
+            As `force` returns it.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
 
     def inclination(self, t: ArrayLike) -> np.ndarray:
         """Return the inclination (k,) [rad] at times t (k,) [s]."""
@@ -286,7 +313,18 @@ class Motion(Protocol):
         """Return omega_1 (k,) [rad/s] at times t (k,) [s], without contact vibration."""
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
-        """Return the highest frequency (k,) [Hz] of the contact force at states (k, 11)."""
+        """Return the highest relevant frequency of the contact force.
+
+        Parameters
+        ----------
+        state : ndarray, (k, 11)
+            States with the columns COLUMNS.
+
+        Returns
+        -------
+        ndarray, (k,)
+            Frequencies [Hz].
+        """
 
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest."""
@@ -328,8 +366,8 @@ class Motion(Protocol):
     def friction_excess(self) -> float:
         """Return the largest violation of Coulomb's law (3.2) by the ratio |F|/N.
 
-        It is the excess over mu_static while the disk rolls, and the distance from mu_dynamic
-        while it slides.
+        It is the excess of the ratio over mu_static while the disk rolls, and the difference from
+        mu_dynamic while it slides.
         """
 
     def regime(self, t: ArrayLike) -> np.ndarray:

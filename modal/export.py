@@ -27,11 +27,11 @@ def as_json(modes: Modes) -> dict:
         "unknowns": modes.unknowns,
         "mass": modes.mass,
         "rim_angle": modes.rim_angle.tolist(),
-        "modes": [one(modes, i) for i in range(len(modes))],
+        "modes": [mode_entry(modes, i) for i in range(len(modes))],
     }
 
 
-def one(modes: Modes, i):
+def mode_entry(modes: Modes, i):
     """Return the entry of mode i in modes.json; infinite times and quality factors become null."""
     finite = modes.decay_rate[i] > 0
     return {

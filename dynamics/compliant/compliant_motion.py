@@ -171,9 +171,9 @@ class CompliantMotion(MotionBase):
 
         Raises ValueError for times outside the motion.
         """
-        x = self._place(t)
+        x = self._row_positions(t)
         state = interpolate_rows(self.rows, x, False)[:, : len(COLUMNS)]
-        state[:, -1] = self._line(x)[:, LOSS_COLUMNS].sum(axis=1)
+        state[:, -1] = self._interpolate_linearly(x)[:, LOSS_COLUMNS].sum(axis=1)
         return state
 
     def force(self, t) -> np.ndarray:
@@ -183,7 +183,9 @@ class CompliantMotion(MotionBase):
         It is the derivative of the interpolated impulse, so its integral is exact. The normal force
         is never negative.
         """
-        force = interpolate_rows(self.impulses, self._place(t) * FORCES_PER_ROW, True) / self.dt
+        force = (
+            interpolate_rows(self.impulses, self._row_positions(t) * FORCES_PER_ROW, True) / self.dt
+        )
         force[:, 2] = np.maximum(force[:, 2], 0.0)
         return force
 
@@ -196,7 +198,9 @@ class CompliantMotion(MotionBase):
         turn = 2 * np.pi / np.maximum(np.abs(precession_rate(self.at(t))), np.pi / self._end)
         edges = np.asarray(t) + np.linspace(-0.25, 0.25, LOAD_WINDOW_PARTS + 1)[:, None] * turn
         impulse = interpolate_rows(
-            self.impulses, self._place(np.clip(edges, 0, self._end).ravel()) * FORCES_PER_ROW, False
+            self.impulses,
+            self._row_positions(np.clip(edges, 0, self._end).ravel()) * FORCES_PER_ROW,
+            False,
         )[:, 2]
         lasts = np.diff(np.clip(edges, 0, self._end), axis=0)
         hann = (
@@ -241,11 +245,11 @@ class CompliantMotion(MotionBase):
 
     def energy(self, t) -> np.ndarray:
         """Return the total energy (k,) [J] at times t (k,) [s]; zero at rest on the table."""
-        return self._line(self._place(t))[:, ENERGY_COLUMN]
+        return self._interpolate_linearly(self._row_positions(t))[:, ENERGY_COLUMN]
 
     def lost(self, t) -> np.ndarray:
         """Return the energy (k, 7) [J] lost to each of CAUSES until t (k,) [s]."""
-        return self._line(self._place(t))[:, LOSS_COLUMNS]
+        return self._interpolate_linearly(self._row_positions(t))[:, LOSS_COLUMNS]
 
     def energy_lost(self, t) -> dict[str, np.ndarray]:
         """Return the energy (k,) [J] lost until the times t (k,) [s], by cause."""
@@ -254,7 +258,7 @@ class CompliantMotion(MotionBase):
     def dissipation(self, t) -> dict[str, np.ndarray]:
         """Return the dissipated power (k,) [W] at t (k,) [s], by cause: the mean between two
         rows."""
-        first = np.minimum(self._place(t).astype(int), len(self.rows) - 2)
+        first = np.minimum(self._row_positions(t).astype(int), len(self.rows) - 2)
         power = (self.rows[first + 1, LOSS_COLUMNS] - self.rows[first, LOSS_COLUMNS]) / (
             FORCES_PER_ROW * self.dt
         )
@@ -263,11 +267,11 @@ class CompliantMotion(MotionBase):
     def table_energy(self, t) -> np.ndarray:
         """Return the energy (k,) [J] of the table modes at t (k,) [s]; 0 without two-way
         coupling."""
-        return self._line(self._place(t))[:, TABLE_ENERGY_COLUMN]
+        return self._interpolate_linearly(self._row_positions(t))[:, TABLE_ENERGY_COLUMN]
 
     def bending_energy(self, t) -> np.ndarray:
         """Return the energy (k,) [J] of the moving disk modes at t (k,) [s]."""
-        return self._line(self._place(t))[:, DISK_ENERGY_COLUMN]
+        return self._interpolate_linearly(self._row_positions(t))[:, DISK_ENERGY_COLUMN]
 
     def largest_regain(self) -> float:
         """Return the largest decrease [J] of any energy loss between two rows."""
@@ -280,7 +284,7 @@ class CompliantMotion(MotionBase):
 
     def regime(self, t) -> np.ndarray:
         """Return the name of the regime at times t (k,) [s]: roll, slide or flight."""
-        self._place(t)
+        self._row_positions(t)
         return np.where(
             _is_within(self._flights, t),
             "flight",
@@ -337,7 +341,7 @@ class CompliantMotion(MotionBase):
         begin, duration, _ = self.contact_losses.array.T
         return np.column_stack([begin, begin + duration])
 
-    def _place(self, t) -> np.ndarray:
+    def _row_positions(self, t) -> np.ndarray:
         """Return the positions of times t (k,) [s] among the rows. Raises ValueError for times
         outside the motion.
         """
@@ -350,7 +354,7 @@ class CompliantMotion(MotionBase):
             raise ValueError(f"t must lie within the motion, 0 to {self._end:.9g} s")
         return np.minimum(t / (FORCES_PER_ROW * self.dt), len(self.rows) - 1)
 
-    def _line(self, x) -> np.ndarray:
+    def _interpolate_linearly(self, x) -> np.ndarray:
         """Interpolate the rows (k, 21) linearly at positions x (k,), which keeps linear balances
         exact.
         """

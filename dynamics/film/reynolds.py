@@ -133,9 +133,9 @@ class FilmMesh:
         self._wave_cache: dict = {}
         self._node_height = height(self.nodes.real, self.nodes.imag)
         self._inner = np.flatnonzero((a > 1e-9) & ((b > 1e-9) | (parity != -1)))
-        self._prepare()
+        self._find_sparsity_pattern()
 
-    def _prepare(self):
+    def _find_sparsity_pattern(self):
         """Compute the sparsity pattern of the inner nodes and the slots of the pairs (e, i, j)."""
         count = len(self._inner)
         place = np.full(self.basis.N, -1)

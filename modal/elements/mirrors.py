@@ -13,10 +13,10 @@ by the largest entry.
 
 
 def mirrors(body):
-    """Return the mirror symmetries of a `DiscreteBody` in the middle of x and of y.
+    """Return the mirror symmetries of a `DiscreteBody` about the middle of x and of y.
 
-    Each is a pair: the image (p,) of every node, and the matrix (3p, 3p) that mirrors
-    displacements. Nodes, held nodes and stiffness must be symmetric.
+    Each symmetry is a pair: the image (p,) of every node, and the matrix (3p, 3p) that mirrors
+    displacements. The nodes, the held nodes and the stiffness must be symmetric.
     """
     points = body.solid.points
     k = body.solid.stiffness

@@ -65,8 +65,12 @@ def participation(solid, quarter, c):
 
 
 def is_flexural(solid, part, c):
-    """Return which modes (k,) of a class bend the disk: by symmetry in z, otherwise if most energy
-    is axial."""
+    """Return a mask (k,) of the modes of a class that bend the disk.
+
+    It follows from the symmetry in z if the disk has it, otherwise from the share of axial motion
+    in
+    the modal mass.
+    """
     if c.mirror.z:
         return np.full(len(c.shapes), c.mirror.z < 0)
     return part.copies * axial_share(solid, c.shapes) > 0.5

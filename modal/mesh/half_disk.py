@@ -260,8 +260,10 @@ def half_disk(half_angle, size):
 
 
 def right_handed(cells):
-    """Exchange u and v of the left-handed cells among cells (q, 3, 3, 2), in place, and return the
-    cells."""
+    """Make left-handed cells (q, 3, 3, 2) right-handed by exchanging u and v in place.
+
+    Returns all cells.
+    """
     du = cells[:, 2, 1] - cells[:, 0, 1]
     dv = cells[:, 1, 2] - cells[:, 1, 0]
     left_handed = du[:, 0] * dv[:, 1] < du[:, 1] * dv[:, 0]

@@ -19,8 +19,10 @@ LINEAR_SIDES = {"quad8": ("quad", 4), "quad9": ("quad", 4), "triangle6": ("trian
 
 
 def read_mesh(path):
-    """Return the scikit-fem mesh of a file, with its centre of mass at the origin; ValueError if it
-    cannot be used."""
+    """Return the scikit-fem mesh of a file, with its centre of mass at the origin.
+
+    Raises ValueError if the mesh cannot be used.
+    """
     mesh = read_checked(path)[0]
     basis = CellBasis(mesh, mesh.elem())
     x = basis.global_coordinates()
@@ -132,12 +134,13 @@ def hexahedra27_from_20(points, cells):
 
 
 def check_mesh(mesh, name, min_size=1e-3, max_size=2.0, min_volume_ratio=1e-13):
-    """Raise ValueError if the unit of length is implausible, cells are degenerate, or there are
-    several bodies.
+    """Raise ValueError if a mesh cannot be used.
 
-    The size of the mesh must be between `min_size` and `max_size` [m]. The least volume of a cell
-    at its quadrature points is `min_volume_ratio` of that of the median cell: cells may shrink
-    towards an edge.
+    Reasons are an implausible unit of length, degenerate cells, and several bodies. The size of the
+    mesh must be between `min_size` and `max_size` [m]. At its quadrature points, the smallest cell
+    must
+    have at least `min_volume_ratio` of the volume of the median cell; cells may shrink towards an
+    edge.
     """
     used = np.unique(mesh.t)
     if not np.isfinite(mesh.p[:, used]).all():

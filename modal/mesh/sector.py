@@ -36,8 +36,10 @@ class Sector:
 
 
 def layer_heights(bottom, top, size, radius):
-    """Return the boundaries (k + 1,) [m] of even layers, not thicker than the plane cells are
-    wide."""
+    """Return the boundaries (k + 1,) [m] of layers of equal thickness.
+
+    The layers are at most as thick as the plane cells are wide.
+    """
     count = ceil((top - bottom) / (max_layer_height(size) * radius) - 1e-9)
     return np.linspace(bottom, top, size.split * max(1, count) + 1)
 

@@ -90,13 +90,14 @@ def coupled_modes(values, work, rest, limit):
 
 
 def error_estimates(patch, free, square, tractions, limit, weights=(1.18, 0.7, 1.08)):
-    """Return estimated relative errors (k,) of the frequencies; fewer tractions lower every one of
-    them.
+    """Estimate the relative errors (k,) of the frequencies.
 
-    The estimate is a weighted sum of the changes by a third fewer tractions around, by one fewer
-    through the thickness, and by the highest polynomials of the basis. With these weights it is 1.2
-    to 5 times the error, on disks and patches of all kinds. A flexibility larger by dF lowers w^2
-    by p^T dF p, to first order.
+    Fewer tractions lower every frequency. The estimate is a weighted sum of the changes due to a
+    third
+    fewer circumferential tractions, one fewer traction through the thickness, and the highest
+    polynomials of the basis. With these weights it is 1.2 to 5 times the true error for all types
+    of
+    disks and patches. A flexibility that is larger by dF lowers w^2 by p^T dF p, to first order.
     """
     around = patch.richness.around
     grid = np.arange(len(free.work)).reshape(len(patch.held), around, -1)

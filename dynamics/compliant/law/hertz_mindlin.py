@@ -88,9 +88,9 @@ class ContactLaw:
             )
         if not self._excess(self.fillet) <= 0:
             sharp = f"contact.fillet = {self.fillet:g}: too sharp for an elastic contact"
-            raise ValueError(f"{sharp}, {self._blunt_enough(largest)}")
+            raise ValueError(f"{sharp}, {self._smallest_fillet_message(largest)}")
 
-    def _blunt_enough(self, largest):
+    def _smallest_fillet_message(self, largest):
         """Return a message with the smallest possible fillet, or that no fillet is possible."""
         if self._excess(largest) > 0:
             return f"as any up to {largest:g} is for bodies so soft, E* = {self.modulus:.3g} Pa, or so heavy"

@@ -176,16 +176,16 @@ class CompliantModel:
         return LawCubics(float(self.table.grid[0]), 1 / GRID_STEP, np.ascontiguousarray(cubics))
 
     @cached_property
-    def _needed(self) -> np.ndarray:
+    def _required_rate_at_nodes(self) -> np.ndarray:
         """Required step rate (n,) [1/s] at every NODES_PER_RATE_CHECK-th node of the tabulated
         law."""
         return required_step_rate(self.table.law, self.table.inclinations[::NODES_PER_RATE_CHECK])
 
-    def finer(self) -> "CompliantModel":
+    def with_half_time_step(self) -> "CompliantModel":
         """Return the model with half the time step."""
         return replace(self, rate=2 * self.rate)
 
-    def stiffer(self) -> "CompliantModel":
+    def with_double_stiffness(self) -> "CompliantModel":
         """Return the model with twice the contact stiffness, and a smaller time step where
         required.
         """
@@ -244,7 +244,7 @@ class CompliantModel:
         flying = [np.nan, np.nan, 0.0]
         slipping = [np.nan, np.nan]
         while left > 0 and why == EndReason.CONTINUES:
-            self._hold(y)
+            self._check_step_rate(y)
             rows = np.empty((min(max(STEPS_PER_CALL // every, 1), left), STATE_SIZE))
             forces = np.empty((len(rows) * parts, 3))
             flights, slips = (np.full((len(rows) * every // 2 + 2, k), np.nan) for k in (3, 2))
@@ -292,12 +292,12 @@ class CompliantModel:
         settle_modes(waves, self.modes, self, y)
         return waves
 
-    def _hold(self, y):
+    def _check_step_rate(self, y):
         """Raise ValueError if the phase of a resonance changes too much in one step."""
         fastest = np.interp(
             np.hypot(*y[STATE.axis : STATE.axis + 2]),
             np.exp(self.table.grid[::NODES_PER_RATE_CHECK]),
-            self._needed,
+            self._required_rate_at_nodes,
         )
         if fastest > self.rate:
             raise ValueError(

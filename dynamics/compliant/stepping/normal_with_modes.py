@@ -51,8 +51,9 @@ A contact that turns by more has jumped to another place and did not roll there.
 
 @kernel
 def update_gap_stiffness(y, modes, law):
-    """Update the contact stiffness to the present inclination, and keep either the force or the
-    approach.
+    """Update the contact stiffness to the present inclination.
+
+    Either the force or the approach remains the same; see the description of this module.
     """
     K0 = modes.contact[CONTACT.gap_stiffness]
     K1 = law_column(
