@@ -19,12 +19,12 @@ AIR_GAS_CONSTANT = 287.05
 HEAT_RATIO = 1.4
 """Ratio of the specific heats of air."""
 PRANDTL = 0.71
-"""Prandtl number of air: kinematic viscosity over thermal diffusivity."""
+"""Prandtl number of air: ratio of kinematic viscosity to thermal diffusivity."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Air:
-    """The air around the disk, which carries its sound, and the film under it, which slows it.
+    """Air around the disk, which carries its sound, and air film under it, which slows it.
 
     Raises
     ------
@@ -62,8 +62,10 @@ class Air:
 
     @property
     def mean_free_path(self) -> float:
-        """Mean free path of the molecules [m]: mu/p sqrt(pi R T/2). Thinner films are no
-        continuum."""
+        """Mean free path of the molecules [m], mu/p sqrt(pi R T/2).
+
+        The air in a thinner film is not a continuum.
+        """
         return self.viscosity / self.pressure * sqrt(pi * AIR_GAS_CONSTANT * self.temperature / 2)
 
     def absorption(self, frequency: float, humidity: float = 0.5) -> float:

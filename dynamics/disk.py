@@ -9,9 +9,9 @@ from annotated_types import Ge, Gt, Le, Lt
 GRAVITY = 9.81
 """Acceleration of gravity [m/s^2]; it gives the time unit of the paper, 0.0691712 s (7.2)."""
 MIN_DISK_LENGTH = 1e-9
-"""Smallest dimension of a disk [m]; with a smaller one the moments of inertia would underflow."""
+"""Smallest dimension of a disk [m]; the moments of inertia of a smaller disk would underflow."""
 MAX_FINITE_FRICTION = 1e6
-"""Largest coefficient of friction other than infinity."""
+"""Largest finite coefficient of friction."""
 AngularRate = Annotated[float, Ge(-1e6), Le(1e6)]
 
 
@@ -39,11 +39,11 @@ class Disk:
     mass: Annotated[float, Ge(1e-9), Le(1e9)] = None  # type: ignore[assignment]
     """Mass [kg]."""
     density: Annotated[float, Ge(1e-3), Le(1e6)] | None = None
-    """Density [kg/m^3], in place of the mass."""
+    """Density [kg/m^3], as an alternative to the mass."""
     shape: Literal["solid", "shell"] = "solid"
     """Solid cylinder, or a shell (tube) that is open along its axis."""
     wall: Annotated[float, Ge(MIN_DISK_LENGTH), Le(100)] | None = None
-    """Wall thickness of a shell [m]; negligible unless given."""
+    """Wall thickness of a shell [m]; by default negligible."""
 
     def __post_init__(self):
         if self.radius < MIN_DISK_LENGTH:
@@ -78,7 +78,7 @@ class Disk:
 
     @property
     def aspect(self) -> float:
-        """h = H/R of (4.4): half the thickness over the radius; (7.2) prints its inverse."""
+        """Ratio h = H/R of thickness to diameter (4.4); (7.2) prints its inverse."""
         return self.thickness / (2 * self.radius)
 
     @property
@@ -131,7 +131,7 @@ class Friction:
 
 @dataclass(frozen=True, kw_only=True)
 class Release:
-    """The initial state (7.4): the contact does not slip.
+    """Initial state (7.4) of a disk whose contact does not slip.
 
     Examples
     --------
@@ -141,6 +141,6 @@ class Release:
     """
 
     inclination_deg: Annotated[float, Ge(1e-6), Lt(90)]
-    """Inclination of the disk to the table [degrees]."""
+    """Angle between disk and table [degrees]."""
     omega: tuple[AngularRate, AngularRate, AngularRate]
     """Angular velocity along e_1 (nutation), e_2 (disk axis) and e_3 (disk plane) [rad/s]."""

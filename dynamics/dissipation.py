@@ -1,7 +1,7 @@
-"""Laws of dissipation besides friction: powers of the precession rate, viscous moment and force.
+"""Laws of dissipation in addition to friction: power laws, viscous moment and viscous force.
 
-The power law P = -c |Omega|^b is applied as the moment -c |Omega|^(b-1) sign(Omega) sec(a) e_3,
-which has this power in any motion. In quasi-steady motion the energy then falls as
+The power law P = -c |Omega|^b is applied as the moment -c |Omega|^(b-1) sign(Omega) sec(a) e_3.
+This moment has the power P in every motion. In quasi-steady motion the energy then falls as
 (t0 - t)^(2/(b + 2)).
 """
 
@@ -23,9 +23,9 @@ from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
 
 @dataclass(frozen=True, kw_only=True)
 class Dissipation:
-    """Resistance besides friction: the section `dissipation` of a scene.
+    """Resistance in addition to friction: the section `dissipation` of a scene.
 
-    All laws add up; a coefficient of zero disables its law.
+    The laws add up. A coefficient of zero disables its law.
 
     References
     ----------
@@ -46,17 +46,17 @@ class Dissipation:
     power_exponent: Annotated[float, Ge(0), Le(16)] = 2.5
     """Exponent b of the power law; McDonald & McDonald (2002) measured about 2.5."""
     air_viscosity: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Viscosity of the air film under the disk, Moffatt (2000), b = 4 [Pa s]."""
+    """Viscosity of the air film under the disk [Pa s]; b = 4, Moffatt (2000)."""
     boundary_layer_viscosity: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Kinematic viscosity of the boundary layer of the air, Bildsten (2002), b = 5/2 [m^2/s]."""
+    """Kinematic viscosity of the boundary layer of the air [m^2/s]; b = 5/2, Bildsten (2002)."""
     air_density: Annotated[float, Ge(0), Le(1e6)] = 1.2
     """Density of the air in that boundary layer [kg/m^3]."""
     contour_moment: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Moment of contour friction, Leine (2009), b = 1 [N m]."""
+    """Moment of contour friction [N m]; b = 1, Leine (2009)."""
     viscous_moment: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Viscous moment per angular velocity, Compere [N m s]."""
+    """Viscous moment per unit of angular velocity [N m s], Compere."""
     viscous_force: Annotated[float, Ge(0), Le(1e6)] = 0.0
-    """Viscous force per velocity of the centre, Compere [N s/m]."""
+    """Viscous force per unit of velocity of the centre [N s/m], Compere."""
 
 
 def power_laws(dissipation: Dissipation, disk: Disk) -> list[tuple[float, float]]:
@@ -64,8 +64,8 @@ def power_laws(dissipation: Dissipation, disk: Disk) -> list[tuple[float, float]
 
     With beta = 4 g / (a Omega^2), Moffatt's pi mu g a^2 / beta^2 is pi mu a^4 Omega^4 / (16 g), and
     Bildsten's 4 sqrt(mu rho) g^(5/4) a^(11/4) beta^(-5/4) is
-    sqrt(mu rho) a^4 Omega^(5/2) / sqrt(2). Both are estimates: the solved air film (film/law.py)
-    dissipates 1.63 times the first where it is thin, and 1/4.9 of the second where it is thick.
+    sqrt(mu rho) a^4 Omega^(5/2) / sqrt(2). Both are estimates. The solved air film (film/wedge.py)
+    dissipates 1.63 times the first estimate if it is thin, and 1/4.9 of the second if it is thick.
     """
     a = disk.radius
     layer = dissipation.air_density * dissipation.boundary_layer_viscosity**0.5 * a**4 / 2**0.5
@@ -100,7 +100,7 @@ class Resistance(NamedTuple):
     def __call__(self, beta, omega, slip, law: DiskConstants, flow) -> Loads:
         """Return the loads at inclination beta, angular velocity omega and slip velocity.
 
-        All are dimensionless scalars of the kind that the functions of `flow` accept.
+        All arguments are dimensionless scalars of a type that the functions of `flow` accept.
         """
         sin_a = flow.cos(beta)
         cos_a = flow.sin(beta)
@@ -113,24 +113,24 @@ class Resistance(NamedTuple):
         return Loads(-self.viscous_force * v1, -self.viscous_force * v2, M1, M2, M3)
 
     @property
-    def shape(self) -> "Resistance":
-        """The law with None for each number that is a run-time parameter of the compiled flow.
+    def compiled_form(self) -> "Resistance":
+        """The law as compiled into a flow, with None in place of each run-time parameter.
 
-        Absent laws and integer exponents b are compiled into the flow.
+        Zero coefficients and integer exponents b are compiled into the flow.
         """
         powers = tuple((None, half if (2 * half).is_integer() else None) for _, half in self.powers)
         viscous = (None if number else 0.0 for number in (self.viscous_moment, self.viscous_force))
         return Resistance(powers, *viscous, self.is_singular)
 
     @property
-    def numbers(self) -> tuple[float, ...]:
-        """The run-time parameters (n,), in the order of the None of `shape`."""
-        pairs = zip(self._flat(), self.shape._flat(), strict=True)
+    def runtime_parameters(self) -> tuple[float, ...]:
+        """The run-time parameters (n,), in the order of the None of `compiled_form`."""
+        pairs = zip(self._flat(), self.compiled_form._flat(), strict=True)
         return tuple(number for number, compiled in pairs if compiled is None)
 
-    def filled(self, numbers: Iterable) -> "Resistance":
-        """Return the law with `numbers` (n,), of any scalar kind, in place of None."""
-        remaining = iter(numbers)
+    def with_parameters(self, parameters: Iterable) -> "Resistance":
+        """Return the law with `parameters` (n,), scalars of any type, in place of None."""
+        remaining = iter(parameters)
         values = [next(remaining) if value is None else value for value in self._flat()]
         *powers, moment, force = values
         pairs = tuple(zip(powers[::2], powers[1::2], strict=True))
@@ -164,7 +164,7 @@ class OwnLaw:
     ...
     ...     def __call__(self, beta, omega, slip, law, flow):
     ...         return Loads(M2=-self.coefficient * omega[1])
-    >>> SpinFriction(0.01).numbers
+    >>> SpinFriction(0.01).runtime_parameters
     (0.01,)
     """
 
@@ -182,7 +182,7 @@ class OwnLaw:
             Angular velocity along e_1, e_2, e_3, in 1/chi.
         slip : tuple of two scalars
             Slip velocity along a_1, a_2, in R/chi.
-        law : Law
+        law : DiskConstants
             Dimensionless constants of disk and friction.
         flow : Flow
             Functions sin, cos, sqrt and power for these scalars.
@@ -195,19 +195,31 @@ class OwnLaw:
         raise NotImplementedError(f"{type(self).__name__} must define __call__")
 
     @property
-    def shape(self) -> "OwnLaw":
-        """The law with None in place of every float."""
-        return self.filled(repeat(None))
+    def compiled_form(self) -> "OwnLaw":
+        """The law as compiled into a flow, with None in place of every float."""
+        return self.with_parameters(repeat(None))
 
     @property
-    def numbers(self) -> tuple[float, ...]:
-        """The run-time parameters (n,), in the order of the None of `shape`."""
+    def runtime_parameters(self) -> tuple[float, ...]:
+        """The run-time parameters (n,), in the order of the None of `compiled_form`."""
         return tuple(value for value in vars(self).values() if isinstance(value, float))
 
-    def filled(self, numbers: Iterable) -> "OwnLaw":
-        """Return the law with `numbers`, of any scalar kind, in place of its floats or None."""
+    def with_parameters(self, parameters: Iterable) -> "OwnLaw":
+        """Return the law with other parameters.
+
+        Parameters
+        ----------
+        parameters : iterable of scalars
+            One value of any scalar type for each float or None of the law, in order. Surplus
+            values are ignored.
+
+        Returns
+        -------
+        OwnLaw
+            A copy of the law. It is made without `__post_init__`, which may accept floats only.
+        """
         law = copy(self)
-        remaining = iter(numbers)
+        remaining = iter(parameters)
         for name, value in vars(self).items():
             if value is None or isinstance(value, float):
                 object.__setattr__(law, name, next(remaining))
@@ -215,7 +227,7 @@ class OwnLaw:
 
 
 class CombinedLoads(NamedTuple):
-    """Several laws that act together; their loads add up."""
+    """Sum of several laws."""
 
     laws: tuple
 
@@ -235,23 +247,23 @@ class CombinedLoads(NamedTuple):
         return any(law.carries for law in self.laws)
 
     @property
-    def shape(self) -> "CombinedLoads":
-        """The shapes of the laws."""
-        return CombinedLoads(tuple(law.shape for law in self.laws))
+    def compiled_form(self) -> "CombinedLoads":
+        """The compiled forms of the laws."""
+        return CombinedLoads(tuple(law.compiled_form for law in self.laws))
 
     @property
-    def numbers(self) -> tuple[float, ...]:
-        """The run-time parameters (n,), in the order of the None of `shape`."""
-        return tuple(chain(*(law.numbers for law in self.laws)))
+    def runtime_parameters(self) -> tuple[float, ...]:
+        """The run-time parameters (n,), in the order of the None of `compiled_form`."""
+        return tuple(chain(*(law.runtime_parameters for law in self.laws)))
 
-    def filled(self, numbers: Iterable) -> "CombinedLoads":
-        """Return the laws with `numbers` (n,), of any scalar kind, in place of None."""
-        remaining = iter(numbers)
-        return CombinedLoads(tuple(law.filled(remaining) for law in self.laws))
+    def with_parameters(self, parameters: Iterable) -> "CombinedLoads":
+        """Return the laws with `parameters` (n,), scalars of any type, in place of None."""
+        remaining = iter(parameters)
+        return CombinedLoads(tuple(law.with_parameters(remaining) for law in self.laws))
 
 
 def combined_loads(*laws):
-    """Combine laws into one law, without those that are None; return None if none remains."""
+    """Combine the laws that are not None into one law; return None if there is no such law."""
     acting = tuple(law for law in laws if law)
     if len(acting) > 1:
         return CombinedLoads(acting)

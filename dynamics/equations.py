@@ -11,7 +11,7 @@ from dynamics.kinematics import centre_velocity, contact_arms, precession_rate
 
 
 class DiskConstants(NamedTuple):
-    """Dimensionless constants of a scene: h = H/R, K = k^2, friction coefficients, arms over R."""
+    """Dimensionless constants: h = H/R, K = k^2, friction coefficients, and arms in units of R."""
 
     h: float
     K: float
@@ -41,7 +41,7 @@ def disk_constants(disk, friction) -> DiskConstants:
 
 
 class Loads(NamedTuple):
-    """Dimensionless loads besides the contact, as an `OwnLaw` returns them.
+    """Dimensionless loads in addition to the contact, as an `OwnLaw` returns them.
 
     Parameters
     ----------
@@ -66,11 +66,13 @@ class Loads(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """Solution of the balance laws, dimensionless.
+    """Dimensionless solution of the balance laws.
 
-    It holds the rates of omega and slip, the forces along a_1, a_2, a_3 and the moments along -a_1,
-    -a_2, -a_3. `inertia` is the effective inertia against the normal force Phi; where it is not
-    positive the contact has no solution, or two.
+    It contains the rates of omega and slip, the forces along a_1, a_2, a_3 and the moments along
+    -a_1,
+    -a_2, -a_3. `inertia` is the effective inertia for the normal force Phi. If it is not positive,
+    the
+    contact has no solution or two solutions.
     """
 
     domega1: float
@@ -225,7 +227,7 @@ def equations_of_motion(sin, cos):
 
 
 def separation_acceleration(beta, w1, w2, w3, law, loads=NO_LOADS) -> float:
-    """Return the acceleration of the lowest point off the plane without a contact force."""
+    """Return the acceleration of the lowest point away from the plane without a contact force."""
     sin_a = math.cos(beta)
     cos_a = math.sin(beta)
     e, f = contact_arms(sin_a, cos_a, law.h)

@@ -7,10 +7,12 @@ from typing import Any, NamedTuple
 AXES = ("nutation", "rolling", "pivoting")
 """Names of the rotations about a_1, a_2, a_3, which the moments (3.3) resist."""
 STOP_SPEED = 1e-9
-"""Slip speed over r at which one step along the tangent ends a slide, with a second-order error."""
+"""Slip speed divided by r at which one step along the tangent ends a slide (second-order error)."""
 MAX_FALL_RATE = 10.0
-"""Value of omega_1 over sqrt(inclination) above which the disk falls flat with energy left. It is
-at most one for a disk that comes to rest. An air film would stop the fall."""
+"""Value of omega_1/sqrt(inclination) above which the disk falls flat with energy left.
+
+The ratio is at most one for a disk that comes to rest. An air film would stop the fall.
+"""
 
 
 class GuardKind(Enum):
@@ -27,7 +29,8 @@ class GuardKind(Enum):
 class GuardArguments(NamedTuple):
     """Arguments of the guards: r, omega_1/r, omega_3/r, slip, omega.a_i/r, contact and constants.
 
-    `root` and `cos` are the square root and the cosine for the scalar type of the flow."""
+    `root` and `cos` are the square root and the cosine for the scalar type of the flow.
+    """
 
     r: Any
     w1: Any
@@ -106,8 +109,11 @@ def _rotation_guards(i: int) -> tuple[Guard, Guard]:
 
 FLAT = Guard("flat", GuardKind.END, lambda at: at.r - at.r_end)
 UPRIGHT = Guard("upright", GuardKind.END, lambda at: MAX_FALL_RATE * at.cos(at.r * at.r))
-"""The factor makes it as large as FALLS_FLAT, relative to which the Taylor integrator measures its
-error. The steps are then equally long in air and in a vacuum."""
+"""Guard of an upright disk.
+
+The factor MAX_FALL_RATE gives it the same magnitude as FALLS_FLAT. The Taylor integrator measures
+its error relative to the guards, so the steps have equal lengths in air and in a vacuum.
+"""
 FALLS_FLAT = Guard(
     "falls",
     GuardKind.END,

@@ -1,8 +1,9 @@
-"""The direction in which a contact begins or ends to slide, solved in closed form.
+"""Closed-form directions in which a contact begins or ends to slide.
 
-By (4.6) and (5.3) the normal force under friction along (c, s) is P/(a + b s), and the slip
-acceleration is linear in it and in the friction: du = (k + p z + q/z)/(a + b s) with z = c + i s,
-for vectors written as complex numbers."""
+By (4.6) and (5.3), the normal force under friction along (c, s) is P/(a + b s), and the slip
+acceleration is linear in this force and in the friction. Written as complex numbers, with z = c + i
+s, it is du = (k + p z + q/z)/(a + b s).
+"""
 
 import cmath
 import math
@@ -16,8 +17,7 @@ from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W2, W3, R
 
 
 class SlipPush(NamedTuple):
-    """The slip acceleration at a state for every slip direction, the constants of the formula
-    above."""
+    """Slip acceleration at a state for every slip direction: the constants of the formula above."""
 
     a: float
     b: float

@@ -20,7 +20,7 @@ def centre_velocity(slip, omega, e, h):
 
 
 def energy(beta, omega, slip, law):
-    """Return the dimensionless energy (6.1), without its two misprints; zero at rest."""
+    """Return the dimensionless energy (6.1) with its two misprints corrected; zero at rest."""
     sin_a = np.cos(beta)
     cos_a = np.sin(beta)
     e, f = contact_arms(sin_a, cos_a, law.h)

@@ -1,4 +1,4 @@
-"""The largest decrease of a piecewise polynomial, extrema inside the pieces included."""
+"""Largest decrease of a piecewise polynomial, including extrema inside the pieces."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The interface of a solved motion, and the types of its outcome, transitions and jumps."""
+"""Interface of a solved motion, and the types of its outcome, transitions and jumps."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -29,9 +29,11 @@ COLUMNS = (
     "slip_2",
     "dissipated_energy",
 )
-"""Names of the columns of `Motion.state`: precession, inclination and spin [rad], x and y of the
-centre [m], angular velocity [rad/s] and slip velocity [m/s] in the precessing frame, and dissipated
-energy [J]."""
+"""Names of the columns of `Motion.state`.
+
+They are precession, inclination and spin [rad], x and y of the centre [m], the angular velocity
+[rad/s] and the slip velocity [m/s] in the precessing frame, and the dissipated energy [J].
+"""
 FORCE_COLUMNS = ("friction_1", "friction_2", "normal_force")
 """Names of the columns of `Motion.force` [N]: friction along a_1 and a_2, and the normal force."""
 
@@ -83,7 +85,15 @@ class Transition(NamedTuple):
 
 
 class Jumps(NamedTuple):
-    """Discontinuities of the contact force: times (j,) [s] and one-sided forces (j, 3) [N]."""
+    """Discontinuities of the contact force.
+
+    Parameters
+    ----------
+    t : ndarray, (j,)
+        Times [s].
+    before, after : ndarray, (j, 3)
+        Limits of the force from the left and from the right [N].
+    """
 
     t: np.ndarray
     before: np.ndarray
@@ -91,12 +101,24 @@ class Jumps(NamedTuple):
 
 
 CAUSES = ("contact", "creep", "slip", "moments", "table", "film", "body")
-"""The sinks of energy: compression of the contact, its creep, sliding, the resisting moments, the
-modes of the table, the air film, the modes of the disk."""
+"""Names of the energy sinks.
+
+"contact" is the compression of the contact, "creep" its creep, "slip" sliding friction, "moments"
+the resisting moments, "table" the modes of the table, "film" the air film, and "body" the modes of
+the disk.
+"""
 
 
 class MotionPart(NamedTuple):
-    """A part of a motion, solved by one model: its start [s], and the motion in its own time."""
+    """Part of a motion that one model solved.
+
+    Parameters
+    ----------
+    begin : float
+        Start of the part [s].
+    motion : Motion
+        The motion, with its time measured from `begin`.
+    """
 
     begin: float
     motion: "Motion"
@@ -128,15 +150,24 @@ class Motion(Protocol):
 
     def __hash__(self) -> int: ...
     @property
-    def disk(self) -> Disk: ...
+    def disk(self) -> Disk:
+        """Disk of the scene."""
+
     @property
-    def transitions(self) -> tuple[Transition, ...]: ...
+    def transitions(self) -> tuple[Transition, ...]:
+        """Changes of regime, in order of time."""
+
     @property
-    def contact_losses(self) -> Sequence: ...
+    def contact_losses(self) -> Sequence:
+        """Losses of contact: t [s], duration [s] and height [m] of each; empty if rigid."""
+
     @property
-    def outcome(self) -> Outcome: ...
+    def outcome(self) -> Outcome:
+        """Outcome of the motion."""
+
     @property
-    def integrator(self) -> str: ...
+    def integrator(self) -> str:
+        """Name of the integrator."""
 
     @property
     def parts(self) -> tuple[MotionPart, ...]:
@@ -211,7 +242,25 @@ class Motion(Protocol):
         """
 
     def at_and_force(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-        """Return `at(t)` and `force(t)` from one evaluation."""
+        """Return the state and the contact force at times t from one evaluation.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        state : ndarray, (k, 11)
+            As `at` returns it.
+        force : ndarray, (k, 3)
+            As `force` returns it.
+
+        Raises
+        ------
+        ValueError
+            If a time is outside the motion.
+        """
 
     def inclination(self, t: ArrayLike) -> np.ndarray:
         """Return the inclination (k,) [rad] at times t (k,) [s]."""
@@ -223,7 +272,13 @@ class Motion(Protocol):
         """Return the spin angle (k,) [rad] of the disk about its axis at times t (k,) [s]."""
 
     def plot(self) -> "Figure":
-        """Return a matplotlib figure of inclination, precession rate and normal force over time."""
+        """Plot inclination, precession rate and normal force against time.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
         ...
 
     def to_frame(self, t: ArrayLike | None = None) -> "DataFrame":
@@ -258,28 +313,61 @@ class Motion(Protocol):
         """Return omega_1 (k,) [rad/s] at times t (k,) [s], without contact vibration."""
 
     def bandwidth(self, state: np.ndarray) -> np.ndarray:
-        """Return the highest frequency (k,) [Hz] of the contact force at states (k, 11)."""
+        """Return the highest relevant frequency of the contact force.
+
+        Parameters
+        ----------
+        state : ndarray, (k, 11)
+            States with the columns COLUMNS.
+
+        Returns
+        -------
+        ndarray, (k,)
+            Frequencies [Hz].
+        """
 
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest."""
 
     def energy_lost(self, t: ArrayLike) -> dict[str, np.ndarray]:
-        """Return the energy (k,) [J] lost to each of CAUSES up to times t (k,) [s]."""
+        """Return the energy lost until times t, by cause.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        dict of str to ndarray, (k,)
+            Lost energy [J] for each of CAUSES.
+        """
 
     def dissipation(self, t: ArrayLike) -> dict[str, np.ndarray]:
-        """Return the power (k,) [W] lost to each of CAUSES at times t (k,) [s]."""
+        """Return the dissipated power at times t, by cause.
+
+        Parameters
+        ----------
+        t : array_like, (k,)
+            Times [s].
+
+        Returns
+        -------
+        dict of str to ndarray, (k,)
+            Dissipated power [W] for each of CAUSES.
+        """
 
     def largest_regain(self) -> float:
-        """Return the largest decrease [J] of the dissipated energy between any two instants.
+        """Return the largest decrease [J] of the dissipated energy between any two times.
 
-        The exact value is zero.
+        It measures the error of the solution; the exact value is zero.
         """
 
     def friction_excess(self) -> float:
         """Return the largest violation of Coulomb's law (3.2) by the ratio |F|/N.
 
-        It is the excess over mu_static while the disk rolls, and the distance from mu_dynamic
-        while it slides.
+        It is the excess of the ratio over mu_static while the disk rolls, and the difference from
+        mu_dynamic while it slides.
         """
 
     def regime(self, t: ArrayLike) -> np.ndarray:
@@ -287,7 +375,7 @@ class Motion(Protocol):
 
 
 class MotionBase:
-    """Quantities that follow from `t`, `at` and `force` of any motion."""
+    """Base class of motions: quantities that follow from `t`, `at` and `force`."""
 
     @property
     def parts(self: Motion) -> tuple[MotionPart, ...]:

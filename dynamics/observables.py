@@ -12,11 +12,11 @@ from dynamics.motion import Motion, piece_ends_and_middles
 
 
 def free_rolling_load(disk: Disk, state) -> np.ndarray:
-    """Return the normal force over the weight (k,) of free rolling at states (k, 11).
+    """Return the normal force of free rolling divided by the weight, (k,), at states (k, 11).
 
     It follows from the inclination and from omega_2, omega_3 by the second of (5.3) without
-    moments. It excludes the vibration of contact and table, has no jumps, and has one peak for each
-    nutation.
+    moments. It
+    excludes the vibration of contact and table, has no jumps, and has one peak for each nutation.
     """
     h = disk.aspect
     K = disk.gyration
@@ -40,9 +40,10 @@ def nutation_peaks(
 ) -> np.ndarray:
     """Return the times (p,) [s] of the peaks of `free_rolling_load`.
 
-    A peak has at least this prominence, and at least this share of the median prominence of its
-    neighbours: slips and a hopping contact make small peaks of their own. A parabola through three
-    points refines the time.
+    A peak must have at least this prominence, and at least this share of the median prominence of
+    its
+    neighbours, because slips and a hopping contact cause small additional peaks. A parabola through
+    three points refines the time.
     """
     flat = np.flatnonzero(motion.at(piece_ends_and_middles(motion))[:, 1] <= 0)
     t = piece_ends_and_middles(motion)[: flat[0] if len(flat) else None]
@@ -84,10 +85,11 @@ def _nutations(motion: Motion) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 
 def _varies_slowly(ratio, tolerance: float = 0.15, memory: int = 15) -> np.ndarray:
-    """Return which ratios (q,) are close to the median of the recent ones that were.
+    """Return a mask (q,) of the ratios that are close to the median of recently accepted ratios.
 
-    The number of nutations per turn varies slowly. If the table drives the disk, the peaks occur
-    once per turn instead; if roughness does, they occur at random.
+    The number of nutations per turn varies slowly. Peaks due to the table occur once per turn
+    instead,
+    and peaks due to roughness occur at random.
     """
     is_close = np.zeros(len(ratio), bool)
     recent = list(ratio[:memory])
@@ -100,11 +102,11 @@ def _varies_slowly(ratio, tolerance: float = 0.15, memory: int = 15) -> np.ndarr
 
 
 def _lasting(time, frequency, gap: float = 5.0, least: int = 15) -> np.ndarray:
-    """Return which samples of a frequency (q,) [Hz] at times (q,) [s] belong to a lasting
-    oscillation.
+    """Return a mask of the samples that belong to lasting oscillations.
 
-    A distance of more than `gap` periods separates two intervals. The longest interval counts, and
-    any other with enough samples: on a rough contact a few peaks resemble a nutation by chance.
+    The samples are frequencies (q,) [Hz] at times (q,) [s]. A distance of more than `gap` periods
+    separates two intervals. The longest interval and every other interval with enough samples are
+    accepted: on a rough contact a few peaks may resemble a nutation by chance.
     """
     if not len(time):
         return np.zeros(0, bool)
@@ -151,8 +153,10 @@ def precession_frequency(
     """Return times (q,) [s] and precession frequencies (q,) [Hz], averaged over the nutation.
 
     Mean frequencies over `window` turns, at intervals of `spacing` turns, are averaged over a
-    second window, which is shorter at both ends. The two windows reduce the effect of nutation to
-    less than 1 %. A motion that is shorter than a window has one mean.
+    second
+    window, which is shorter at both ends. The two windows reduce the effect of nutation to less
+    than 1
+    %. A motion shorter than a window has a single mean frequency.
     """
     t = motion.t
     turned = np.maximum.accumulate(np.abs(motion.state[:, 0] - motion.state[0, 0])) / (2 * np.pi)

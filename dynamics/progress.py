@@ -1,4 +1,4 @@
-"""How much of a motion is solved, from its time and the time that its energy will still last."""
+"""Progress of a solution: the solved share of the duration of a motion."""
 
 from math import inf
 
@@ -9,11 +9,11 @@ from dynamics.sections import MotionScene
 
 
 class MotionProgress:
-    """The share of the duration of a motion that is solved; it never falls and stays below 1.
+    """Solved share of the duration of a motion; it never decreases and remains below 1.
 
-    The end is predicted anew from every inclination: a disk in steady motion there loses its energy
-    in `decline_time`. The true end differs by the transient after the release and by nutation, so
-    that early shares are rather too low. A time limit ends every motion.
+    The remaining time is predicted from the current inclination by `decline_time`, as if the motion
+    were steady. The true end differs by the transient after the release and by nutation, so early
+    shares are too low. A time limit ends every motion.
     """
 
     def __init__(self, scene: MotionScene):
@@ -24,7 +24,7 @@ class MotionProgress:
         self._share = 0.0
 
     def share(self, t: float, inclination: float) -> float:
-        """Return the share that is solved at time t [s] and an inclination [rad]."""
+        """Return the solved share at time t [s] and an inclination [rad]."""
         end = min(t + self._time_left(inclination), self._time_limit)
         last_shown = 0.999
         if end > 0:

@@ -1,4 +1,4 @@
-"""Remaining time of quasi-steady motion until the disk lies flat, from the dissipated power."""
+"""Remaining time of quasi-steady motion until the disk is flat, from the dissipated power."""
 
 from math import copysign, log, sin, sqrt
 

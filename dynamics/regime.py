@@ -21,8 +21,10 @@ R, W1, W2, W3, V1, V2, PRECESSION, SPIN, X, Y, DISSIPATED = range(11)
 
 
 class Regime(NamedTuple):
-    """Active branch of each set-valued law: rolling or sliding; sign or sticking of each
-    omega.a_i."""
+    """Active branches of the set-valued laws.
+
+    They are rolling or sliding, and the sign or the sticking of each omega.a_i.
+    """
 
     sliding: bool
     stuck: tuple[bool, bool, bool]
@@ -40,8 +42,10 @@ def _name(sliding, stuck):
 
 
 class Branch(NamedTuple):
-    """Properties of a regime and a scene that select the formulas of the flow, without
-    constants."""
+    """Properties of a regime and a scene that select the formulas of the flow.
+
+    The constants of the scene are not included.
+    """
 
     sliding: bool
     stuck: tuple[bool, bool, bool]
@@ -100,11 +104,11 @@ class FlowFormulas:
         self.solve = equations_of_motion(sin, cos)
 
     def speed(self, y):
-        """Return the slip speed over r."""
+        """Return the slip speed divided by r."""
         return self.sqrt(y[V1] * y[V1] + y[V2] * y[V2])
 
     def grip(self, y):
-        """Return the guard of a slide that comes to rest: slip speed over r minus STOP_SPEED."""
+        """Return the guard of a slide that comes to rest: slip speed divided by r, minus STOP_SPEED."""
         return self.speed(y) - STOP_SPEED
 
     def contact(self, y, branch: Branch, senses, law: DiskConstants) -> Contact:

@@ -41,11 +41,11 @@ from dynamics.regime import (
 )
 
 FORCE_HARMONICS = 8
-"""Harmonics of the precession rate in the contact force, by which its bandwidth is estimated."""
+"""Number of harmonics of the precession rate in the estimate of the bandwidth of the force."""
 
 
 def cached_for_read_only_times(method):
-    """Make a method remember its results for the last two arrays of times that are read-only."""
+    """Decorate a method so that it caches its results for the last two read-only arrays of times."""
     results_of_motion = WeakKeyDictionary()
 
     @wraps(method)
@@ -66,29 +66,30 @@ def cached_for_read_only_times(method):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class RigidMotion(MotionBase):
-    """The motion of a rigid disk on a rigid contact, with every event located.
+    """Motion of a rigid disk on a rigid contact, with every event located.
 
     It implements `Motion`. The solution is a piecewise polynomial in the dimensionless quantities
-    of the paper; methods take and return SI units.
+    of
+    the paper; methods take and return SI units.
 
     Parameters
     ----------
     disk : Disk
         The disk.
-    law : Law
+    law : DiskConstants
         Dimensionless constants of disk and friction.
     loads : callable or None
-        Law of resistance that acts besides friction.
-    path : Pieces
+        Law of resistance in addition to friction.
+    path : PiecewisePolynomials
         The state as a piecewise polynomial of the dimensionless time.
     regimes : tuple of Regime
-        The regimes that occur.
+        The distinct regimes of the motion.
     regime_of_piece : ndarray, (n - 1,)
         Index into `regimes` for each piece.
     transitions : tuple of Transition
         The changes of regime, in order of time.
     contact_losses : tuple
-        Empty: a rigid motion ends where contact is lost.
+        Empty: a rigid motion ends when contact is lost.
     outcome : Outcome
         The way the motion ended.
     integrator : str
@@ -107,7 +108,7 @@ class RigidMotion(MotionBase):
     integrator: str
 
     def __repr__(self):
-        """Duration, outcome, number of transitions and integrator on one line."""
+        """Return a one-line summary: duration, outcome, number of transitions and integrator."""
         end = self.path.x[-1] * self.disk.time_unit
         changes = f"{len(self.transitions)} transitions"
         return f"Motion({end:.6g} s, {self.outcome.name}, {changes}, {self.integrator})"
@@ -124,8 +125,8 @@ class RigidMotion(MotionBase):
     def force(self, t: ArrayLike) -> np.ndarray:
         """Return the contact force at times t; see `Motion.force`.
 
-        The force solves the balance laws (4.6) and (5.2) that the integrator solved; nothing is
-        differentiated numerically.
+        The force is the solution of the balance laws (4.6) and (5.2). It involves no numerical
+        differentiation.
         """
         return self.at_and_force(t)[1]
 
@@ -144,7 +145,7 @@ class RigidMotion(MotionBase):
         return state, force
 
     def steady_load(self, t: ArrayLike) -> np.ndarray:
-        """Return the normal force (k,) [N] at times t (k,) [s]; nothing vibrates."""
+        """Return the normal force (k,) [N] at times t (k,) [s]; a rigid contact does not vibrate."""
         return self.force(t)[:, 2]
 
     def steady_nutation(self, t: ArrayLike) -> np.ndarray:
@@ -163,7 +164,7 @@ class RigidMotion(MotionBase):
     def energy(self, t: ArrayLike) -> np.ndarray:
         """Return kinetic plus potential energy (k,) [J] at times t (k,) [s]; zero at rest.
 
-        It is (6.1) without its two misprints.
+        The formula is (6.1) with its two misprints corrected.
         """
         y = self.path(*self._time_and_piece(t))
         r = y[R]
@@ -273,10 +274,11 @@ class RigidMotion(MotionBase):
 
     @cached_property
     def t_end(self) -> float:
-        """The time [s] at which a settled disk would lie flat; the end of any other motion.
+        """Time [s] at which a settled disk would be flat; the end of any other motion.
 
-        The square root of the inclination falls linearly on average. Its last decade is
-        extrapolated to zero.
+        The square root of the inclination decreases linearly on average. Its last decade is
+        extrapolated to
+        zero.
         """
         if self.outcome is not Outcome.SETTLED:
             return float(self.t[-1])

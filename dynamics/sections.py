@@ -94,9 +94,10 @@ class MotionScene:
 
 
 def motion_scene(scene: Any) -> MotionScene:
-    """Return a MotionScene unchanged, and any other object with such attributes as a MotionScene.
+    """Convert an object with the attributes of a scene to a MotionScene.
 
-    An attribute that is absent or None has its default."""
+    A MotionScene is returned unchanged. Attributes that are absent or None have their defaults.
+    """
     if isinstance(scene, MotionScene):
         return scene
     names = [section.name for section in fields(MotionScene)]
@@ -106,7 +107,7 @@ def motion_scene(scene: Any) -> MotionScene:
 
 @dataclass(frozen=True, kw_only=True)
 class _ScenePart(MotionScene):
-    """A part of the motion of the scene `whole`."""
+    """Part of the scene `whole`, for a part of its motion."""
 
     whole: MotionScene
 

@@ -18,7 +18,7 @@ from dynamics.motion import Motion, Outcome, Transition, read_only
 from dynamics.piecewise_polynomial import PiecewisePolynomials
 from dynamics.regime import FLOAT_FORMULAS, V1, V2, W1, W3, R, Regime
 from dynamics.rigid_motion import RigidMotion
-from dynamics.rolling import RollingDisk, released
+from dynamics.rolling import RollingDisk, initial_state
 from dynamics.sections import MotionScene, motion_scene
 from dynamics.solver_settings import integrator_of
 from dynamics.switching import ImpossibleContactError
@@ -35,7 +35,7 @@ OUTCOMES = {
 }
 """Outcome of a motion by the name of the guard that ended it; None is the time limit."""
 Watch = Callable[[float, float, str], None]
-"""A progress callback: time [s], inclination [rad], and a description of what is being done."""
+"""Progress callback with time [s], inclination [rad] and a description of the current task."""
 
 
 def simulate(
@@ -50,11 +50,11 @@ def simulate(
     must be solved in full (`numerics.contact`). The coupling to the table depends on
     `surface.action`:
 
-    * "sound": none. The motion is that on a rigid table.
+    * "sound": no coupling. The motion is the same as on a rigid table.
     * "motion": two-way coupling from the release on.
-    * "auto": two-way coupling from the inclination at which the table modes hold 1 % of the
-      energy of the disk, or take 1 % of the power of friction. There is none with a rough
-      contact, with a wavy edge or table (`imperfection`), or on an infinite plate.
+    * "auto": two-way coupling from the inclination at which the table modes store 1 % of the
+      energy of the disk, or absorb 1 % of the power of friction. A rough contact, a wavy edge or
+      table (`imperfection`) and an infinite plate have no two-way coupling.
 
     The modes of a table with `surface.kind = "modes"` are taken from the scene (those below
     24 kHz), and the motion is that of `sonify.solve(scene)`. A plate or a mesh needs
@@ -153,14 +153,16 @@ def _with_given_table(
         integrate=progress.announcing(system.integrate),
         announce=progress.announce,
     )
-    start = released(scene.disk, scene.release)
+    start = initial_state(scene.disk, scene.release)
     time_limit = scene.numerics.time_limit / scene.disk.time_unit
     try:
         path, guard = run_events(watched_system, start, time_limit, progress.record)
     except (ImpossibleContactError, StalledError) as error:
         raise ImpossibleContactError(f"at t = {progress.t:.9g} s: {error}") from None
     outcome = outcome_of(guard, progress.state, system)
-    motion = _motion(scene.disk, system, path, outcome, integrator_of(scene.numerics.integrator))
+    motion = _motion_record(
+        scene.disk, system, path, outcome, integrator_of(scene.numerics.integrator)
+    )
     lost_contact = 1e-9  # normal force over the weight
     if guard == EVENT_CASCADE and motion.normal_load(motion.t[-1])[0] < lost_contact:
         # Without a normal force friction cannot hold the contact: the regimes change without end.
@@ -169,7 +171,7 @@ def _with_given_table(
 
 
 class _Progress:
-    """Reports the progress of a solution to a callback and remembers the last state."""
+    """Progress reports to a callback, with the last state."""
 
     def __init__(self, scene: MotionScene, watch: Watch):
         self.t = 0.0
@@ -255,14 +257,14 @@ def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:
 
 
 def chosen_integrator(name: str):
-    """Return the name of an integrator ('auto' is resolved) and its function `advance`."""
+    """Return the name of an integrator, after resolving 'auto', and its function `advance`."""
     name = integrator_of(name)
     modules = {"taylor": "dynamics.taylor", "dop853": "dynamics.integrators.dop853"}
     return name, import_module(modules[name]).advance
 
 
-def _motion(disk, system, path, outcome, integrator) -> RigidMotion:
-    """Convert a path to a record of the motion, without the pieces of no duration."""
+def _motion_record(disk, system, path, outcome, integrator) -> RigidMotion:
+    """Convert a path to a RigidMotion; pieces of zero duration are dropped."""
     times = np.concatenate(path.times)
     has_duration = np.diff(times) > 0
     regimes = tuple(dict.fromkeys(regime for regime, _ in path.regimes))
@@ -279,7 +281,7 @@ def _motion(disk, system, path, outcome, integrator) -> RigidMotion:
         law=system.law,
         loads=system.loads,
         path=PiecewisePolynomials(
-            read_only(_joined(path.coefficients, has_duration)),
+            read_only(_concatenated_pieces(path.coefficients, has_duration)),
             read_only(np.append(times[0], times[1:][has_duration])),
         ),
         regimes=regimes,
@@ -291,8 +293,8 @@ def _motion(disk, system, path, outcome, integrator) -> RigidMotion:
     )
 
 
-def _joined(blocks, keep):
-    """Return the kept pieces of blocks (n, order + 1, k) as (highest order + 1, sum of n, k).
+def _concatenated_pieces(blocks, keep):
+    """Concatenate the kept pieces of blocks (n, order + 1, k) to (highest order + 1, sum of n, k).
 
     The highest power comes first, as in `PiecewisePolynomials`.
     """

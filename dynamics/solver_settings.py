@@ -125,7 +125,7 @@ def integrator_of(name: str) -> str:
 def inclination_at(disk: Disk, rate: float) -> float:
     """Return the inclination [rad] at which a steady disk precesses at `rate` [Hz].
 
-    It is the limit of small inclinations (steady.py, `flat_square`) and at least
+    It is the limit of small inclinations (`steady_motion.flat_square`) and at least
     MIN_SOLVED_INCLINATION.
     """
     square = flat_square(disk.aspect, disk.gyration) / disk.time_unit**2

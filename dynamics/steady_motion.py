@@ -1,4 +1,7 @@
-"""Closed forms of steady motion for solver and plan; `theory` derives them independently."""
+"""Closed forms of steady motion for the solver and the plan.
+
+`theory` derives them independently.
+"""
 
 from math import atan, cos, sin, sqrt
 

@@ -17,8 +17,11 @@ PoissonRatio = Annotated[float, Gt(-1), Lt(0.5)]
 Density = Annotated[float, Ge(1e-3), Le(1e6)]
 LossFactor = Annotated[float, Ge(0), Le(1)]
 MIN_TWO_WAY_SHARE = 0.01
-"""Two-way coupling begins where the table modes hold this share of the energy of the disk, or take
-this share of the dissipated power."""
+"""Threshold of two-way coupling.
+
+Coupling begins when the table modes store this share of the energy of the disk, or absorb this
+share of the dissipated power.
+"""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -93,7 +96,7 @@ class PlateSurface:
 
 @dataclass(frozen=True, kw_only=True)
 class SurfaceMode:
-    """A mode of a table along the contact circle; orders above 0 mean a cosine and sine pair.
+    """Mode of a table along the contact circle; an order above 0 means a pair of cosine and sine.
 
     Examples
     --------
@@ -107,7 +110,7 @@ class SurfaceMode:
     frequency: Annotated[float, Gt(0), Le(1e6)]
     """Frequency [Hz]."""
     damping_ratio: Annotated[float, Ge(0), Lt(1)]
-    """Damping ratio: decay rate over angular frequency."""
+    """Damping ratio: decay rate divided by angular frequency."""
     modal_mass: Annotated[float, Ge(1e-9), Le(1e9)]
     """Modal mass for a shape of amplitude 1 at its antinode on the contact circle [kg]."""
 

@@ -1,9 +1,9 @@
-"""Selection of the next regime by the set-valued laws (3.2), (3.3), and the first and last steps of
-a slide.
+"""Selection of the next regime by (3.2) and (3.3), and the first and last steps of a slide.
 
-At zero, sign() is any number in [-1, 1] (Filippov). The contact can roll or slide, and each
-omega.a_i = 0 can stick or take either sign. A combination can follow if its own accelerations and
-loads agree with it."""
+At zero, sign() may have any value in [-1, 1] (Filippov). The contact can roll or slide, and each
+omega.a_i = 0 can stick or take either sign. A combination is a possible continuation if its
+accelerations and loads are consistent with it.
+"""
 
 import math
 from functools import lru_cache

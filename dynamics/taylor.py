@@ -14,7 +14,7 @@ from dynamics.guards import Guard
 from dynamics.hybrid import Arc
 from dynamics.integrators.branch_formulas import branch_to_compile, compiled_flow, rates_and_guards
 from dynamics.regime import Branch, FlowFormulas, Regime
-from dynamics.rolling import restarted
+from dynamics.rolling import restart_quadratures
 from dynamics.switching import after_reversal
 
 SYMBOLIC_FORMULAS = FlowFormulas(
@@ -144,7 +144,7 @@ def advance(
         if not after:
             break
         y, now = after
-        state[:], origin = restarted(y)  # large components would make the steps longer
+        state[:], origin = restart_quadratures(y)  # large components would make the steps longer
         lost.append(origin)
         pars[:] = compiled_flow(compiled_taylor, now, law, loads, r_end, tolerance)[1]
         integrator.reset_cooldowns()

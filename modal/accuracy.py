@@ -1,5 +1,7 @@
-"""What the accuracies draft, standard and reference mean for modes; `dynamics.solver_settings` has
-motion and sound."""
+"""Settings of the modal solvers for the accuracies draft, standard and reference.
+
+`dynamics.solver_settings` contains the settings of motion and sound.
+"""
 
 from dataclasses import replace
 from math import pi

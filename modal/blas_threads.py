@@ -1,5 +1,4 @@
-"""Limit BLAS to one thread: the matrices are small, and several threads would only wait for each
-other."""
+"""Limit BLAS to one thread: several threads do not accelerate operations on small matrices."""
 
 from collections.abc import Callable
 from functools import wraps
@@ -15,10 +14,11 @@ _limit_lock = Lock()
 
 
 def one_blas_thread(function: Callable[P, R]) -> Callable[P, R]:
-    """Decorate a function so that BLAS has one thread while it runs and its previous setting
-    afterwards.
+    """Decorate a function so that BLAS uses one thread while the function runs.
 
-    BLAS has one setting per process: if calls overlap, the first one sets and restores it.
+    The previous setting is restored afterwards. BLAS has one setting per process: if calls overlap,
+    the
+    first one sets and restores it.
     """
 
     @wraps(function)

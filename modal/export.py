@@ -9,21 +9,30 @@ from modal.modes import Modes
 
 
 def as_json(modes: Modes) -> dict:
-    """Return the content of modes.json: the method, and properties and rim shape of each mode.
+    """Return the content of modes.json: the method, and the properties and rim shape of each mode.
 
-    The rim shape is the radial, tangential and axial displacement [kg^-1/2] of the bottom edge at
-    `rim_angle`."""
+    Parameters
+    ----------
+    modes : Modes
+        The modes to export.
+
+    Returns
+    -------
+    dict
+        Values that `json.dumps` accepts. The rim shape is the radial, tangential and axial
+        displacement [kg^-1/2] of the bottom edge at the angles `rim_angle` [rad].
+    """
     return {
         "method": modes.method,
         "unknowns": modes.unknowns,
         "mass": modes.mass,
         "rim_angle": modes.rim_angle.tolist(),
-        "modes": [one(modes, i) for i in range(len(modes))],
+        "modes": [mode_entry(modes, i) for i in range(len(modes))],
     }
 
 
-def one(modes: Modes, i):
-    """Return the entry of mode i in modes.json; an infinite time or quality is null."""
+def mode_entry(modes: Modes, i):
+    """Return the entry of mode i in modes.json; infinite times and quality factors become null."""
     finite = modes.decay_rate[i] > 0
     return {
         "frequency": float(modes.frequency[i]),
@@ -42,9 +51,19 @@ def one(modes: Modes, i):
 
 
 def write_vtu(modes: Modes, path: str | Path) -> None:
-    """Write the whole disk [m] with one array of displacement vectors [kg^-1/2] per mode.
+    """Write the mode shapes to a VTU file, for example for ParaView.
 
-    Quadratic cells remain quadratic."""
+    The file contains the mesh of the whole disk [m] and one array of displacement vectors [kg^-1/2]
+    per
+    mode. Quadratic cells remain quadratic.
+
+    Parameters
+    ----------
+    modes : Modes
+        The modes to export.
+    path : str or Path
+        File to write.
+    """
     import meshio
 
     body = modes.body
@@ -57,7 +76,20 @@ def write_vtu(modes: Modes, path: str | Path) -> None:
 
 
 def write_uff(modes: Modes, path: str | Path) -> None:
-    """Write nodes (dataset 15) and normal modes (dataset 55); needs the optional package pyuff."""
+    """Write nodes (dataset 15) and normal modes (dataset 55) to a universal file.
+
+    Parameters
+    ----------
+    modes : Modes
+        The modes to export.
+    path : str or Path
+        File to write.
+
+    Raises
+    ------
+    ModuleNotFoundError
+        If the optional package pyuff is not installed.
+    """
     try:
         import pyuff
     except ModuleNotFoundError:
@@ -110,16 +142,35 @@ def dataset_55(modes: Modes, i, number, u):
 
 
 STRIKE_PEAK = 0.9
-"""Greatest output of a Faust program after a unit strike, which is one sample of 1."""
+"""Peak output of a Faust program after a unit strike, which is one sample of 1."""
 OPPOSITE = pi
-"""Angle [rad] of the rim opposite the contact, at which the disk can move on every support."""
+"""Angle [rad] of the rim opposite the contact, where the disk can move on every support."""
 
 
 def as_faust(modes: Modes, angle: float = OPPOSITE, name: str = "disk") -> str:
     """Return a Faust program that sounds like a disk struck at one point of its bottom edge.
 
-    It contains the function of `as_faust_library` and a slider for each of its arguments.
-    Parameters and errors are those of `as_faust_library`."""
+    The program contains the function of `as_faust_library` and a slider for each of its arguments.
+
+    Parameters
+    ----------
+    modes : Modes
+        The modes.
+    angle : float
+        Angle [rad] at which the disk is struck and heard; by default opposite the patch.
+    name : str
+        Name of the function.
+
+    Returns
+    -------
+    str
+        The text of the program.
+
+    Raises
+    ------
+    ValueError
+        As in `as_faust_library`.
+    """
     return as_faust_library(modes, angle, name) + FAUST_PROGRAM.format(name=name)
 
 
@@ -178,11 +229,14 @@ def as_faust_library(modes: Modes, angle: float = OPPOSITE, name: str = "disk") 
 
 
 def strike_shares(modes: Modes, angle: float) -> tuple[np.ndarray, float]:
-    """Return the shares (m,) of the modes in the velocity of a struck point, and that velocity
-    [m/s] per N s.
+    """Return the shares (m,) of the modes in the velocity of a struck point, and this velocity.
 
-    The point is on the bottom edge at an angle [rad]. A mode of modal mass 1 and axial shape phi
-    moves it at phi^2. Raises ValueError if the disk is held at this point."""
+    The velocity [m/s] is that after an impulse of 1 N s. The point is on the bottom edge at an
+    angle
+    [rad]. The contribution of a mode of modal mass 1 with the axial displacement phi is phi^2.
+    Raises
+    ValueError if the disk is held at this point.
+    """
     if not np.isfinite(angle):
         raise ValueError(f"strike at {angle} degrees: must be a finite angle")
     mobility = modes.at_rim(angle)[:, 0, 2] ** 2

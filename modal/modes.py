@@ -1,8 +1,8 @@
-"""The sections of a scene that describe the elastic disk, and the record of its modes.
+"""Sections of a scene that describe the elastic disk, and the record of its modes.
 
-The frame is fixed in the disk: the origin is its centre, z its axis, and x points to the middle of
-the patch, at the circumferential angle 0. In the paper's basis (2.1), with the contact at the
-patch, x, y, z = -e3, -e1, e2. The bottom face, z = -thickness/2, meets the table.
+The coordinate frame is fixed in the disk. Its origin is the centre, z is the axis, and x points to
+the middle of the patch, at the circumferential angle 0. In the paper's basis (2.1), with the
+contact at the patch, x, y, z = -e3, -e1, e2. The bottom face, z = -thickness/2, meets the table.
 """
 
 from collections.abc import Sequence
@@ -22,8 +22,16 @@ if TYPE_CHECKING:
 
 
 class UnsolvableError(ArithmeticError, ValueError):
-    """Raised when modes cannot be computed: there are too many, or round-off exceeds them. The
-    message is one line."""
+    """Error for modes that cannot be computed; the message is one line.
+
+    It is raised if there are too many modes, or if round-off exceeds them.
+
+    Examples
+    --------
+    >>> from modal import UnsolvableError
+    >>> issubclass(UnsolvableError, ValueError)
+    True
+    """
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -80,12 +88,24 @@ class Material:
 
 @dataclass(frozen=True, kw_only=True)
 class Support:
-    """The support of the disk. The lower bounds exclude patches so small that round-off exceeds the
-    lowest modes."""
+    """Support of the disk: a clamped patch, free, or the springs of an elastic contact.
+
+    The lower bounds exclude patches so small that round-off exceeds the lowest modes.
+
+    Raises
+    ------
+    ValueError
+        If `held` is empty or has duplicates, or if an inclination is given without kind "contact".
+
+    Examples
+    --------
+    >>> from modal import Support
+    >>> Support(kind="free").half_angle_deg
+    5.0
+    """
 
     kind: Literal["patch", "free", "contact"] = "patch"
-    """Held on an arc of the lateral surface centred at angle 0, free, or on the springs of its
-    elastic contact."""
+    """Kind of support: held on a patch around angle 0, free, or on the springs of the contact."""
     inclination_deg: Annotated[float, Ge(1e-5), Lt(90)] | None = None
     """Inclination of the disk on its contact [degrees]; by default that of the release."""
     half_angle_deg: Annotated[float, Ge(0.01), Le(180)] = 5.0
@@ -93,8 +113,7 @@ class Support:
     height: Annotated[float, Ge(1e-5), Le(100)] | None = None
     """Height of the patch [m]; by default the thickness of the disk."""
     position: Literal["middle", "bottom"] = "middle"
-    """Position of a patch that is lower than the disk: at mid-thickness, or from the bottom rim
-    up."""
+    """Position of a patch lower than the disk: at mid-thickness, or upwards from the bottom rim."""
     held: tuple[Literal["radial", "tangential", "axial"], ...] = ("radial", "tangential", "axial")
     """Components of the displacement that vanish on the patch."""
 
@@ -143,8 +162,10 @@ PER_MODE_ARRAYS = (
 
 
 def fourier_interpolation(values, angle):
-    """Interpolate values (..., n) at n even angles by their Fourier sum at angles (k,) [rad]: (...,
-    k)."""
+    """Interpolate values at equidistant angles to other angles by their Fourier sum.
+
+    The values (..., n) at n angles become values (..., k) at `angle` (k,) [rad].
+    """
     n = values.shape[-1]
     coefficients = np.fft.rfft(values) / n
     coefficients[..., 1 : (n + 1) // 2] *= 2
@@ -156,7 +177,10 @@ def fourier_interpolation(values, angle):
 
 
 class ModeList:
-    """Base of the records of modes: finite, read-only arrays, and the number of modes as length."""
+    """Base class of the records of modes.
+
+    The arrays are finite and read-only. The length of a record is its number of modes.
+    """
 
     frequency: np.ndarray
     method: str
@@ -173,12 +197,12 @@ class ModeList:
         return len(self.frequency)
 
     def __repr__(self):
-        """Return one line: number of modes, range of frequencies, method, unknowns."""
+        """Return a one-line summary: number of modes, frequency range, method and unknowns."""
         span = f", {self.frequency[0]:.6g} to {self.frequency[-1]:.6g} Hz" if len(self) else ""
         return f"{type(self).__name__}({len(self)}{span}; {self.method}, {self.unknowns} unknowns)"
 
     def as_indices(self, selection: Sequence[int] | np.ndarray) -> np.ndarray:
-        """Return the indices (k,) of the modes that indices (k,) or a mask (m,) select."""
+        """Convert a selection, indices (k,) or a mask (m,), to indices (k,) of modes."""
         return np.arange(len(self))[np.asarray(selection, dtype=None if len(selection) else int)]
 
 
@@ -258,18 +282,25 @@ class Modes(ModeList):
 
     @property
     def quality(self) -> np.ndarray:
-        """Quality factor (m,), Q = pi f / d; infinite without losses."""
+        """Quality factor (m,), Q = pi f/d with the decay rate d; infinite without losses."""
         with np.errstate(divide="ignore"):
             return pi * self.frequency / self.decay_rate
 
     @property
     def effective_mass(self) -> np.ndarray:
-        """Effective mass participation^2 (m, 6) [kg, kg m^2]; the sums over all modes of a held
-        disk are its mass and inertia."""
+        """Effective mass, participation squared (m, 6) [kg; kg m^2].
+
+        The sums over all modes of a held disk are its mass and its moments of inertia.
+        """
         return self.participation**2
 
     def plot(self) -> "Figure":
-        """Return a matplotlib figure of frequency over order and decay time over frequency.
+        """Plot frequency against order, and decay time against frequency.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
 
         Examples
         --------
@@ -356,6 +387,7 @@ class Modes(ModeList):
         Returns
         -------
         Modes
+            The modes with these decay rates.
 
         Raises
         ------

@@ -21,15 +21,15 @@ from modal.modes import Modes
 from modal.progress import portion
 from modal.spectral.p_refinement import first_basis_size
 from modal.synthesis.free_disk import FreeDisk
-from modal.synthesis.tractions import MAX_HALF_ANGLE_DEG, STANDARD_RICHNESS
+from modal.synthesis.tractions import DEFAULT_BASIS_SIZES, MAX_HALF_ANGLE_DEG
 
 FREE_MODE_FREQUENCY_RATIO = 2.0
 """Free modes are kept up to this multiple of the highest frequency wanted."""
 
 
 def synthesis_richness(accuracy):
-    """Return the least `Richness` of the synthesis at an accuracy."""
-    return replace(STANDARD_RICHNESS, **ACCURACY_LEVELS[accuracy].richness)
+    """Return the smallest `Richness` of the synthesis at an accuracy."""
+    return replace(DEFAULT_BASIS_SIZES, **ACCURACY_LEVELS[accuracy].richness)
 
 
 def held_modes(plate, support, below, accuracy) -> Modes:

@@ -1,5 +1,4 @@
-"""Radiation of sound from both faces of a disk, each into its own half space, and the damping that
-it causes."""
+"""Sound radiation from both faces of a disk into half spaces, and the resulting damping."""
 
 from collections.abc import Sequence
 from math import pi
@@ -17,8 +16,10 @@ SOUND_SPEED = 343.2  # m/s
 
 
 class Air(Protocol):
-    """The properties of air that radiation depends on: density [kg/m^3] and speed of sound
-    [m/s]."""
+    """Protocol of the air properties that radiation depends on.
+
+    They are the density [kg/m^3] and the speed of sound [m/s].
+    """
 
     @property
     def density(self) -> float: ...
@@ -86,29 +87,35 @@ def radiation_decay(
     faces: Sequence[int] = (BOTTOM, TOP),
     air: Air = STANDARD_AIR,
 ) -> np.ndarray:
-    """Compute the decay rates that radiation from the faces causes.
+    """Compute the decay rates of modes by sound radiation from the faces.
 
-    Each face radiates into its own half space, as if a baffle separated them. Without a baffle the
-    two sides of a bending disk that is small against the wavelength cancel, and the result is too
-    large: for a rigid disk in heave by 27 pi^2/(8 (k a)^2) [2]_, a factor of 100 at k a = 0.6 (0.9
-    kHz for a radius of 37.55 mm). Radiation from the rim is neglected; in-plane modes have no
-    other. Neglected too are the orders that `directivity` sets to 0.
+    Each face radiates into its own half space, as if a baffle separated them. Without a baffle, the
+    sound of the two sides of a bending disk that is small compared with the wavelength cancels. The
+    result is then too large: by 27 pi^2/(8 (k a)^2) [2]_ for a rigid disk in heave, which is a
+    factor
+    of 100 at k a = 0.6 (0.9 kHz for a radius of 37.55 mm). Radiation from the rim, the only
+    radiation
+    of in-plane modes, is neglected. The orders that `directivity` sets to 0 are neglected too.
 
     Parameters
     ----------
     modes : Modes
+        The modes.
     faces : sequence of int, optional
         Faces that radiate: 0 (bottom), 1 (top).
     air : Air, optional
-        Density [kg/m^3] and speed of sound [m/s]; by default dry air at 20 degrees.
+        Density [kg/m^3] and speed of sound [m/s]; by default dry air at 20 degrees Celsius.
 
     Returns
     -------
     ndarray, shape (m,)
-        Decay rates [1/s]: radiated power over twice the energy, d = P/(2 E).
+        Decay rates d = P/(2 E) [1/s], with radiated power P and energy E.
 
-    Notes ----- With velocity amplitude v and modal mass 1, |p| = rho w |v D|/(2 pi R) [1]_, P = int
-    |p|^2/(2 rho c) R^2 dO = rho w^2 v^2/(8 pi^2 c) int |D|^2 dO, and E = v^2/2.
+    Notes
+    -----
+    With velocity amplitude v and modal mass 1, |p| = rho w |v D|/(2 pi R) [1]_. The power is
+    P = int |p|^2/(2 rho c) R^2 dO = rho w^2 v^2/(8 pi^2 c) int |D|^2 dO, and the energy is E =
+    v^2/2.
 
     References
     ----------
@@ -134,9 +141,11 @@ def with_radiation(
     Parameters
     ----------
     modes : Modes
+        The modes.
     faces : sequence of int, optional
         Faces that radiate: 0 (bottom), 1 (top).
     air : Air, optional
+        Density [kg/m^3] and speed of sound [m/s]; by default dry air at 20 degrees Celsius.
 
     Returns
     -------

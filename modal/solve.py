@@ -15,17 +15,22 @@ from modal.spectral.basis import Plate
 DEFAULT_HIGHEST_FREQUENCY = 24000.0  # Hz
 """Modes at or above this frequency are left out by default."""
 MAX_MODE_COUNT = 600
-"""Largest number of modes that are computed: more would take minutes to solve and hours to hear."""
+"""Largest number of modes; more modes would take minutes to solve and hours to render."""
 
 
 def density(disk: Any) -> float:
-    """Return mass over volume of a disk [kg/m^3]; ValueError for a shell without a wall."""
+    """Return the density [kg/m^3] of a disk from its mass and volume.
+
+    Raises ValueError for a shell without a wall.
+    """
     return disk.mass / (pi * (disk.radius**2 - inner_radius(disk) ** 2) * disk.thickness)
 
 
 def inner_radius(disk: Any) -> float:
-    """Return the radius of the hole [m], 0 for a solid disk; ValueError for a shell without a
-    wall."""
+    """Return the radius [m] of the hole of a disk; 0 for a solid disk.
+
+    Raises ValueError for a shell without a wall.
+    """
     if disk.shape == "solid":
         return 0.0
     if not disk.wall:
@@ -156,8 +161,10 @@ def free_plate(scene: ElasticScene) -> Plate:
 
 
 def contact_springs(scene: Any, support: Support) -> tuple[float, Any]:
-    """Return the inclination [rad] of a disk on its contact, and the springs there; UnsolvableError
-    without any."""
+    """Return the inclination [rad] of a disk on its contact, and the springs of the contact.
+
+    Raises UnsolvableError if the contact has no springs.
+    """
     inclination = radians(support.inclination_deg or scene.release.inclination_deg)
     try:
         return inclination, scene.contact.suspension(scene, inclination)

@@ -35,13 +35,15 @@ def contact_modes(
     below: float,
     accuracy: str,
 ) -> Modes:
-    """Return the `Modes` below `below` [Hz] of a solid disk on the springs of its contact at an
-    inclination [rad].
+    """Return the `Modes` below `below` [Hz] of a solid disk on the springs of its contact.
 
-    `suspension` has stiffness (3,) [N/m], damping (3,) [N s/m], and the relaxation rates `forgets`
-    (3,) [1/s] of the springs. The first modes, at most three, are those of the disk as a rigid body
-    on its contact; a motion that creep overdamps is left out. UnsolvableError if the springs are so
-    stiff that the contact alone no longer determines them.
+    The disk is at an inclination [rad]. `suspension` has stiffness (3,) [N/m], damping (3,) [N
+    s/m],
+    and the relaxation rates `forgets` (3,) [1/s] of the springs. The first modes, at most three,
+    are
+    those of the disk as a rigid body on its contact; overdamped motions are omitted. Raises
+    UnsolvableError if the springs are so stiff that the compliance of the disk near the contact is
+    comparable with theirs.
     """
     free = rigid_and_elastic_modes(plate, below, accuracy)
     rotation = patch_to_contact_rotation(inclination)
@@ -72,11 +74,7 @@ def contact_modes(
 
 
 def growth_by_round_off(roots, matrix):
-    """Return the largest growth rates (r,) [1/s] that round-off gives to motions without loss.
-
-    They are 1e-6 of the angular frequency, or, for soft springs, 100 eps of the largest entry of
-    the matrix [1/s^2].
-    """
+    """Return the largest growth rates (r,) [1/s] of undamped motions that result from round-off."""
     return np.maximum(1e-6 * np.abs(roots), 100 * np.finfo(float).eps * matrix.max())
 
 

@@ -65,7 +65,7 @@ def incompressible_power(unsteady: bool, beta: float, cells: int) -> Answer:
     y = mesh.points.imag
     inertia = (1 + 1j) * layer_thickness(beta, precession_rate(beta), disk.radius, air) * unsteady
     return Answer(
-        (-mesh.linear([y], [y], inertia=inertia)[0].works[0].real * power_factor(beta),),
+        (-mesh.linear_responses([y], [y], inertia=inertia)[0].works[0].real * power_factor(beta),),
         mesh.basis.N,
     )
 

@@ -1,10 +1,9 @@
 """Motion of the disk on an elastic, rough contact.
 
-contact, creep, table -- law of the contact as data resonance -- linearised contact roughness,
-profile -- heights of table and edge filter -- vibration of a contact without loss, along a rigid
-motion full -- compliant motion, with the steps of march, normal, tangential and gap on the state of
-state.py handover -- conversion between this state and the columns of a Motion waves, waving,
-bending -- steps on a table with modes, and of a disk that bends on it sections, from_scene, choice,
-acting -- sections of a scene, and the choice of the model motion, record, handed -- the solved
-motion
+`law` contains the contact law (hertz_mindlin, kalker, tabulated), the heights of table and edge
+(height_profile, roughness), the linearised contact (linearised, statistical_linearisation), and the
+vibration of a contact without losses along a rigid motion (linear_response). `stepping` solves the
+full compliant motion in time steps. `model_selection` and `two_way_onset` select the model of a
+scene. `compliant_motion` and `switched_motion` contain the solved motions, and `state_conversion`
+converts between the state of the time steps and the columns of a `Motion`.
 """

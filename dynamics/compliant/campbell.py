@@ -1,17 +1,16 @@
-"""How a disk that turns steadily over one mode of a table would depart from that motion:
-eigenvalues by its speed.
+"""Stability of the steady motion of a disk over one mode of a table, as a function of its speed.
 
-Written with complex numbers for what turns about the vertical: the tilt nu, the horizontal part of
-the axis, towards the contact; the mode p, so that the table rises by Re(conj(p) e^{i n
-phi})/sqrt(M) on the contact circle; both in the frame that turns with the contact at Omega. A
-smooth thin-lipped disk without spin at small inclinations obeys
+Complex numbers describe quantities that rotate about the vertical: the tilt nu, which is the
+horizontal part of the axis, towards the contact, and the mode p. The table rises by Re(conj(p) e^{i
+n phi})/sqrt(M) on the contact circle. Both are given in the frame that rotates with the contact at
+Omega. A smooth thin-lipped disk without spin obeys, at small inclinations,
 
     m z'' = N - m g,    J (nu'' + 2 i Omega nu' - Omega^2 nu) = -R N e^{i psi} + T,
-    p'' + 2 (i n Omega + zeta w) p' + (w^2 - n^2 Omega^2 + 2 i zeta w n Omega) p = -N e^{i n psi}/sqrt(M),
+    p'' + 2 (i n Omega + zeta w) p'
+        + (w^2 - n^2 Omega^2 + 2 i zeta w n Omega) p = -N e^{i n psi}/sqrt(M).
 
-psi being where z - R Re(conj(nu) e^{i psi}) - Re(conj(p) e^{i n psi})/sqrt(M) is least, and zero: a
-rigid contact. T is the moment that would make up for the wave drag, so that there is a steady
-motion to depart from.
+The contact is rigid: the gap z - R Re(conj(nu) e^{i psi}) - Re(conj(p) e^{i n psi})/sqrt(M) has its
+minimum, zero, at psi. The moment T compensates the wave drag, so that a steady motion exists.
 """
 
 from typing import NamedTuple
@@ -51,9 +50,9 @@ class CampbellDiagram(NamedTuple):
 def campbell_diagram(disk: Disk, mode: SurfaceMode, x) -> CampbellDiagram:
     """Return the Campbell diagram of a disk on one table mode at positive x = n Omega/w (k,).
 
-    Valid for small inclinations without friction. The nutation on a rigid table is Omega (3 J/(J +
-    m R^2))^0.5, within 1 % of that of a rolling disk. Raises ValueError for a mode without order,
-    and for speeds that are not positive and finite.
+    It is valid for small inclinations without friction. The nutation frequency on a rigid table is
+    Omega (3 J/(J + m R^2))^0.5, within 1 % of that of a rolling disk. Raises ValueError for a mode
+    without order, and for speeds that are not positive and finite.
     """
     x = np.atleast_1d(np.asarray(x, dtype=float))
     if mode.order < 1 or not (np.isfinite(x) & (x > 0)).all():
@@ -64,8 +63,9 @@ def campbell_diagram(disk: Disk, mode: SurfaceMode, x) -> CampbellDiagram:
 
 
 def _eigenvalues(disk, mode, rate):
-    """Return inclination and eigenvalues (8,) at one Omega; the unknowns (4,) are the real and
-    imaginary parts of nu and p.
+    """Return inclination and eigenvalues (8,) at one Omega.
+
+    The unknowns (4,) are the real and imaginary parts of nu and p.
     """
     m = disk.mass
     R = disk.radius

@@ -1,4 +1,4 @@
-"""Solve the motion of a scene on an elastic contact, and the record that answers as a `Motion`."""
+"""Solution of a scene with an elastic contact, and the record that implements `Motion`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -48,7 +48,9 @@ FORCE_RATE = 1e5
 FORCES_PER_ROW = 4
 """Mean forces stored per row."""
 MAX_OVERTONE = 2
-"""Bandwidth of the contact force over the contact resonance; the force above is below a hundredth.
+"""Ratio of the bandwidth of the contact force to the contact resonance.
+
+The force at higher frequencies is less than a hundredth.
 """
 LOAD_WINDOW_PARTS = 24
 """Intervals in the mean of the force over half a turn."""
@@ -97,7 +99,7 @@ class CompliantMotion(MotionBase):
     excess : float
         Largest excess of the friction over its cone [N].
     outcome : Outcome
-        How the motion ended.
+        Outcome of the motion.
     """
 
     model: CompliantModel
@@ -169,9 +171,9 @@ class CompliantMotion(MotionBase):
 
         Raises ValueError for times outside the motion.
         """
-        x = self._place(t)
+        x = self._row_positions(t)
         state = interpolate_rows(self.rows, x, False)[:, : len(COLUMNS)]
-        state[:, -1] = self._line(x)[:, LOSS_COLUMNS].sum(axis=1)
+        state[:, -1] = self._interpolate_linearly(x)[:, LOSS_COLUMNS].sum(axis=1)
         return state
 
     def force(self, t) -> np.ndarray:
@@ -181,7 +183,9 @@ class CompliantMotion(MotionBase):
         It is the derivative of the interpolated impulse, so its integral is exact. The normal force
         is never negative.
         """
-        force = interpolate_rows(self.impulses, self._place(t) * FORCES_PER_ROW, True) / self.dt
+        force = (
+            interpolate_rows(self.impulses, self._row_positions(t) * FORCES_PER_ROW, True) / self.dt
+        )
         force[:, 2] = np.maximum(force[:, 2], 0.0)
         return force
 
@@ -194,7 +198,9 @@ class CompliantMotion(MotionBase):
         turn = 2 * np.pi / np.maximum(np.abs(precession_rate(self.at(t))), np.pi / self._end)
         edges = np.asarray(t) + np.linspace(-0.25, 0.25, LOAD_WINDOW_PARTS + 1)[:, None] * turn
         impulse = interpolate_rows(
-            self.impulses, self._place(np.clip(edges, 0, self._end).ravel()) * FORCES_PER_ROW, False
+            self.impulses,
+            self._row_positions(np.clip(edges, 0, self._end).ravel()) * FORCES_PER_ROW,
+            False,
         )[:, 2]
         lasts = np.diff(np.clip(edges, 0, self._end), axis=0)
         hann = (
@@ -239,11 +245,11 @@ class CompliantMotion(MotionBase):
 
     def energy(self, t) -> np.ndarray:
         """Return the total energy (k,) [J] at times t (k,) [s]; zero at rest on the table."""
-        return self._line(self._place(t))[:, ENERGY_COLUMN]
+        return self._interpolate_linearly(self._row_positions(t))[:, ENERGY_COLUMN]
 
     def lost(self, t) -> np.ndarray:
         """Return the energy (k, 7) [J] lost to each of CAUSES until t (k,) [s]."""
-        return self._line(self._place(t))[:, LOSS_COLUMNS]
+        return self._interpolate_linearly(self._row_positions(t))[:, LOSS_COLUMNS]
 
     def energy_lost(self, t) -> dict[str, np.ndarray]:
         """Return the energy (k,) [J] lost until the times t (k,) [s], by cause."""
@@ -252,7 +258,7 @@ class CompliantMotion(MotionBase):
     def dissipation(self, t) -> dict[str, np.ndarray]:
         """Return the dissipated power (k,) [W] at t (k,) [s], by cause: the mean between two
         rows."""
-        first = np.minimum(self._place(t).astype(int), len(self.rows) - 2)
+        first = np.minimum(self._row_positions(t).astype(int), len(self.rows) - 2)
         power = (self.rows[first + 1, LOSS_COLUMNS] - self.rows[first, LOSS_COLUMNS]) / (
             FORCES_PER_ROW * self.dt
         )
@@ -261,11 +267,11 @@ class CompliantMotion(MotionBase):
     def table_energy(self, t) -> np.ndarray:
         """Return the energy (k,) [J] of the table modes at t (k,) [s]; 0 without two-way
         coupling."""
-        return self._line(self._place(t))[:, TABLE_ENERGY_COLUMN]
+        return self._interpolate_linearly(self._row_positions(t))[:, TABLE_ENERGY_COLUMN]
 
     def bending_energy(self, t) -> np.ndarray:
         """Return the energy (k,) [J] of the moving disk modes at t (k,) [s]."""
-        return self._line(self._place(t))[:, DISK_ENERGY_COLUMN]
+        return self._interpolate_linearly(self._row_positions(t))[:, DISK_ENERGY_COLUMN]
 
     def largest_regain(self) -> float:
         """Return the largest decrease [J] of any energy loss between two rows."""
@@ -278,7 +284,7 @@ class CompliantMotion(MotionBase):
 
     def regime(self, t) -> np.ndarray:
         """Return the name of the regime at times t (k,) [s]: roll, slide or flight."""
-        self._place(t)
+        self._row_positions(t)
         return np.where(
             _is_within(self._flights, t),
             "flight",
@@ -307,8 +313,9 @@ class CompliantMotion(MotionBase):
 
     @cached_property
     def t_end(self) -> float:
-        """Extrapolated time [s] at which the inclination reaches zero, from the steady fall of its
-        square root.
+        """Time [s] at which the inclination reaches zero.
+
+        It is extrapolated from the steady decrease of the square root of the inclination.
         """
         decade = self._last_decade
         r = np.sqrt(self.rows[[decade, -1], 1])
@@ -334,7 +341,7 @@ class CompliantMotion(MotionBase):
         begin, duration, _ = self.contact_losses.array.T
         return np.column_stack([begin, begin + duration])
 
-    def _place(self, t) -> np.ndarray:
+    def _row_positions(self, t) -> np.ndarray:
         """Return the positions of times t (k,) [s] among the rows. Raises ValueError for times
         outside the motion.
         """
@@ -347,7 +354,7 @@ class CompliantMotion(MotionBase):
             raise ValueError(f"t must lie within the motion, 0 to {self._end:.9g} s")
         return np.minimum(t / (FORCES_PER_ROW * self.dt), len(self.rows) - 1)
 
-    def _line(self, x) -> np.ndarray:
+    def _interpolate_linearly(self, x) -> np.ndarray:
         """Interpolate the rows (k, 21) linearly at positions x (k,), which keeps linear balances
         exact.
         """
@@ -495,9 +502,7 @@ def simulate_from(
 
 
 def compliant_model(scene, modes=None) -> CompliantModel:
-    """Return the model of a scene, with two-way coupling to the modes of its table where they are
-    given.
-    """
+    """Return the model of a scene, with two-way coupling to the modes of its table if given."""
     dissipation = scene.dissipation
     disk = scene.disk
     bends = modes is not None  # the modes of the disk then move
@@ -538,7 +543,7 @@ def _stored_columns(model, y) -> np.ndarray:
 
 
 def _unwrap_precession(rows, dt) -> np.ndarray:
-    """Return rows (k, 21), dt [s] apart, with a continuous precession from the first row on."""
+    """Make the precession of rows (k, 21), dt [s] apart, continuous from the first row."""
     rate = precession_rate(rows)
     step = np.diff(rows[:, 0])
     step -= 2 * np.pi * np.rint((step - (rate[1:] + rate[:-1]) / 2 * dt) / (2 * np.pi))

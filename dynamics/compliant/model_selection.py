@@ -14,12 +14,12 @@ from dynamics.equations import disk_constants
 from dynamics.film.activation import airborne_inclination, non_contact_loads
 from dynamics.quasi_steady import steady_power
 from dynamics.regime import FLOAT_FORMULAS, Branch
-from dynamics.rolling import RollingDisk, released
+from dynamics.rolling import RollingDisk, initial_state
 from dynamics.steady_motion import steady_precession
 from dynamics.switching import ImpossibleContactError
 
 CONTACT_LOSS_RMS = 0.3
-"""Rms of N' over the weight above which a Gaussian vibration loses contact."""
+"""Rms of N'/weight above which a Gaussian vibration loses contact."""
 MAX_FRICTION_USE = 0.8
 """Share of the static friction at the release above which the nutation is assumed to cause slip."""
 MIN_ROUGHNESS_SHARE = 0.05
@@ -38,7 +38,7 @@ class ModelChoice(NamedTuple):
     reason : str
         Reason of the choice.
     predicted : float
-        Largest expected rms of N' over the weight.
+        Largest expected rms of N'/weight.
     lost_below : float
         Inclination [rad] below which contact is lost; 0 if nowhere.
     """
@@ -86,7 +86,7 @@ def choose_contact_model(scene) -> ModelChoice:
 
 
 def predicted_vibration(scene) -> tuple[np.ndarray, np.ndarray]:
-    """Return inclinations (k,) [rad] and the rms of N' over the weight (k,) in the steady motion
+    """Return inclinations (k,) [rad] and the rms of N'/weight (k,) in the steady motion
     there.
 
     The inclinations extend from the release to the end, or to the inclination at which the air
@@ -183,7 +183,7 @@ def release_force(scene) -> np.ndarray:
         tolerance=0.0,
     )
     try:
-        start = system.begin(released(disk, scene.release))
+        start = system.begin(initial_state(disk, scene.release))
     except ImpossibleContactError:
         return np.array([0.0, 0.0, disk.weight])
     branch = Branch.of(start.regime, law, loads)

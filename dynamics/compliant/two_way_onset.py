@@ -26,7 +26,7 @@ class TableReaction(NamedTuple):
     Attributes
     ----------
     acts : bool
-        Whether the motion is solved with two-way coupling.
+        True if the motion is solved with two-way coupling.
     inclination : float
         Inclination [rad] below which the reaction matters; 0 if it never does.
     reason : str
@@ -144,9 +144,9 @@ def reaction_shares(scene, modes):
     inclination : (k,) array
         Inclinations from the release down [rad].
     energy : (k,) array
-        Energy of the table over that of the disk, 3/2 m g R beta.
+        Energy of the table divided by that of the disk, 3/2 m g R beta.
     power : (k,) array
-        Power of the waves in the table over that of the friction.
+        Power of the waves in the table divided by that of friction.
     """
     disk = scene.disk
     law = disk_constants(scene.disk, scene.friction)

@@ -1,3 +1,1 @@
-"""Air film under the disk: its law in the motion, the decision when it acts, and Reynolds' equation
-behind the law.
-"""
+"""Air film under the disk: Reynolds' equation, forces in closed form, and when the film acts."""

@@ -1,6 +1,4 @@
-"""Decide from a scene alone whether the air film acts on its motion, so that a scene has one
-motion.
-"""
+"""Decide from a scene alone whether the air film acts, so that every scene has a unique motion."""
 
 from functools import lru_cache
 from math import asin, inf, isfinite, radians, sin
@@ -20,16 +18,17 @@ from dynamics.steady_motion import steady_precession, steepest_steady
 MIN_FILM_SHARE = 0.01
 """Share of the power above which the film is part of the motion."""
 MAX_KNUDSEN = 100.0
-"""Mean free path over mean gap at which a motion with a film ends.
+"""Knudsen number (mean free path divided by mean gap) at which a motion with a film ends.
 
-There, wall slip alone underestimates the air flow by a factor of 3.4 according to the kinetic
-theory of Fukui & Kaneko (1990), whose table ends at this number. """
+At this number, a model with wall slip alone underestimates the air flow by a factor of 3.4 compared
+with the kinetic theory of Fukui & Kaneko (1990), whose table ends there.
+"""
 INCLINATION_COUNT = 200
-"""Inclinations of the predicted motion."""
+"""Number of inclinations in the predicted motion."""
 
 
 class FilmDecision(NamedTuple):
-    """Whether the air film acts on a motion.
+    """Decision whether the air film acts on a motion.
 
     Attributes
     ----------
@@ -38,7 +37,7 @@ class FilmDecision(NamedTuple):
     reason : str
         Reason of the decision.
     time : float
-        Predicted time [s] from which it takes MIN_FILM_SHARE of the power.
+        Predicted time [s] from which the film dissipates MIN_FILM_SHARE of the power.
     inclination : float
         Inclination [rad] at this time.
     """
@@ -50,8 +49,9 @@ class FilmDecision(NamedTuple):
 
 
 def decide_film(scene) -> FilmDecision:
-    """Decide whether the air film acts in a scene. Raises ValueError if it is requested but
-    impossible.
+    """Decide whether the air film acts in a scene.
+
+    Raises ValueError if the film is requested but impossible.
     """
     air = scene.air
     if scene.numerics.contact == "many":
@@ -88,8 +88,10 @@ def decide_film(scene) -> FilmDecision:
 
 
 def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
-    """Return why the air under a disk is no film at its release already, nothing where it is
-    one."""
+    """Return a warning if the air under the disk is too rarefied for a film at the release.
+
+    The warning is empty if a film is possible.
+    """
     gap = disk.radius * sin(radians(release.inclination_deg))
     if not air.pressure or air.mean_free_path <= gap:
         return ""
@@ -104,7 +106,8 @@ def _rarefaction_warning(disk: Disk, air: Air, release: Release) -> str:
 def final_inclination(scene) -> float:
     """Return the inclination [rad] at which the motion of a scene counts as settled.
 
-    It is that of its numerics, or the one at which a film that acts is too rarefied: MAX_KNUDSEN.
+    It follows from the numerics of the scene. With an acting film it is at least the inclination at
+    which the Knudsen number reaches MAX_KNUDSEN.
     """
     settled = scene.numerics.stopping_inclination(scene.disk)
     if decide_film(scene).film is None:
@@ -113,14 +116,15 @@ def final_inclination(scene) -> float:
 
 
 def rarefied_inclination(disk: Disk, air: Air, knudsen: float) -> float:
-    """Return the inclination [rad] at which the mean free path of the air is `knudsen` mean
-    gaps."""
+    """Return the inclination [rad] at which the air has the Knudsen number `knudsen`."""
     return asin(min(1.0, air.mean_free_path / (knudsen * disk.radius)))
 
 
 def non_contact_loads(scene, own: OwnLaw | None = None):
-    """Return the loads on the disk of a scene apart from its contact, or None: its film, and its
-    dissipation or an `own` law.
+    """Return the loads on the disk of a scene other than those of the contact, or None.
+
+    They are the air film and the dissipation of the scene, or an `own` law in place of the
+    dissipation.
     """
     return combined_loads(
         own or resistance_of(scene.dissipation, scene.disk),
@@ -129,7 +133,7 @@ def non_contact_loads(scene, own: OwnLaw | None = None):
 
 
 def _film_free_reason(disk: Disk, air: Air, dissipation) -> str:
-    """Return the reason why a scene has no film in the mode 'auto'; empty if there is none."""
+    """Return the reason for which a scene has no film in the mode 'auto'; "" if it may have one."""
     if not air.pressure:
         return "a vacuum has no film"
     if disk.shape != "solid":
@@ -172,8 +176,9 @@ def _film_onset(
 
 
 def airborne_inclination(scene) -> float:
-    """Return the predicted inclination [rad] below which the film of a falling disk carries its
-    weight; 0 if it never does.
+    """Return the inclination [rad] below which the film of a falling disk supports its weight.
+
+    The value is a prediction; it is 0 if the film never supports the weight.
     """
     if decide_film(scene).film is None:
         return 0.0
@@ -190,10 +195,11 @@ def airborne_inclination(scene) -> float:
 
 
 def _decline(disk, air, friction, dissipation, end):
-    """Return a steady decline at falling inclinations (INCLINATION_COUNT,).
+    """Return a steady decline at decreasing inclinations (INCLINATION_COUNT,).
 
-    These are the law, the film, the inclinations, omega_3, the energy, the power of the film and
-    the total power.
+    The result contains the law, the film, the inclinations, omega_3, the energy, the power of the
+    film
+    and the total power.
     """
     law = disk_constants(disk, friction)
     film = film_under(disk, air)

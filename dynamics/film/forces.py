@@ -1,29 +1,29 @@
-"""Forces of the air film on a disk in closed form, for floats, arrays, compiled code and power
-series.
+"""Closed-form forces of the air film, for floats, arrays, compiled code and power series.
 
-The air is isothermal and compressible, slips at the walls, and follows the present turning and
-falling of the disk. The wedge h = s (R + x), s = sin(beta), turns at Omega and closes at omega_1.
-Kn is the mean free path over R s. Lam is 12 mu Omega/(p s^2), divided by the increase of the
-mobility by slip. Every fit is one to the solutions of reynolds.py; tests/film/test_film_constants.py
-measures its error.
+The air is isothermal and compressible and slips at the walls. The film is quasi-steady: it depends
+on the present rates of rotation and fall. The wedge h = s (R + x), s = sin(beta), rotates at Omega
+and closes at omega_1. Kn is the mean free path divided by R s. Lam is 12 mu Omega/(p s^2), divided
+by the factor by which slip increases the mobility. All fits are fits to the solutions of
+reynolds.py; tests/film/test_film_constants.py measures their errors.
 """
 
 SQUEEZE_NUMBER = 0.2
 """Lam above which the air is compressed rather than displaced, in the fits to the solved film."""
 SLIP_FACTOR = 12.3
-"""Relative increase of the mobility of the turning film over Kn; half of it for the falling film.
+"""Relative increase of the mobility of the rotating film, divided by Kn.
+
+The increase for a falling film is half as large.
 """
 BOUNDARY_LAYER_RATIO = 6.3
-"""Film thickness over that of its boundary layers, S, above which inertia affects the turning film.
-"""
+"""Ratio S of film to boundary layer thickness above which inertia affects the rotating film."""
 SERIES_OFFSET = 1e-12
 """Added to (S/BOUNDARY_LAYER_RATIO)^4, because a broken power has no power series at zero."""
 
 
 def film_forces(s, nutation, rate, *constants):
-    """Return three moments of the film at sin(beta) = s: against e_3; against e_1 about the
-    contact; the lift times R.
+    """Return three moments of the film at sin(beta) = s.
 
+    They are the moment against e_3, the moment against e_1 about the contact, and the lift times R.
     `nutation` and `rate` are omega_1 and Omega; the constants are those of `film_parts`.
     """
     drag, fall, lever, tip, lift = film_parts(s, rate, *constants)
@@ -46,7 +46,7 @@ def film_parts(s, rate, turning, falling, inertia, number, ambient, slip):
     ambient : float
         p pi R^3.
     slip : float
-        SLIP_FACTOR times the mean free path over R.
+        SLIP_FACTOR times the mean free path divided by R.
 
     Returns
     -------
@@ -77,12 +77,15 @@ def film_parts(s, rate, turning, falling, inertia, number, ambient, slip):
 
 
 def squeezed_air_energy(s, rate, number, ambient, slip):
-    """Return the energy of the compressed air of a turning film: s p pi R^3 times the mean of h (P
-    ln P - P + 1).
+    """Return the energy of the compressed air of a rotating film.
 
-    P and h are over the ambient pressure and the gap at the centre. By conservation of mass, the
-    work on the face is the growth of this energy plus the loss int h^3 |grad p|^2/(12 mu) dA, so no
-    more than this energy can return. The constants are those of `film_parts`.
+    It is s p pi R^3 times the mean of h (P ln P - P + 1), with P in units of the ambient pressure
+    and h
+    in units of the gap at the centre. By conservation of mass, the work on the face equals the
+    increase
+    of this energy plus the loss int h^3 |grad p|^2/(12 mu) dA. The film therefore returns at most
+    this
+    energy. The constants are those of `film_parts`.
     """
     lam = number * rate / (s * s + slip * s)
     u = ((1.0 + lam * lam) ** 0.5) ** 0.5 - 1.0

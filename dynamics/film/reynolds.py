@@ -1,10 +1,11 @@
 """Reynolds' equation for the film under the disk, by finite elements graded to the contact.
 
-Lengths are over the radius R, gaps over the mean gap g = R sin(beta): the wedge is h = 1 + x and
+Lengths are divided by the radius R, and gaps by the mean gap g = R sin(beta). The wedge h = 1 + x
 closes at the contact x = -1. The inversion z = 2/(X + i Y) - 1 maps the half plane X > 1 to the
-disk, its edge to the rim, infinity to the contact, and h is 2 X/(X^2 + Y^2). A mesh in a, b with X
-= exp(a), Y = sinh(b), even in b and sqrt(a), is graded to the contact, where the gap nearly closes,
-and to the rim, where a stiff film has its flow. tests/film/test_film_constants.py compares the solutions.
+disk, its edge to the rim and infinity to the contact; the gap becomes h = 2 X/(X^2 + Y^2). The mesh
+is uniform in b and sqrt(a), with X = exp(a) and Y = sinh(b). It is therefore fine at the contact,
+where the gap nearly closes, and at the rim, where the flow of a stiff film is concentrated.
+tests/film/test_film_constants.py compares the solutions with known ones.
 """
 
 from collections.abc import Callable, Sequence
@@ -20,36 +21,38 @@ from dynamics.air import HEAT_RATIO
 NEWTON_TOLERANCE = 1e-9
 """Relative tolerance of Newton's method for the compressible film."""
 MAX_NEWTON_STEPS = 30
-"""Newton steps for the compressible film."""
+"""Maximum number of Newton steps for the compressible film."""
 MAX_HALVINGS = 6
-"""Step sizes tried in one Newton step, each half of the one before."""
+"""Number of step lengths tried in one Newton step; each is half the previous one."""
 MIN_DRIVING_PRESSURE = 0.01
-"""Smallest pressure that drives air, over the ambient pressure, in spite of oscillations near the
-contact.
+"""Pressure that drives the flow where the solution is zero, divided by the ambient pressure.
+
+A smooth positive function of the pressure drives the flow, because the solution may oscillate
+below zero near the contact.
 """
 UPWIND_GAPS = (0.005, 0.05)
-"""Gaps, over the mean gap, below which the elements are too long and artificial diffusion acts.
+"""Gaps, divided by the mean gap, below which artificial diffusion stabilises the solution.
 
-The second gap serves meshes on which the first is not sufficient.
+The second value is used if the solution with the first one does not converge.
 """
 
 
 def wedge_gap(x, y):
-    """Return the gap of a flat disk on its edge, over the mean gap."""
+    """Return the gap under a flat disk on its edge, divided by the mean gap."""
     return 1 + x
 
 
 class FilmResponse(NamedTuple):
-    """Response of a film to a gap that opens at the velocity V, of unit order.
+    """Response of a film to a gap that opens at a velocity V.
 
     Attributes
     ----------
     pressure : (n,) array
-        Pressure over 12 mu R^2 V/g^3 at the nodes of the mesh.
+        Pressure at the nodes of the mesh, in units of 12 mu R^2 V/g^3.
     works : array
-        Work on given shapes, int p W dA/R^2.
+        Work on the given shapes W, int p W dA/R^2.
     rim : (2 k + 1,) array
-        Orders 0, 1, .., k, -k, .., -1 of the flow out of the rim, int q exp(-i n theta) ds/(R^2 V).
+        Flow out of the rim, int q exp(-i n theta) ds/(R^2 V), for n = 0, 1, .., k, -k, .., -1.
     """
 
     pressure: np.ndarray
@@ -58,28 +61,28 @@ class FilmResponse(NamedTuple):
 
 
 class FilmMesh:
-    """Quadratic elements on the film of a gap `height`(x, y), graded to contact and rim.
+    """Quadratic finite elements for an air film, refined towards the contact and the rim.
 
-    At the rim the pressure is the ambient pressure.
+    The pressure at the rim is the ambient pressure.
 
     Parameters
     ----------
     cells : int
-        Elements from the rim inwards; twice as many along the rim.
+        Number of elements across the film; the number along the rim is twice as large.
     height : callable
-        Gap over the mean gap at (x, y).
+        Function of (x, y) that returns the gap divided by the mean gap.
     nearest : float
-        The mesh ends at exp(-nearest) of the radius from the contact.
+        The mesh ends at the distance R exp(-nearest) from the contact.
     parity : int
-        1 for fields that are even in y, -1 for odd ones, 0 for all; half the mesh suffices for an
-        even gap with parity.
+        1 for fields that are even in y, -1 for odd fields, 0 for all fields. With 1 or -1 the
+        mesh covers half of the film, and the gap must be even in y.
 
     Attributes
     ----------
     points : (e, q) array
-        Points x + i y at which velocities and shapes are given.
+        Quadrature points x + i y, at which velocities and shapes are given.
     area : (e, q) array
-        Weights of these points in an integral over the face.
+        Quadrature weights of an integral over the face.
     """
 
     def __init__(
@@ -114,7 +117,7 @@ class FilmMesh:
                 strict=True,
             )
         )
-        self._crossed = 1 / (4 * rate)  # a quarter of the angle of one element
+        self._upwind_angle = 1 / (4 * rate)  # a quarter of the angle that one element covers
         self.height = height(self.points.real, self.points.imag)
         each = [shape[0] for shape in self.basis.basis]
         self._shapes = (
@@ -127,13 +130,13 @@ class FilmMesh:
         )
         a, b = self.basis.doflocs
         self.nodes = 2 / (np.exp(a) + 1j * np.sinh(b)) - 1
-        self._known_waves: dict = {}
+        self._wave_cache: dict = {}
         self._node_height = height(self.nodes.real, self.nodes.imag)
         self._inner = np.flatnonzero((a > 1e-9) & ((b > 1e-9) | (parity != -1)))
-        self._prepare()
+        self._find_sparsity_pattern()
 
-    def _prepare(self):
-        """Find the places of the element pairs (e, i, j) in a sparse matrix of the inner nodes."""
+    def _find_sparsity_pattern(self):
+        """Compute the sparsity pattern of the inner nodes and the slots of the pairs (e, i, j)."""
         count = len(self._inner)
         place = np.full(self.basis.N, -1)
         place[self._inner] = np.arange(count)
@@ -146,7 +149,7 @@ class FilmMesh:
         key = key[key < count**2]
         self._sparse = key % count, np.searchsorted(key, count * np.arange(count + 1))
 
-    def linear(
+    def linear_responses(
         self,
         velocities,
         shapes,
@@ -156,27 +159,31 @@ class FilmMesh:
         slip: float = 0.0,
         heat: complex = 0.0,
     ) -> list[FilmResponse]:
-        """Return the FilmResponse to each of `velocities` (v, e, q) at the rate e^{i w t}, with the
-        work on `shapes`.
+        """Solve the linearised film for gaps that open at velocities proportional to exp(i w t).
 
-        It solves div(m(h) grad p) - i sigma s(h) p = V for small pressure changes.
+        The equation for small changes of pressure is div(m(h) grad p) - i sigma s(h) p = V.
 
         Parameters
         ----------
         velocities, shapes : (v, e, q) arrays
-            Opening velocities and shapes at the points.
+            Opening velocities V, and shapes W for the work, at `points`.
         sigma : float
-            12 mu w R^2/(p_a g^2).
+            Squeeze number 12 mu w R^2/(p_a g^2).
         inertia : complex
-            g sqrt(i w rho/mu); the mobility m is that of unsteady flow, h^3 without inertia.
+            Parameter g sqrt(i w rho/mu) of unsteady flow. The mobility m is h^3 if it is 0.
         orders : int
-            Highest order of the flow at the rim.
+            Highest order of the flow out of the rim.
         slip : float
-            Mean free path over g; adds 6 slip h^2 to the mobility (Maxwell).
+            Mean free path divided by g. Maxwell's slip adds 6 slip h^2 to the mobility.
         heat : complex
-            k = g sqrt(i w rho c_p/kappa) of the heat conduction to the faces; s = h - (1 - 1/c) (h
-            - 2/k tanh(k h/2)) with
-            the ratio c of the specific heats (Tijdeman 1975), s = h for isothermal air.
+            Parameter k = g sqrt(i w rho c_p/kappa) of heat conduction to the faces. The storage
+            is s = h - (1 - 1/c) (h - 2/k tanh(k h/2)) with the ratio c of the specific heats
+            (Tijdeman 1975). The air is isothermal, s = h, if k is 0.
+
+        Returns
+        -------
+        list of FilmResponse
+            One response for each velocity.
         """
         mobility = film_mobility(self.height, inertia) + 6 * slip * self.height**2
         warmed = film_mobility(self.height, heat) * heat * heat / 12
@@ -191,31 +198,45 @@ class FilmMesh:
         factors = splu(matrix)
         rest = loads.astype(complex)
         p[:, inner] = [factors.solve(-row[inner]) for row in rest]
-        rim = -(rest + self._times(pairs, p.T).T) @ self._waves(orders)
+        rim = -(rest + self._matrix_product(pairs, p.T).T) @ self._waves(orders)
         return [FilmResponse(*answer) for answer in zip(p, p @ works.T, rim, strict=True)]
 
-    def at_rim(self, mobility, storage, velocities, orders: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return the flow out of the rim, int q W ds, for the waves W = cos n theta, n <= `orders`,
-        then sin n theta.
+    def rim_flow_matrices(
+        self, mobility, storage, velocities, orders: int
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Return two matrices of the flow out of the rim, int q W ds.
 
-        The film obeys div(m grad p) = V + storage p. The first result (w, v) is for each of
-        `velocities` V (v, e, q) with zero pressure at the rim, the second (w, w) the reduction by a
-        pressure at the rim that is one of the waves.
+        The waves W are cos n theta, n = 0, .., `orders`, followed by sin n theta, n = 1, ..,
+        `orders`. The film obeys div(m grad p) = V + storage p. The first matrix (w, v) is the flow
+        for each of the `velocities` V (v, e, q) with zero pressure at the rim. The second matrix
+        (w, w) is the reduction of the flow by a pressure at the rim equal to each wave.
         """
         (pairs, matrix) = self._stiffness(mobility, storage)
         inner = self._inner
         waves = self._waves(orders)
         p = np.hstack([waves.real[:, : orders + 1], -waves.imag[:, 1 : orders + 1]]).astype(complex)
-        p[inner] -= splu(matrix).solve(self._times(pairs, p)[inner])
-        return -p.T @ self._loads(velocities).T, p.T @ self._times(pairs, p)
+        p[inner] -= splu(matrix).solve(self._matrix_product(pairs, p)[inner])
+        return -p.T @ self._loads(velocities).T, p.T @ self._matrix_product(pairs, p)
 
-    def turning(self, Lam: float, guess=None, falling: float = 0.0) -> np.ndarray:
-        """Return the pressure (n,), over the ambient pressure, of a gap that turns steadily, Lam =
-        12 mu Omega/(p_a beta^2).
+    def steady_rotating_pressure(self, Lam: float, guess=None, falling: float = 0.0) -> np.ndarray:
+        """Return the pressure (n,) in a steadily rotating gap, divided by the ambient pressure.
 
-        It solves div(P h^3 grad P) = -Lam d(P h)/dtheta - falling P h in the rotating frame for
-        isothermal air, by Newton's method from `guess`; `falling` is 12 mu omega_1/(p_a beta^3).
-        Raises ArithmeticError if the method does not converge.
+        Newton's method solves div(P h^3 grad P) = -Lam d(P h)/dtheta - falling P h for isothermal
+        air in the rotating frame. It starts from `guess`.
+
+        Parameters
+        ----------
+        Lam : float
+            Compressibility number 12 mu Omega/(p_a beta^2).
+        guess : (n,) array, optional
+            Initial pressure; the ambient pressure by default.
+        falling : float
+            Squeeze number 12 mu omega_1/(p_a beta^3).
+
+        Raises
+        ------
+        ArithmeticError
+            If the method does not converge.
         """
         for near in UPWIND_GAPS:
             P = self._newton(np.ones(self.basis.N) if guess is None else guess, Lam, falling, near)
@@ -228,14 +249,14 @@ class FilmMesh:
     def _newton(self, P, Lam, falling, near):
         """Return the pressure (n,) by damped Newton steps, or None if they do not converge."""
         inner = self._inner
-        rest = self._left(P, Lam, falling, near)[self._inner]
+        rest = self._nodal_residual(P, Lam, falling, near)[self._inner]
         for _ in range(MAX_NEWTON_STEPS):
-            factors = splu(self._slope(P, Lam, falling, near))
+            factors = splu(self._residual_jacobian(P, Lam, falling, near))
             step = factors.solve(-rest)
             for part in 0.5 ** np.arange(MAX_HALVINGS):
                 ahead = P.copy()
                 ahead[inner] += part * step
-                rest = self._left(ahead, Lam, falling, near)[inner]
+                rest = self._nodal_residual(ahead, Lam, falling, near)[inner]
                 if np.abs(factors.solve(rest)).max() <= (1 - part / 4) * np.abs(step).max():
                     break
             P = ahead
@@ -243,14 +264,14 @@ class FilmMesh:
                 return P
         return None
 
-    def flow_out(self, P, Lam: float, orders: int = 3, falling: float = 0.0) -> np.ndarray:
-        """Return the mass flow out of the rim under `turning`, as FilmResponse.rim, over p_a
+    def rim_mass_flow(self, P, Lam: float, orders: int = 3, falling: float = 0.0) -> np.ndarray:
+        """Return the mass flow out of the rim under `steady_rotating_pressure`, as FilmResponse.rim, over p_a
         g^3/(12 mu).
 
         It is the residual at the rim of the equation that P solves, for the gap of UPWIND_GAPS that
         fits.
         """
-        left = (self._left(P, Lam, falling, near) for near in UPWIND_GAPS)
+        left = (self._nodal_residual(P, Lam, falling, near) for near in UPWIND_GAPS)
         return -min(left, key=lambda rest: np.abs(rest[self._inner]).max()) @ self._waves(orders)
 
     def integral(self, p, shape=1.0) -> float:
@@ -258,58 +279,55 @@ class FilmMesh:
         return float((self.area * np.asarray(self.basis.interpolate(p)) * shape).sum())
 
     def _waves(self, orders):
-        """Return exp(-i n theta) on the rim, continued inwards as z^n, at the nodes (n, 2 k +
-        1)."""
-        if orders in self._known_waves:
-            return self._known_waves[orders]
+        """Return the nodal values (n, 2 k + 1) of exp(-i n theta), continued inwards as z^n."""
+        if orders in self._wave_cache:
+            return self._wave_cache[orders]
         n = np.concatenate([np.arange(orders + 1), np.arange(-orders, 0)])
         z = self.nodes[:, None] ** np.abs(n)
         other = np.conj(self.nodes)[:, None] ** np.abs(n)
         waves = np.where(n > 0, other, z)
         mirrored = np.where(n > 0, z, other)
-        self._known_waves[orders] = (waves + self.parity * mirrored) / 2 if self.parity else waves
-        return self._known_waves[orders]
+        self._wave_cache[orders] = (waves + self.parity * mirrored) / 2 if self.parity else waves
+        return self._wave_cache[orders]
 
     def _stiffness(self, mobility, storage):
-        """Return int m grad p . grad q + i sigma h p q dA for all element pairs (e, i, j), and the
-        matrix of the inner nodes.
+        """Assemble the bilinear form int m grad p . grad q + storage p q dA.
 
-        A form of scikit-fem, evaluated pair after pair, would take longer than the solution.
+        Returns the element matrices (e, i, j) and the sparse matrix of the inner nodes. A form of
+        scikit-fem is evaluated pair by pair, which would take longer than the solution.
         """
         first, second = self._metric.values()
         fields = np.hstack(
             [mobility * first, mobility * second, storage * self._measure]
         ) * np.tile(self._dx, 3)
         pairs = (self._shapes * fields[:, None]) @ self._shapes.swapaxes(1, 2)
-        return pairs, self._among_inner(pairs)
+        return pairs, self._inner_matrix(pairs)
 
-    def _among_inner(self, pairs):
-        """Return the sparse matrix of the inner nodes from element pairs (e, i, j)."""
+    def _inner_matrix(self, pairs):
+        """Assemble the sparse matrix of the inner nodes from element matrices (e, i, j)."""
         row, start = self._sparse
         summed = np.zeros(self._slot.max() + 1, pairs.dtype)
         np.add.at(summed, self._slot.ravel(), pairs.ravel())
         return csc_array((summed[: len(row)], row, start))
 
-    def _times(self, pairs, p):
-        """Return the product of the matrix of all nodes, given as element pairs (e, i, j), with p
-        (n, k).
-        """
-        return self._gathered(pairs @ p[self.basis.element_dofs.T])
+    def _matrix_product(self, pairs, p):
+        """Return the product (n, k) of element matrices (e, i, j) with nodal values p (n, k)."""
+        return self._sum_at_nodes(pairs @ p[self.basis.element_dofs.T])
 
-    def _gathered(self, parts):
-        """Return the sums (n, k) at the nodes of element contributions (e, i, k)."""
+    def _sum_at_nodes(self, parts):
+        """Sum element contributions (e, i, k) at the nodes; return (n, k)."""
         out = np.zeros((self.basis.N, parts.shape[2]), parts.dtype)
         np.add.at(out, self.basis.element_dofs.T, parts)
         return out
 
     def _loads(self, shapes):
-        """Return int q W dA (s, n) for shapes W (s, e, q)."""
+        """Return the load vectors int q W dA (s, n) of shapes W (s, e, q)."""
         values = self._shapes[:, :, -self.area.shape[1] :].real
         parts = values @ (self.area * np.reshape(shapes, (-1, *self.area.shape))).transpose(1, 2, 0)
-        return self._gathered(parts).T
+        return self._sum_at_nodes(parts).T
 
     def _flow(self, P, Lam, falling, near):
-        """Return the fluxes and sources (3, e, q) of the equation of `turning` and their
+        """Return the fluxes and sources (3, e, q) of the equation of `steady_rotating_pressure` and their
         derivatives (3, 3, e, q).
 
         The rows belong to the slopes and the value of a test function, the columns to those of P.
@@ -321,7 +339,7 @@ class FilmMesh:
         turn = around / self._measure
         around = Lam * self.height * around
         source = falling * self.height * self._measure
-        spread = Lam * self._crossed / (1 + (self.height / near) ** 2) * self._measure * turn
+        spread = Lam * self._upwind_angle / (1 + (self.height / near) ** 2) * self._measure * turn
         root = np.sqrt(p * p + 4 * MIN_DRIVING_PRESSURE**2)  # keeps the driving pressure positive
         driven = (p + root) / 2
         slope = (1 + p / root) / 2
@@ -334,23 +352,24 @@ class FilmMesh:
         by[2, 2] = -source
         return np.array([*flow, -source * p]), by
 
-    def _left(self, P, Lam, falling, near):
-        """Return the residual (n,) of the equation of `turning` at the nodes for a pressure
+    def _nodal_residual(self, P, Lam, falling, near):
+        """Return the residual (n,) of the equation of `steady_rotating_pressure` at the nodes for a pressure
         (n,)."""
         flow = self._flow(P, Lam, falling, near)[0] * self._dx
-        return self._gathered(self._shapes.real @ np.hstack(flow)[:, :, None])[:, 0]
+        return self._sum_at_nodes(self._shapes.real @ np.hstack(flow)[:, :, None])[:, 0]
 
-    def _slope(self, P, Lam, falling, near):
-        """Return the derivative (k, k) of the residual at the inner nodes by the pressure there."""
+    def _residual_jacobian(self, P, Lam, falling, near):
+        """Return the Jacobian (k, k) of the residual at the inner nodes."""
         shapes = self._shapes.real
         by = self._flow(P, Lam, falling, near)[1] * self._dx
         moved = np.einsum("abeq,eibq->eiaq", by, shapes.reshape(*shapes.shape[:2], 3, -1))
-        return self._among_inner(shapes @ moved.reshape(shapes.shape).swapaxes(1, 2))
+        return self._inner_matrix(shapes @ moved.reshape(shapes.shape).swapaxes(1, 2))
 
 
 def film_mobility(height, inertia: complex):
-    """Return the mobility of air in a gap: 12/k^2 (h - 2/k tanh(k h/2)), k = `inertia`; h^3 without
-    inertia.
+    """Return the mobility of air in a gap of height h.
+
+    It is 12/k^2 (h - 2/k tanh(k h/2)) with k = `inertia`, and h^3 for k = 0.
     """
     x = inertia * height / 2
     small = np.abs(x) < 0.05
@@ -363,32 +382,32 @@ def film_mobility(height, inertia: complex):
 
 
 def compressible_wedge_response(numbers: Sequence[float], mesh: FilmMesh, orders: int = 3):
-    """Return lift, power and rim flow of a turning wedge for ascending numbers Lam (l,).
+    """Return lift, power and rim flow of a rotating wedge at ascending numbers Lam (l,).
 
-    The dipole int V (x + i y) dA is i pi/4, so row[-1] of the flow, that of exp(i theta), is g1;
-    its phase is the lead.
+    The dipole int V (x + i y) dA equals i pi/4. The last column of the flow, of exp(i theta), is
+    therefore g1, and its phase is the lead of the flow.
 
     Returns
     -------
     lift : (l,) array
-        Lift over p_a pi R^2.
+        Lift divided by p_a pi R^2.
     power : (l,) array
-        Power over that of incompressible air.
+        Power divided by the power for incompressible air.
     flow : (l, 2 k + 1) array
-        Orders of the flow out of the rim over the dipole of the face.
+        Flow out of the rim by order, divided by the dipole of the face.
     """
     y = mesh.points.imag
     P = None
     rows = []
-    incompressible_power = mesh.linear([y], [y])[0].works[0].real
+    incompressible_power = mesh.linear_responses([y], [y])[0].works[0].real
     for Lam in numbers:
-        P = mesh.turning(Lam, P)
+        P = mesh.steady_rotating_pressure(Lam, P)
         power = mesh.integral(P - 1, y) / (Lam * incompressible_power)
         rows.append(
             (
                 mesh.integral(P - 1) / np.pi,
                 power,
-                mesh.flow_out(P, Lam, orders) / (-0.25j * np.pi * Lam),
+                mesh.rim_mass_flow(P, Lam, orders) / (-0.25j * np.pi * Lam),
             )
         )
     return tuple(np.array(column) for column in zip(*rows, strict=True))

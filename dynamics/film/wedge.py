@@ -66,18 +66,18 @@ class Film(NamedTuple):
         return drag * omega[2], tip * omega[0]
 
     @property
-    def shape(self) -> "Film":
+    def compiled_form(self) -> "Film":
         """The film without its numbers, on which a compiled flow depends."""
-        return self.filled(repeat(None))
+        return self.with_parameters(repeat(None))
 
     @property
-    def numbers(self) -> tuple[float, ...]:
+    def runtime_parameters(self) -> tuple[float, ...]:
         """The six numbers."""
         return tuple(self)
 
-    def filled(self, numbers: Iterable) -> "Film":
+    def with_parameters(self, parameters: Iterable) -> "Film":
         """Return a film with these six numbers, of any kind."""
-        return Film(*islice(numbers, len(self)))
+        return Film(*islice(parameters, len(self)))
 
 
 def film_under(disk: Disk, air: Air) -> Film:

@@ -1,7 +1,7 @@
 """Machine code of one branch of the flow, from one run of its formulas on recording scalars.
 
 The scalars record each operation as one line of a straight-line program, which numba compiles. The
-formulas remain in equations.py, regime.py and dissipation.py; heyoka uses the same ones."""
+formulas remain in equations.py, regime.py and dissipation.py; heyoka uses the same formulas."""
 
 import functools
 import math

@@ -1,8 +1,9 @@
-"""Implicit high-order steps up to a guard, in machine code: collocation for slow_slides.py.
+"""Implicit high-order collocation steps up to a guard, in machine code, for slow_slides.py.
 
-A flow, of the type FLOW of codegen.py, computes the rates and the guards of a state. The slip of a
-state is polar: signed speed over r at V1, direction at V2. The rate at V2 is that of the direction
-times the speed."""
+A flow (FLOW_SIGNATURE in codegen.py) computes the rates and the guards of a state. The slip of a
+state is polar: signed speed divided by r at V1, direction at V2. The rate at V2 is the rate of the
+direction times the speed.
+"""
 
 import numpy as np
 from numba import njit, types
@@ -22,7 +23,7 @@ from dynamics.regime import DISSIPATED, STOP_SPEED, V1, V2, W1, R
 
 ORDER = 14
 COLLOCATION_NODES = (1 + chebpts1(ORDER)) / 2
-"""Gauss-Chebyshev points on [0, 1]; the start, where the slip may be at rest, is not among them."""
+"""Gauss-Chebyshev points on [0, 1]. They exclude the start, where the slip may be at rest."""
 INTEGRAL_SERIES = np.ascontiguousarray(
     chebint(np.linalg.inv(chebvander(2 * COLLOCATION_NODES - 1, ORDER - 1)), lbnd=-1, scl=0.5)
 )
@@ -36,7 +37,7 @@ for _k in range(ORDER + 1):
 FIRST_STEP_FROM_REST = 0.4  # in units of r, as all lengths of steps
 MAX_STEP = 1.0
 MIN_STEP_GROWTH = 2.5
-"""Least growth factor of a step, because transients decay within it."""
+"""Smallest growth factor of a step, because transients decay within it."""
 STEP_REDUCTION = 0.3
 """Factor on the length of a step that does not converge."""
 RELAXATION_TIMES_PER_STEP = 12.0
@@ -52,16 +53,18 @@ JACOBIAN_UPDATE_CHANGE = 1e-3
 DIFFERENCE_ANGLE = 1e-7
 """Step [rad] of the difference quotient in Newton's method, which corrects its error."""
 SLOW_SLIDE_HYSTERESIS = 1.5
-"""Factor on the limits of SLOW and LAZY for a stiff slide in progress, as a hysteresis."""
+"""Hysteresis: factor on the limits of `is_slow` for a stiff slide in progress."""
 MAX_STEPS_PER_CALL = 40
 STATE_SIZE = DISSIPATED + 1
 NUTATION_SENSE_INDEX = len(DiskConstants._fields)
 """Index of the sense of nutation among the constants of a flow (branch_formulas.py)."""
 REST_SLIP_SPEED = 1e-13
-"""Slip speed over r below which a slow slide is at rest; it is too slow for a last step along its
-tangent."""
+"""Slip speed divided by r below which a slow slide is at rest.
+
+It is too small for a last step along the tangent.
+"""
 MIN_REVERSAL_ACCELERATION = 1e-6
-"""Least rate of change of omega_1/r for which a reversal of the nutation is decided here."""
+"""Smallest rate of change of omega_1/r at which a reversal of the nutation is treated here."""
 
 
 is_slow = njit(cache=True, error_model="numpy")(slow_slide_criterion.is_slow)
@@ -91,12 +94,15 @@ def inverse_newton_matrix(states, dt, steer):
 
 @njit(cache=True, error_model="numpy")
 def solve_collocation(flow, p, y, dt, states, rates, guards):
-    """Solve states = y + dt INTEGRAL_WEIGHTS rates(states) from guessed states (ORDER, STATE_SIZE); True if it
-    converges.
+    """Solve the collocation equations from guessed states; return True if the iteration converges.
 
-    Only the direction is stiff. Newton's method solves for it, and Picard's method for the rest,
-    corrected for the change of direction. At the end the rates at V2 are those of the direction
-    itself."""
+    The equations are states = y + dt INTEGRAL_WEIGHTS rates(states) for states (ORDER, STATE_SIZE).
+    Only the direction is stiff. Newton's method solves for the direction. Picard's method solves
+    for
+    the other components, with a correction for the change of direction. On return, the rates at V2
+    are
+    those of the direction itself.
+    """
     last = ITERATION_TOLERANCE
     steer = rates
     solved = np.empty((ORDER, ORDER))

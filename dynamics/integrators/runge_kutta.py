@@ -57,14 +57,16 @@ DENSE_OUTPUT = dense_output_coefficients()
 
 @njit(cache=True, error_model="numpy")
 def max_step(y):
-    """Return the longest step that cannot hide two roots of a guard: 1/4 radian of rotation."""
+    """Return the longest step in which a guard cannot have two roots: 1/4 radian of rotation."""
     return 0.25 * y[R] / (1e-3 + max(abs(y[W1]), abs(y[W2]), abs(y[W3]), abs(y[V1]), abs(y[V2])))
 
 
 @njit(cache=True, error_model="numpy")
 def copy_into(values, out):
-    """Write values (k,) into out (k,). For `out[:] = values`, numba spends seconds on compiling an
-    error message."""
+    """Write values (k,) into out (k,).
+
+    For `out[:] = values`, numba spends seconds on compiling an error message.
+    """
     for a in range(len(out)):
         out[a] = values[a]
 

@@ -1,10 +1,11 @@
-"""Implicit high-order steps for a slide so slow that its direction is stiff.
+"""Implicit high-order steps for slow slides, whose direction is stiff.
 
-The slip direction relaxes at a rate of friction over slip speed. If the slip speed hardly changes
-meanwhile, as after a start without acceleration (mu_dynamic = mu_static), explicit steps of any
-order would have to be as short as the relaxation time. With the slip in polar coordinates, only the
-direction is stiff. The slow solution is smooth through rest if the speed counts as negative beyond
-it; this locates the end of a slide."""
+The slip direction relaxes at a rate of friction divided by slip speed. If the slip speed hardly
+changes during this relaxation, for example after a start without acceleration (mu_dynamic =
+mu_static), explicit steps of any order would have to be as short as the relaxation time. With the
+slip in polar coordinates, only the direction is stiff. The slow solution is smooth through rest if
+the speed becomes negative there; this locates the end of a slide.
+"""
 
 import math
 
@@ -26,7 +27,7 @@ NUTATION_REVERSAL = guard_named("nutation reverses")
 
 
 class PolarSlipFormulas(FlowFormulas):
-    """The flow with the slip in polar coordinates: signed speed over r at V1, direction at V2.
+    """The flow with the slip in polar coordinates: signed speed divided by r at V1, direction at V2.
 
     The rate at V2 is that of the direction times the speed, which is regular at rest."""
 
@@ -70,11 +71,12 @@ def with_polar_slip(branch):
 
 
 def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
-    """Integrate a slide until a guard falls, for `span`, while it is stiff, or for MOST_STEPS
-    steps.
+    """Integrate a stiff slide until a guard falls, for `span`, or for MAX_STEPS_PER_CALL steps.
 
-    The slide continues through clear reversals of the nutation. Returns None if the slide is not
-    stiff, or if no step down to SHORTEST converges. Safe to call from several threads at once."""
+    The integration ends early if the slide is no longer stiff. It continues through clear reversals
+    of the nutation. Returns None if the slide is not stiff at the start,
+    or if no step length converges. The function is safe to call from several threads at once.
+    """
     speed = math.hypot(y[V1], y[V2])
     direction = math.atan2(y[V2], y[V1])
     arc = _integrate_slide(y, speed, direction, regime, law, loads, r_end, span, MAX_STEPS_PER_CALL)
@@ -82,11 +84,11 @@ def advance_slow_slide(y, regime, law, loads, r_end, span) -> Arc | None:
 
 
 def advance_from_grazing(y, nu, regime, law, loads, r_end, most) -> Arc | None:
-    """Integrate a slide from rest along nu without a push, like `advance_slow_slide`, for at most `most`
-    steps.
+    """Integrate a slide from rest along nu with almost no acceleration, for at most `most` steps.
 
-    Returns None if the slip speed returns to zero before it exceeds STOP_SPEED: then there is no
-    slide to follow. Raises StalledError if no step down to SHORTEST converges."""
+    Returns None if the slip speed returns to zero before it exceeds STOP_SPEED, because there is no
+    slide in this case. Raises StalledError if no step length converges.
+    """
     arc = _integrate_slide(y, 0.0, nu, regime, law, loads, r_end, math.inf, most)
     if not len(arc.times) and arc.guard is None:
         raise StalledError(f"{describe_state(y)}: the slide that starts here could not be followed")

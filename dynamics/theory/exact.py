@@ -104,8 +104,10 @@ def nutation_acceleration(a, w2, w3, h, K):
 
 
 def steady_axial_rate(a, w3, h, K):
-    """Return w2 of the steady motion at angle a with in-plane rate w3 (not zero), at which
-    nutation_acceleration vanishes."""
+    """Return w2 of the steady motion at angle a with in-plane rate w3 (not zero).
+
+    In this motion nutation_acceleration vanishes.
+    """
     at0 = nutation_acceleration(a, 0.0, w3, h, K)
     at1 = nutation_acceleration(a, 1.0, w3, h, K)
     return at0 / (at0 - at1)
@@ -138,8 +140,10 @@ def steady_nutation_squared(a, w3, h, K, step=1e-5):
 
 
 def flat_limit(h, K):
-    """Return the limits of Omega^2 beta and of nutation over precession frequency in
-    `steady_precession` as beta -> 0."""
+    """Return the limits of `steady_precession` as beta -> 0.
+
+    They are Omega^2 beta and the ratio of nutation to precession frequency.
+    """
     beta = 1e-6
     rate = steady_precession(beta, h, K)
     square = steady_nutation_squared(pi / 2 - beta, rate * sin(beta), h, K, step=1e-3 * beta)

@@ -43,8 +43,9 @@ def bending_wave_number(material, thickness, density, frequency):
 def mode_count(plate, below):
     """Return a lower estimate of the number of modes of a disk below `below` [Hz].
 
-    A plate bends in (k R)^2/4 modes; a body has (4 pi/3) (f/c)^3 modes of each kind of wave per
-    unit of volume (Weyl 1912, Debye 1912). Surfaces and edges, which may double the number, are
+    A plate has (k R)^2/4 bending modes. A body has (4 pi/3) (f/c)^3 modes of each type of wave per
+    unit
+    of volume (Weyl 1912, Debye 1912). Surfaces and edges, which may double the number, are
     neglected.
     """
     lam, mu = lame_constants(plate.material)
@@ -96,8 +97,11 @@ def sum_cell_matrices(blocks, dofs, size):
 
 
 def inverse_at(stiffness, mass, shift):
-    """(K - shift M)^-1 as an operator: SuperLU in symmetric mode, pivots from the diagonal,
-    ordering MMD_AT_PLUS_A."""
+    """Return (K - shift M)^-1 as a linear operator.
+
+    SuperLU factorises the matrix in symmetric mode with diagonal pivots and the ordering
+    MMD_AT_PLUS_A.
+    """
     matrix = (stiffness - shift * mass).tocsc() if shift else stiffness.tocsc()
     factor = splu(
         matrix,
@@ -145,11 +149,11 @@ def lowest_eigenpairs(stiffness, mass, below, shift=0.0, first_count=8, exact_co
 
 
 def eigenpair_residuals(solve, mass, values, vectors, shift=0.0):
-    """Return |phi - (value - shift) (K - shift M)^-1 M phi| / |phi| (k,); solve(load) applies the
-    inverse.
+    """Return the residuals (k,) of the inverse eigenvalue problem.
 
-    This is the residual of the inverse problem: K phi of a slow mode is the round-off of much
-    larger terms.
+    They are |phi - (value - shift) (K - shift M)^-1 M phi| / |phi|; `solve(load)` applies the
+    inverse.
+    The direct problem is not used because K phi of a slow mode is dominated by round-off.
     """
     if not len(values):
         return np.zeros(0)

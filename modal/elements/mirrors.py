@@ -5,15 +5,18 @@ import scipy.sparse as sp
 from scipy.spatial import cKDTree
 
 MIRROR_TOLERANCE = 1e-9
-"""Largest difference of mirrored nodes, over the size, and of mirrored matrices, over the largest
-entry."""
+"""Tolerance of mirror symmetry.
+
+It is the largest difference of mirrored nodes divided by the size, and of mirrored matrices divided
+by the largest entry.
+"""
 
 
 def mirrors(body):
-    """Return the mirror symmetries of a `DiscreteBody` in the middle of x and of y.
+    """Return the mirror symmetries of a `DiscreteBody` about the middle of x and of y.
 
-    Each is a pair: the image (p,) of every node, and the matrix (3p, 3p) that mirrors
-    displacements. Nodes, held nodes and stiffness must be symmetric.
+    Each symmetry is a pair: the image (p,) of every node, and the matrix (3p, 3p) that mirrors
+    displacements. The nodes, the held nodes and the stiffness must be symmetric.
     """
     points = body.solid.points
     k = body.solid.stiffness

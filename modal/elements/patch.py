@@ -1,5 +1,4 @@
-"""Modes of a disk (`Plate`) on a patch, or free, by finite elements on one sector and its symmetry
-classes."""
+"""Finite-element modes of a disk (`Plate`) on a patch or free, from one sector and its symmetries."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -32,8 +31,10 @@ class SolvedClass:
 
 
 def rigid_body_shift(radius, thickness, material, density):
-    """Return a negative shift [1/s^2] for a free body: minus the square of a rate well below its
-    elastic modes."""
+    """Return a negative shift [1/s^2] for the eigenvalue problem of a free body.
+
+    It is minus the square of an angular frequency well below those of the elastic modes.
+    """
     speed = (material.young / density) ** 0.5
     return -((0.4 * speed * min(thickness, radius) / radius**2) ** 2)
 
@@ -102,8 +103,11 @@ def solve_classes(plate, support, size, selections):
 def without_rigid_modes(solved, shift):
     """Return the classes without rigid-body modes.
 
-    ArithmeticError unless a free body has exactly six, whose eigenvalues are round-off far below
-    the shift. UnsolvableError if a held body has any, because its patch is lost in round-off.
+    Raises ArithmeticError unless a free body has exactly six rigid-body modes, whose eigenvalues
+    are
+    round-off far below the shift. Raises UnsolvableError if a held body has rigid-body modes,
+    because
+    round-off then exceeds the effect of its patch.
     """
     rigid = [np.count_nonzero(c.values < 1e-6 * abs(shift)) for c in solved]
     if shift and sum(rigid) != 6:
@@ -141,12 +145,13 @@ def held_modes(plate, support, below, accuracy) -> Modes:
 
 
 def error_estimates(solved, coarse, safety=1.8, min_share=0.5):
-    """Return estimated relative errors (m,) of the frequencies of all classes, from those of a
-    coarser mesh.
+    """Estimate the relative errors (m,) of the frequencies of all classes from a coarser mesh.
 
-    `safety` multiplies the difference of the two meshes, since the coarser one may err only 1.6
-    times as much. The least estimate is `min_share` of the median: by chance a mode may have the
-    same error on both meshes.
+    The difference of the two meshes is multiplied by `safety`, because the error of the coarser
+    mesh
+    may be only 1.6 times as large. No estimate is less than `min_share` of the median, because a
+    mode
+    may have equal errors on both meshes by chance.
     """
     differences = [
         np.abs(np.sqrt(b.values[: len(a.values)] / a.values) - 1)  # of the frequencies

@@ -1,5 +1,4 @@
-"""The record of modes on fixed grids of the rim and the faces, and interpolation of finite-element
-fields there."""
+"""Sampling of modes on fixed grids of rim and faces, and interpolation of finite-element fields."""
 
 import numpy as np
 import scipy.sparse as sp
@@ -15,7 +14,7 @@ FACE_ANGLE_COUNT = 64
 
 
 def rim_angles():
-    """Return the even angles (k,) [rad] of `Modes.rim_shape`."""
+    """Return the equidistant angles (k,) [rad] of `Modes.rim_shape`."""
     return np.arange(RIM_ANGLE_COUNT) * 2 * np.pi / RIM_ANGLE_COUNT
 
 

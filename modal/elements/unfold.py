@@ -1,4 +1,4 @@
-"""The whole disk from the solved sector of its symmetry classes, and the record of its modes."""
+"""Assembly of the whole disk and of its `Modes` from the symmetry classes of a sector."""
 
 from itertools import product
 from math import pi
@@ -18,10 +18,11 @@ def mirror_flips(quarter):
 
 
 def whole_mesh(points, cells, quarter):
-    """Return nodes (p', 3), cells (c', 27) in VTK's order, and the source (p', 2) of every node of
-    the whole disk.
+    """Return the mesh of the whole disk and the source of its nodes in the sector.
 
-    The source is the node of the sector and the index of its image in `mirror_flips`.
+    The mesh consists of nodes (p', 3) and cells (c', 27) in VTK's order. The source (p', 2)
+    contains
+    the node of the sector and the index of the image in `mirror_flips`.
     """
     lattice = {tuple(node): i for i, node in enumerate(HEXAHEDRON_NODES)}
     images = []
@@ -64,8 +65,12 @@ def participation(solid, quarter, c):
 
 
 def is_flexural(solid, part, c):
-    """Return which modes (k,) of a class bend the disk: by symmetry in z, otherwise if most energy
-    is axial."""
+    """Return a mask (k,) of the modes of a class that bend the disk.
+
+    It follows from the symmetry in z if the disk has it, otherwise from the share of axial motion
+    in
+    the modal mass.
+    """
     if c.mirror.z:
         return np.full(len(c.shapes), c.mirror.z < 0)
     return part.copies * axial_share(solid, c.shapes) > 0.5
@@ -129,9 +134,11 @@ def displacement_on_faces(matrices, points, quarter, c):
     return np.stack(values, axis=1) * np.array(signs)[:, (points[:, 1] < 0).astype(int)]
 
 
-def class_columns(solid, part, c, rim, face):
-    """Return the arrays (k, ...) that one class contributes to `Modes`; rim and face are (matrices,
-    points)."""
+def symmetry_class_arrays(solid, part, c, rim, face):
+    """Return the arrays (k, ...) of `Modes` for one symmetry class.
+
+    `rim` and `face` are pairs of interpolation matrices and points.
+    """
     rim_displacement = displacement_on_faces(*rim, part.quarter, c)[:, 0]
     rim_shape = sample.polar_components(rim_displacement, sample.rim_angles())
     axial = displacement_on_faces(*face, part.quarter, c)[..., 2]
@@ -152,7 +159,7 @@ def whole_disk_modes(part, solid, solved, error, plate) -> Modes:
     rim_points, face_points = sample.sample_points(plate.radius)
     rim = face_interpolation_pair(solid, part, rim_points), rim_points
     face = face_interpolation_pair(solid, part, face_points), face_points
-    by_class = [class_columns(solid, part, c, rim, face) for c in solved]
+    by_class = [symmetry_class_arrays(solid, part, c, rim, face) for c in solved]
     columns = {name: np.concatenate([c[name] for c in by_class]) for name in by_class[0]}
     points, cells, source = whole_mesh(solid.points, solid.cells, part.quarter)
     shapes = []

@@ -25,7 +25,7 @@ from skfem import (
 from modal.elements.elastic import Solid, assemble, lowest_eigenpairs
 from modal.elements.mirrors import mirrors, symmetry_bases
 from modal.elements.patch import rigid_body_shift
-from modal.elements.user_mesh_error import FLAT_FACE_REMAINDER, relative_errors
+from modal.elements.user_mesh_error import FLAT_FACE_ERROR_RATIO, relative_errors
 from modal.elements.user_mesh_modes import mesh_modes_record
 from modal.mesh.read import patch_facets, read_mesh
 from modal.mesh.sector import hexahedra
@@ -73,7 +73,7 @@ class SolvedBody:
     error: np.ndarray
     """Estimated relative errors (k,) of the frequencies."""
     divided: bool
-    """Whether every cell was divided into eight."""
+    """True if every cell was divided into eight."""
 
 
 def lagrange_elements(mesh):
@@ -99,7 +99,7 @@ def discretise(mesh, facets, element, part_nodes, material, density) -> Discrete
     """Return the `DiscreteBody` whose cells are parts of the mesh's cells.
 
     part_nodes (q, 3, n) are the nodes of the q parts in reference coordinates. Linear elements get
-    straight sides: on curved ones they would resist rotations of the body.
+    straight sides: with curved sides they would resist rotations of the body.
     """
     nodes = np.concatenate([mesh.mapping().F(x).transpose(1, 2, 0) for x in part_nodes])
     is_tetrahedral = mesh.t.shape[0] == 4
@@ -168,14 +168,16 @@ def solve_body(
     density,
     below,
     max_unknowns,
-    end_remainder,
+    edge_error_ratio,
 ) -> SolvedBody:
     """Solve the modes of a body with quadratic elements and estimate their errors.
 
     Every cell is divided into eight, unless a symmetry class would then have more than
-    `max_unknowns` unknowns. In that case the mesh is solved as given, and the errors are estimated
-    from linear elements. Facets hold components; a body without any is free. `end_remainder` as in
-    `relative_errors`. ValueError if the held components leave the body free to move.
+    `max_unknowns`
+    unknowns. In that case the mesh is solved as given, and the errors are estimated from linear
+    elements. The components are held on the facets; a body without held facets is free.
+    `edge_error_ratio` is a parameter of `relative_errors`. Raises ValueError if the held components
+    leave a rigid-body motion free.
     """
     linear, quadratic = lagrange_elements(mesh)
     whole_cell = [quadratic.doflocs.T]
@@ -205,7 +207,7 @@ def solve_body(
         values,
         shapes,
         shift,
-        end_remainder,
+        edge_error_ratio,
     )
     return SolvedBody(
         body=fine,
@@ -272,6 +274,6 @@ def mesh_modes(
         density,
         below,
         max_unknowns,
-        FLAT_FACE_REMAINDER,
+        FLAT_FACE_ERROR_RATIO,
     )
     return mesh_modes_record(solved, material)

@@ -1,11 +1,9 @@
-"""Errors of the modes of a divided mesh, estimated part by part from the difference to the mesh as
-given.
+"""Error estimates of the modes on a refined user mesh, from the difference to the original mesh.
 
-The eigenvalue of a mesh exceeds the true one by the elastic energy of the error of its shape
-(Strang & Fix, An Analysis of the Finite Element Method, 6.3). Division of the cells divides that
-energy by four (thin cells) to sixteen where the body is smooth. Near the edge where a held face
-ends, or near a re-entrant edge, it divides it by two to three (Williams 1952: u ~ r^s, s from 0.54
-to 0.75).
+The eigenvalue of a mesh exceeds the exact one by the elastic energy of the error of its shape
+(Strang & Fix, An Analysis of the Finite Element Method, 6.3). Where the body is smooth, refinement
+divides this energy by four (thin cells) to sixteen. It divides the energy by two to three near the
+end of a held face and near a re-entrant edge (Williams 1952: u ~ r^s, s from 0.54 to 0.75).
 """
 
 import numpy as np
@@ -13,12 +11,16 @@ import scipy.sparse as sp
 
 from modal.elements.elastic import inverse_at
 
-CORNER_REMAINDER = 0.7
-"""Remaining over removed error energy near the edge of a held face at a corner: division divides it
-by 2.4."""
-FLAT_FACE_REMAINDER = 1.0
-"""The same if the held facets end within a flat face, where u ~ r^(1/2): division divides it by
-2."""
+CORNER_ERROR_RATIO = 0.7
+"""Ratio of remaining to removed error energy if a held face ends at a corner of the body.
+
+Refinement divides the energy by 2.4.
+"""
+FLAT_FACE_ERROR_RATIO = 1.0
+"""Ratio of remaining to removed error energy if the held facets end within a flat face.
+
+The displacement is u ~ r^(1/2) there, and refinement divides the energy by 2.
+"""
 
 
 def relative_errors(
@@ -30,18 +32,33 @@ def relative_errors(
     values,
     shapes,
     shift,
-    end_remainder,
-    smooth_remainder=1 / 4,
+    edge_error_ratio,
+    smooth_error_ratio=1 / 4,
     safety=1.5,
 ):
-    """Return estimated relative errors (k,) of the frequencies of pairs values (k,), shapes (k, p,
-    3).
+    """Estimate the relative errors (k,) of the frequencies of a `DiscreteBody`.
 
-    The pairs are those of the `DiscreteBody` fine; coarse is the `DiscreteBody` of the mesh as
-    given, or of linear elements on it. part_nodes (q, 3, n) are the nodes of the fine cells in
-    their coarse cell. `end_remainder` is CORNER_REMAINDER or FLAT_FACE_REMAINDER,
-    `smooth_remainder` the same ratio elsewhere, where division divides the error energy by 5.
-    `safety` multiplies the estimate.
+    Parameters
+    ----------
+    mesh : skfem.Mesh
+        The mesh as given.
+    facets : (f,) array of int
+        Held facets.
+    fine, coarse : DiscreteBody
+        The solved body, and the body on the mesh as given or with linear elements on it.
+    part_nodes : (q, 3, n) array
+        Nodes of the fine cells in reference coordinates of their coarse cell.
+    values : (k,) array
+        Eigenvalues [1/s^2] of the fine body.
+    shapes : (k, p, 3) array
+        Shapes of the fine body.
+    shift : float
+        Shift of the eigenvalue problem [1/s^2].
+    edge_error_ratio, smooth_error_ratio : float
+        Ratio of remaining to removed error energy at singular edges (CORNER_ERROR_RATIO or
+        FLAT_FACE_ERROR_RATIO) and elsewhere, where refinement divides the energy by 5.
+    safety : float
+        Factor on the estimate.
     """
     from_coarse = prolongation(fine.solid, coarse, part_nodes)[:, np.repeat(~coarse.held, 3)]
     node_count = len(fine.solid.points)
@@ -55,7 +72,7 @@ def relative_errors(
     near_edges = np.unique(cells[:, singular_cells(mesh, facets)])
     singular_energy = np.abs(energy[near_edges].sum(axis=0))
     smooth_energy = np.abs(energy.sum(axis=0) - energy[near_edges].sum(axis=0))
-    remaining_energy = end_remainder * singular_energy + smooth_remainder * smooth_energy
+    remaining_energy = edge_error_ratio * singular_energy + smooth_error_ratio * smooth_energy
     return safety * remaining_energy / (2 * values)
 
 

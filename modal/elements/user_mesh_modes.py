@@ -53,11 +53,11 @@ def interpolate_on_face(solid, shapes, height, points):
 
 
 def mesh_modes_record(solved, material) -> Modes:
-    """Return the `Modes` of a `SolvedBody`, sampled on the bottom edge and the two faces of the
-    disk.
+    """Return the `Modes` of a `SolvedBody`, sampled on the bottom edge and both faces of the disk.
 
-    The faces are sampled from the axis to the rim, as if they were whole: across a hole
-    `face_shape` is interpolated from the nodes around it, and its area counts as part of the face.
+    The faces are sampled from the axis to the rim. Across a hole, `face_shape` is interpolated from
+    the
+    nodes around it, and the area of the hole counts as part of the face.
     """
     solid = solved.body.solid
     shapes = solved.shapes

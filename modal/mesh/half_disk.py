@@ -1,10 +1,9 @@
-"""The half disk y >= 0 in quadrilaterals that shrink geometrically towards the edge of an arc held
-on its rim.
+"""Quadrilateral mesh of the half disk y >= 0, graded towards the edge of a held arc of its rim.
 
-Lengths are over the radius. A block is a function from the unit square, arrays (u, v), to points
-(..., 2). The rim ring is meshed in (angle, depth below the rim). Boxes nested about the edge of the
-arc resolve the singularity u ~ r^(1/2); boxes nested about the middle of a short arc grow to the
-size of the disk.
+Lengths are divided by the radius. A block is a function that maps arrays (u, v) in the unit square
+to points (..., 2). The rim ring is meshed in (angle, depth below the rim). Boxes nested around the
+edge of the arc resolve the singularity u ~ r^(1/2). Boxes nested around the middle of a short arc
+grow to the size of the disk.
 """
 
 from dataclasses import dataclass
@@ -16,20 +15,20 @@ import numpy as np
 
 @dataclass(frozen=True, kw_only=True)
 class MeshSize:
-    """How fine the mesh of a disk is."""
+    """Resolution of the mesh of a disk."""
 
     width: float
     """Angular width of a block [rad]."""
     depth: float
-    """Depth of the rim ring over the radius."""
+    """Depth of the rim ring divided by the radius."""
     rings: int
     """Rings of cells about the edge of the patch, see `singular_edge_blocks`."""
     ring_ratio: float = 0.3
-    """Width of a ring over that of the next larger one."""
+    """Ratio of the widths of successive rings, smaller to larger."""
     lead_ratio: float = 0.6
-    """Size of a box over that of the next larger one, from the patch up to the size of the disk."""
+    """Ratio of the sizes of successive boxes, smaller to larger, from the patch to the disk."""
     leg_blocks: int = 2
-    """Least number of blocks along the upper edge of a patch that is lower than the disk."""
+    """Smallest number of blocks along the upper edge of a patch that is lower than the disk."""
     split: int = 1
     """Cells per block in each direction."""
 
@@ -68,7 +67,7 @@ def rim_mapped_block(flat, edge=0.0, scale=1.0):
 
 
 SQUARED_SHARE = 0.6
-"""Size of the squared cells about an edge over that of the box that contains them."""
+"""Ratio of the size of the squared cells around an edge to the size of their box."""
 
 
 def singular_edge_blocks(size, aspect=1.0, squared_share=SQUARED_SHARE):
@@ -261,8 +260,10 @@ def half_disk(half_angle, size):
 
 
 def right_handed(cells):
-    """Exchange u and v of the left-handed ones among cells (q, 3, 3, 2), in place, and return the
-    cells."""
+    """Make left-handed cells (q, 3, 3, 2) right-handed by exchanging u and v in place.
+
+    Returns all cells.
+    """
     du = cells[:, 2, 1] - cells[:, 0, 1]
     dv = cells[:, 1, 2] - cells[:, 1, 0]
     left_handed = du[:, 0] * dv[:, 1] < du[:, 1] * dv[:, 0]

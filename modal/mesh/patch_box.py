@@ -31,7 +31,7 @@ class NestedBoxes:
 
 
 def max_layer_height(size):
-    """Return the largest height of a layer over the radius for a `MeshSize`."""
+    """Return the largest height of a layer, divided by the radius, for a `MeshSize`."""
     return 1.2 * size.width
 
 
@@ -86,11 +86,11 @@ def points_in_box(boxes, s, *shares):
 
 
 def corner_of_box(boxes, s):
-    """Return angle, depth and height (...) of box s (...), interpolated between the boxes numbered
-    0, 1, ...
+    """Return angle, depth and height (...) of box s (...), interpolated between the numbered boxes.
 
     The interpolation is linear, but parabolic next to the box of the patch, because the tubes at
-    its edges need smoothness; not where the patch covers the whole circumference.
+    its
+    edges need a smooth size. It is linear everywhere if the patch covers the whole circumference.
     """
     numbers = np.arange(len(boxes.corners))
     t = s - boxes.patch

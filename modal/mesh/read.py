@@ -19,8 +19,10 @@ LINEAR_SIDES = {"quad8": ("quad", 4), "quad9": ("quad", 4), "triangle6": ("trian
 
 
 def read_mesh(path):
-    """Return the scikit-fem mesh of a file, with its centre of mass at the origin; ValueError if it
-    cannot be used."""
+    """Return the scikit-fem mesh of a file, with its centre of mass at the origin.
+
+    Raises ValueError if the mesh cannot be used.
+    """
     mesh = read_checked(path)[0]
     basis = CellBasis(mesh, mesh.elem())
     x = basis.global_coordinates()
@@ -28,7 +30,7 @@ def read_mesh(path):
 
 
 class SilencedStream:
-    """A stream that drops what this thread writes and passes on what others write."""
+    """Stream that discards the output of this thread and forwards that of other threads."""
 
     def __init__(self, stream):
         self._stream = stream
@@ -82,8 +84,10 @@ def read_checked(path):
 
 
 def with_supported_cells(file):
-    """Return the meshio mesh with 27-node hexahedra instead of 20-node ones, and linear instead of
-    quadratic sides."""
+    """Return the meshio mesh with supported cells.
+
+    Hexahedra with 20 nodes become hexahedra with 27 nodes, and quadratic sides become linear.
+    """
     import meshio
 
     points = file.points
@@ -130,12 +134,13 @@ def hexahedra27_from_20(points, cells):
 
 
 def check_mesh(mesh, name, min_size=1e-3, max_size=2.0, min_volume_ratio=1e-13):
-    """Raise ValueError if the unit of length is implausible, cells are degenerate, or there are
-    several bodies.
+    """Raise ValueError if a mesh cannot be used.
 
-    The size of the mesh must be between `min_size` and `max_size` [m]. The least volume of a cell
-    at its quadrature points is `min_volume_ratio` of that of the median cell: cells may shrink
-    towards an edge.
+    Reasons are an implausible unit of length, degenerate cells, and several bodies. The size of the
+    mesh must be between `min_size` and `max_size` [m]. At its quadrature points, the smallest cell
+    must
+    have at least `min_volume_ratio` of the volume of the median cell; cells may shrink towards an
+    edge.
     """
     used = np.unique(mesh.t)
     if not np.isfinite(mesh.p[:, used]).all():

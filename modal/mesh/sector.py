@@ -25,7 +25,7 @@ class Sector:
     mesh: MeshHex2
     """Mesh [m]."""
     quarter: bool
-    """Whether the disk is also symmetric in z."""
+    """True if the disk is also symmetric in z."""
     patch: tuple[float, float] | None
     """Lowest and highest z of the patch [m]; None for a free disk."""
 
@@ -36,8 +36,10 @@ class Sector:
 
 
 def layer_heights(bottom, top, size, radius):
-    """Return the boundaries (k + 1,) [m] of even layers, not thicker than the plane cells are
-    wide."""
+    """Return the boundaries (k + 1,) [m] of layers of equal thickness.
+
+    The layers are at most as thick as the plane cells are wide.
+    """
     count = ceil((top - bottom) / (max_layer_height(size) * radius) - 1e-9)
     return np.linspace(bottom, top, size.split * max(1, count) + 1)
 

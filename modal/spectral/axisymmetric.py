@@ -29,7 +29,7 @@ def displacement_at_angles(amplitude, n, angle, odd):
 
 
 def sine_partner_flags(pairs: Eigenpairs):
-    """Return, for each member of a degenerate pair, whether it is the sine partner.
+    """Return False for a cosine mode and True for its sine partner, for each member of a pair.
 
     Torsion is a single mode and counts as the sine partner, since its u_theta is even in theta.
     """

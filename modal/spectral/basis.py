@@ -85,7 +85,7 @@ class Plate:
 
     @property
     def hole(self) -> float:
-        """Inner over outer radius."""
+        """Ratio of the inner to the outer radius."""
         return self.inner_radius / self.radius
 
 
@@ -104,7 +104,7 @@ class Term:
     even: int
     """Symmetry in z: 1 or -1."""
     held: bool = False
-    """Whether the functions vanish on the lateral surface."""
+    """True if the functions vanish on the lateral surface."""
     hole: float = 0.0
     """Inner over outer radius."""
 

@@ -93,22 +93,24 @@ def lowest_eigenvalues(k, m, index, count):
 
 
 def first_basis_size(plate, below):
-    """Return the first counts of radial and axial polynomials: half of wave number times radius,
-    plus 3, and 2.
+    """Return the first numbers of radial and axial polynomials.
 
-    Waves at `below` [Hz] are at least as long as in a thin plate.
+    They are half of wave number times radius, plus 3, and 2. Waves at `below` [Hz] are at least as
+    long
+    as in a thin plate.
     """
     wave_number = bending_wave_number(plate.material, plate.thickness, plate.density, below)
     return 3 + ceil(wave_number * plate.radius / 2), 2
 
 
 def solve_to_tolerance(plate, p, size, below, tolerance, max_radial_count=27):
-    """Return the `Eigenpairs` of a basis grown from `size` until the sum of the two errors is below
-    the tolerance.
+    """Return the `Eigenpairs` of a basis that is large enough for the tolerance.
 
-    The basis grows in the direction with the larger error, up to `max_radial_count` radial
-    polynomials: a clamped edge is singular and converges slowly. The errors then state what was
-    reached.
+    The basis starts at `size` and grows in the direction with the larger error, until the sum of
+    both
+    errors is below the tolerance. It is limited to `max_radial_count` radial polynomials, because a
+    clamped edge is singular and converges slowly. In this case the errors are those of the largest
+    basis.
     """
     while True:
         pairs = solve_problem(plate, p, size, below)

@@ -17,7 +17,7 @@ def strain_coefficients(term, n):
     a `Term`.
 
     The strains are rr, theta theta, zz, and twice rz, r theta, theta z. The radial factors are
-    value, slope and value over r, the axial ones value and slope.
+    value, slope and value over r, the axial functions value and slope.
     """
     a, b, w = term.share
     strain = np.zeros((6, 3, 2))

@@ -42,13 +42,13 @@ def held_class(disk, patch, y, even, below, angle) -> HeldClass:
     for (n, parity, torsional), order in disk.kept.items():
         if parity == even and (n > 0 or torsional == (y < 0)):
             orders[n] = order
-    through = patch.work_through(even)[patch.held]
+    through = patch.axial_work(even)[patch.held]
     held_rows = np.ravel(
         np.array(patch.held)[:, None] * disk.axial_count + np.arange(disk.axial_count),
     )
     nodal = []
     for n in orders:
-        around = patch.work_around(np.array([n]), y)[patch.held, 0]
+        around = patch.circumferential_work(np.array([n]), y)[patch.held, 0]
         nodal.append(work_at_patch(around, through))
     works = [b @ o.shapes[held_rows] for b, o in zip(nodal, orders.values(), strict=True)]
     rest = 0
@@ -90,13 +90,14 @@ def coupled_modes(values, work, rest, limit):
 
 
 def error_estimates(patch, free, square, tractions, limit, weights=(1.18, 0.7, 1.08)):
-    """Return estimated relative errors (k,) of the frequencies; fewer tractions lower every one of
-    them.
+    """Estimate the relative errors (k,) of the frequencies.
 
-    The estimate is a weighted sum of the changes by a third fewer tractions around, by one fewer
-    through the thickness, and by the highest polynomials of the basis. With these weights it is 1.2
-    to 5 times the error, on disks and patches of all kinds. A flexibility larger by dF lowers w^2
-    by p^T dF p, to first order.
+    Fewer tractions lower every frequency. The estimate is a weighted sum of the changes due to a
+    third
+    fewer circumferential tractions, one fewer traction through the thickness, and the highest
+    polynomials of the basis. With these weights it is 1.2 to 5 times the true error for all types
+    of
+    disks and patches. A flexibility that is larger by dF lowers w^2 by p^T dF p, to first order.
     """
     around = patch.richness.around
     grid = np.arange(len(free.work)).reshape(len(patch.held), around, -1)
@@ -124,11 +125,11 @@ def high_order_rest(disk, patch, y, even, through, held_rows):
     angle = np.deg2rad(patch.support.half_angle_deg)
     local = through @ rest[..., held_rows[:, None], held_rows] @ through.T
     local = local.reshape(len(n), 3, len(held), -1, len(held), len(through) // len(held))
-    around = patch.work_around(n, y)[held]
+    around = patch.circumferential_work(n, y)[held]
     result = np.einsum("cnj,dni,nkcldm->kcjldim", around, around, local, optimize=True)
     edges = tail_sum_edges(n[-1] + 0.5, angle, 5 * (2 * patch.richness.around) ** 2 / angle)
     middle = (edges[1:] + edges[:-1]) / 2
-    around = patch.work_around(middle, y)[held]
+    around = patch.circumferential_work(middle, y)[held]
     tail = np.einsum("cnj,dni,n->cjdi", around, around, np.diff(edges) / middle, optimize=True)
     is_tangential = np.array([c == 1 for c in held])
     same_kind = is_tangential[:, None] == is_tangential

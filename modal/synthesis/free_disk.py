@@ -24,7 +24,7 @@ from modal.progress import reporting
 from modal.spectral.basis import Plate, problem, rigid_mode_count
 from modal.spectral.ritz import matrices
 from modal.synthesis.clamped import HeldClass, held_class
-from modal.synthesis.tractions import STANDARD_RICHNESS, PatchTractions, Richness
+from modal.synthesis.tractions import DEFAULT_BASIS_SIZES, PatchTractions, Richness
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -112,7 +112,7 @@ class FreeDisk:
     """
 
     plate: Plate
-    richness: Richness = STANDARD_RICHNESS
+    richness: Richness = DEFAULT_BASIS_SIZES
 
     def __post_init__(self):
         if self.plate.edge != "free" or self.plate.inner_radius or self.plate.ring_stiffness:
@@ -128,8 +128,10 @@ class FreeDisk:
 
     @cached_property
     def kept(self) -> dict:
-        """`FreeOrder` by (n, even, torsional), of every order with modes below the cutoff and of
-        all up to `direct`."""
+        """Solved orders (`FreeOrder`) of the free disk by (n, even, torsional).
+
+        They are all orders up to `direct` and all orders with modes below the cutoff.
+        """
         orders = {}
         n = 0
         found_modes = True
@@ -205,22 +207,30 @@ class FreeDisk:
         angle: ArrayLike = (),
         max_extra_tractions: int = 15,
     ) -> list[HeldClass]:
-        """Return the modes on a patch, by symmetry class in the order of
-        `modal.mesh.symmetry.symmetry_classes`.
+        """Compute the modes of the disk held on a patch.
 
         Parameters
         ----------
-        support, below
-            As in `frequencies`, which lists the errors.
+        support : Support
+            A patch over the whole thickness.
+        below : float
+            Highest frequency [Hz], excluded.
         angle : array_like, shape (n,), optional
             Angles [rad] at which the motion of the rim is computed.
         max_extra_tractions : int, optional
-            Largest number of tractions around that are added on a patch longer than high: tractions
-            vary within a thickness of its ends.
+            Largest number of circumferential tractions that are added on a patch whose length
+            exceeds its
+            height: tractions vary over a distance of one thickness at its ends.
 
         Returns
         -------
         list of HeldClass
+            The modes by symmetry class, in the order of `modal.mesh.symmetry.symmetry_classes`.
+
+        Raises
+        ------
+        ValueError
+            If the patch is lower than the disk, or leaves a rigid-body motion free.
         """
         arc = np.deg2rad(support.half_angle_deg) * self.plate.radius
         extra = min(max_extra_tractions, int(0.7 * arc / self.plate.thickness))

@@ -19,14 +19,14 @@ from modal.spectral.basis import Plate
 from modal.synthesis.free_disk import FreeDisk
 
 FINEST_STRIP_SHARE = 1 / 8
-"""Least height of a strip that the polynomials resolve, over the thickness: F0 is computed
-there."""
+"""Smallest height of a strip that the polynomials resolve, divided by the thickness."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Edge:
-    """Flexibility of a free disk as a body at its bottom edge, along radius, rim and axis of the
-    disk.
+    """Flexibility of a free elastic disk at its bottom edge.
+
+    The three directions are those of radius, rim and axis of the disk.
 
     Attributes
     ----------
@@ -129,13 +129,13 @@ def strip_flexibility(disk: FreeDisk, size: float):
     for (n, even, _), order in disk.kept.items():
         elastic = order.values > 0
         kept = (order.shapes[:, elastic] / order.values[elastic]) @ order.shapes[:, elastic].T
-        result += np.sinc(n * half / pi) ** 2 * between_strip_means(
+        result += np.sinc(n * half / pi) ** 2 * flexibility_of_strip_means(
             through[even],
             order.rest[[0, 2]] + [kept, 0 * kept],
         )
     for even, (n, rest) in disk.high.items():
         far = np.arange(n[-1] + 1, n[-1] + 30 / half)
-        local = between_strip_means(through[even], rest[:, [0, 2]])
+        local = flexibility_of_strip_means(through[even], rest[:, [0, 2]])
         share = np.sinc(n * half / pi) ** 2
         result += (
             np.tensordot(share, local, 1)
@@ -157,9 +157,13 @@ def legendre_means(count, even, height):
     return (next_value - np.where(degree, previous_value, 0)) / (2 * degree + 1) / height
 
 
-def between_strip_means(through, nodal):
-    """Return flexibilities (..., 3, 3) between the means of a strip from those (..., 3 nz, 3 nz) of
-    coefficients."""
+def flexibility_of_strip_means(through, nodal):
+    """Return the flexibility (..., 3, 3) of mean strip displacements.
+
+    `nodal` (..., 3 nz, 3 nz) is the flexibility of the polynomial coefficients, and `through` (3,
+    nz)
+    contains the strip means of the polynomials.
+    """
     count = through.shape[1]
     parts = nodal.reshape(*nodal.shape[:-2], 3, count, 3, count)
     return np.einsum("ca,...cadb,db->...cd", through, parts, through)

@@ -45,7 +45,7 @@ class Richness:
     """Jacobi tractions through the thickness, per component and parity; at most the axial
     polynomials."""
     cutoff: float = 1.4
-    """Highest frequency of the free modes, over the shear wave speed over the radius."""
+    """Highest frequency of the free modes, in units of shear wave speed divided by radius."""
 
     def __post_init__(self):
         if self.through > self.size[1]:
@@ -55,8 +55,8 @@ class Richness:
             )
 
 
-STANDARD_RICHNESS = Richness()
-"""Default sizes."""
+DEFAULT_BASIS_SIZES = Richness()
+"""Default sizes of the bases."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -78,14 +78,16 @@ class PatchTractions:
                 f"{MAX_HALF_ANGLE_DEG} degrees to either side"
             )
 
-    def work_around(self, n, y):
-        """Return the work (3, k, J) [m] of cos n theta or sin n theta with the tractions of
-        symmetry y.
+    def circumferential_work(self, n, y):
+        """Return the work (3, k, J) [m] of tractions around the patch on circumferential waves.
 
-        The tractions are radial, tangential and axial. The integral of T_j(theta/a)/sqrt(1 -
-        (theta/a)^2) is pi a (-1)^(j/2) J_j(n a) with cos n theta (j even) and pi a (-1)^((j-1)/2)
-        J_j(n a) with sin n theta (j odd). The sine partner of a free mode has u_theta ~ -cos n
-        theta.
+        The waves are cos n theta or sin n theta; the symmetry y (1 or -1) selects the tractions.
+        The first
+        index is radial, tangential, axial. The integral of T_j(theta/a)/sqrt(1 - (theta/a)^2) is pi
+        a
+        (-1)^(j/2) J_j(n a) with cos n theta (j even) and pi a (-1)^((j-1)/2) J_j(n a) with sin n
+        theta (j
+        odd). The sine partner of a free mode has u_theta ~ -cos n theta.
         """
         angle = np.deg2rad(self.support.half_angle_deg)
         j = np.arange(self.richness.around)
@@ -94,12 +96,12 @@ class PatchTractions:
         radial, tangential = (cosine, sine) if y > 0 else (sine, -cosine)
         return pi * angle * self.plate.radius * np.stack([radial, tangential, radial])
 
-    def work_through(self, even):
-        """Return the work (3, L, nz) [m] of the Legendre polynomials of the free disk with the
-        tractions.
+    def axial_work(self, even):
+        """Return the work (3, L, nz) [m] of tractions through the thickness on axial polynomials.
 
-        At the faces the radial and axial tractions behave as distance^p, p = `corner_exponent`; the
-        tangential one is finite.
+        The polynomials are the Legendre polynomials of the free disk. Near the faces the radial and
+        axial
+        tractions vary as distance^p with p = `corner_exponent`. The tangential traction is finite.
         """
         m = np.arange(self.richness.size[1])[:, None]
         l = np.arange(self.richness.through)[:, None]

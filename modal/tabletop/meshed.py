@@ -9,7 +9,7 @@ from skfem.refdom import RefTri
 
 from modal.elements.elastic import bending_wave_number
 from modal.elements.user_mesh import solve_body
-from modal.elements.user_mesh_error import CORNER_REMAINDER
+from modal.elements.user_mesh_error import CORNER_ERROR_RATIO
 from modal.elements.user_mesh_modes import interpolate_on_face
 from modal.mesh.read import read_checked
 from modal.mesh.symmetry import COMPONENTS
@@ -37,7 +37,7 @@ def table_on_mesh(surface, contact_radius, below, max_unknowns) -> SurfaceModes:
         surface.density,
         below,
         max_unknowns,
-        CORNER_REMAINDER,
+        CORNER_ERROR_RATIO,
     )
     solid = solved.body.solid
     shapes = solved.shapes

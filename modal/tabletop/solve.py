@@ -59,8 +59,10 @@ def surface_modes(scene: Any, below: float = DEFAULT_HIGHEST_FREQUENCY) -> Surfa
 
 
 def round_plate_modes(surface, below, level):
-    """Return the `SurfaceModes` of a round plate by Ritz's method: shapes w(r) cos n theta and w(r)
-    sin n theta."""
+    """Return the `SurfaceModes` of a round plate by Ritz's method.
+
+    The shapes are w(r) cos n theta and w(r) sin n theta.
+    """
     plate = Plate(
         radius=surface.radius,
         thickness=surface.thickness,
@@ -159,7 +161,7 @@ def sample_round_table(shape, radius, shortest_wave, below, spare_points=16):
     table.
 
     shape(r (k,), theta (k,)) -> (m, k) are the mode shapes; `shortest_wave` [m] is the shortest
-    wavelength among them. The points are Gauss points in the radius and even angles, `spare_points`
+    wavelength among them. The points are Gauss points in the radius and equidistant angles, `spare_points`
     more than shapes and sound paths need.
     """
     # shape and sound path together

@@ -114,7 +114,10 @@ def variation_runs(scene: Scene, part: CompliantMotion) -> dict[str, CompliantMo
     span = scene.numerics.time_limit - start
     state = part.at([start])[0]
     force = part.force([start])[0]
-    models = {HALF_STEP: part.model.finer(), TWICE_STIFF: part.model.stiffer()}
+    models = {
+        HALF_STEP: part.model.with_half_time_step(),
+        TWICE_STIFF: part.model.with_double_stiffness(),
+    }
     return {
         name: simulate_from(model, state, force, span, FLAT_INCLINATION)
         for name, model in models.items()

@@ -97,7 +97,7 @@ def radiated_multipoles(disk, air) -> RadiatedMultipoles:
 
 
 def film_at(mesh, gap: float, k: float, radius: float, air):
-    """Return `FilmMesh.at_rim` of the film for the face velocities 1, x, y.
+    """Return `FilmMesh.rim_flow_matrices` of the film for the face velocities 1, x, y.
 
     `gap` is the mean gap over the radius, `k` the wavenumber times the radius, `radius` in m.
     """
@@ -109,7 +109,7 @@ def film_at(mesh, gap: float, k: float, radius: float, air):
     layers = gap * radius * (1j * k * air.sound_speed / radius * air.density / air.viscosity) ** 0.5
     viscous, thermal = (film_mobility(h, c) * c * c / 12 for c in (layers, layers * sqrt(PRANDTL)))
     storage = -k * k * gap * (HEAT_RATIO * h - (HEAT_RATIO - 1) * thermal)
-    return mesh.at_rim(gap * viscous, storage, [np.ones_like(x), x, y], RIM_ORDERS)
+    return mesh.rim_flow_matrices(gap * viscous, storage, [np.ones_like(x), x, y], RIM_ORDERS)
 
 
 def couple_at_rim(gap: float, film, rim, exterior, wedge: bool = True) -> np.ndarray:

@@ -213,7 +213,7 @@ def _film_response(parts, gap, rate, radius, air) -> FilmResponse:
     work = 0j
     rim = np.zeros(2 * RIM_FLOW_ORDERS + 1, complex)
     for mesh, shape in parts:
-        response = mesh.linear(
+        response = mesh.linear_responses(
             [shape], [shape], sigma, inertia=layers, orders=RIM_FLOW_ORDERS, heat=heat
         )[0]
         work += response.works[0]

@@ -28,7 +28,7 @@ def constants_of(cells, nearest=8.0):
     mesh = FilmMesh(cells, nearest=nearest)
     x = mesh.points.real
     y = mesh.points.imag
-    turning, falling = mesh.linear([y, 1 + x], [y, 1 + x, np.ones_like(x)])
+    turning, falling = mesh.linear_responses([y, 1 + x], [y, 1 + x, np.ones_like(x)])
     work, lift = falling.works[1:].real
     return np.array([-turning.works[0].real, -work, lift / work])
 
@@ -55,7 +55,7 @@ def test_the_turning_film_lifts_nothing_and_all_that_falls_leaves_at_the_rim():
     mesh = FilmMesh(12)
     x = mesh.points.real
     y = mesh.points.imag
-    turning, heaving = mesh.linear([y, np.ones_like(x)], [np.ones_like(x)])
+    turning, heaving = mesh.linear_responses([y, np.ones_like(x)], [np.ones_like(x)])
     assert turning.works[0] == pytest.approx(0, abs=1e-9)
     assert heaving.rim[0] == pytest.approx(-np.pi, rel=1e-5)
     assert turning.rim[-1] == pytest.approx(-1j * np.pi / 4, rel=2e-3)  # dipole of the flow
@@ -66,7 +66,7 @@ def test_an_even_gap_is_bessels(sigma):
     """g0 = 2 J1(k)/(k J0(k)), k^2 = -i sigma, for a uniform gap of compressible air."""
     k = np.sqrt(-1j * sigma)
     mesh = FilmMesh(16, height=lambda x, y: np.ones_like(x), nearest=5.0)
-    (answer,) = mesh.linear([np.ones_like(mesh.height)], [], sigma)
+    (answer,) = mesh.linear_responses([np.ones_like(mesh.height)], [], sigma)
     assert -answer.rim[0] / np.pi == pytest.approx(2 * jv(1, k) / (k * jv(0, k)), rel=2e-3)
 
 
@@ -87,7 +87,9 @@ def test_an_even_gap_that_conducts_heat_is_bessels(depth):
     sigma = 60 / (1 + depth**2)
     k = np.sqrt(sigma * conducting(inertia, 0.84 * inertia))
     mesh = FilmMesh(16, height=lambda x, y: np.ones_like(x), nearest=6.0)
-    (answer,) = mesh.linear([np.ones_like(mesh.height)], [], sigma, inertia, heat=0.84 * inertia)
+    (answer,) = mesh.linear_responses(
+        [np.ones_like(mesh.height)], [], sigma, inertia, heat=0.84 * inertia
+    )
     assert -answer.rim[0] / np.pi == pytest.approx(2 * jv(1, k) / (k * jv(0, k)), rel=3e-3)
 
 
@@ -107,7 +109,7 @@ def test_sound_travels_in_a_wide_film_as_in_free_air():
     one = np.ones_like(mesh.height)
     thin = 0.02 * np.exp(0.25j * np.pi)
     cold, warm = (
-        mesh.linear([one], [one], 3.0, thin, heat=heat)[0].works[0]
+        mesh.linear_responses([one], [one], 3.0, thin, heat=heat)[0].works[0]
         for heat in (0.0, thin * PRANDTL**0.5)
     )
     assert warm == pytest.approx(cold, rel=1e-3)
@@ -118,7 +120,8 @@ def test_an_even_gap_squeezes_as_the_textbook_says():
     mesh = FilmMesh(12, height=lambda x, y: np.ones_like(x), nearest=5.0)
     one = np.ones_like(mesh.height)
     still, fast = (
-        mesh.linear([one], [one], inertia=k)[0].works[0] for k in (0.0, 4.0 * np.exp(0.25j * np.pi))
+        mesh.linear_responses([one], [one], inertia=k)[0].works[0]
+        for k in (0.0, 4.0 * np.exp(0.25j * np.pi))
     )
     assert still == pytest.approx(-np.pi / 8, rel=2e-3)
     assert fast == pytest.approx(
@@ -140,7 +143,7 @@ def test_the_fit_of_inertia_is_that_of_unsteady_flow(S):
     disk = Disk(radius=RADIUS, thickness=0.0128, mass=0.4387)
     y = mesh.points.imag
     still, unsteady = (
-        mesh.linear([y], [y], inertia=k)[0].works[0].real for k in (0.0, S * (1 + 1j))
+        mesh.linear_responses([y], [y], inertia=k)[0].works[0].real for k in (0.0, S * (1 + 1j))
     )
     film = film_under(disk, Air(viscosity=MU, density=RHO))
     rate = S**2 * 2 * MU / (RHO * RADIUS**2) * disk.time_unit  # at sin(beta) = 1
@@ -164,7 +167,7 @@ def test_the_share_of_the_heave_that_leaves_at_the_rim(gap, rate, share):
     one = np.ones_like(mesh.height)
     sigma = 12 * MU * w * RADIUS**2 / (AMBIENT * gap**2)
     inertia = gap * (1j * w * RHO / MU) ** 0.5
-    assert -mesh.linear([one], [], sigma, inertia)[0].rim[0] / np.pi == pytest.approx(
+    assert -mesh.linear_responses([one], [], sigma, inertia)[0].rim[0] / np.pi == pytest.approx(
         share, abs=0.02
     )
 
@@ -224,9 +227,11 @@ def held(mesh, P):
 def compare(mesh, numbers):
     P = None
     for Lam in numbers:
-        P = mesh.turning(Lam, P)
+        P = mesh.steady_rotating_pressure(Lam, P)
         still = solved(mesh, P)
-        falls = (solved(mesh, mesh.turning(Lam, P, falling=0.01)) - solved(mesh, P)) / 0.01
+        falls = (
+            solved(mesh, mesh.steady_rotating_pressure(Lam, P, falling=0.01)) - solved(mesh, P)
+        ) / 0.01
         assert by_law(Lam) == pytest.approx(still, rel=0.08)
         assert by_law(Lam)[0] == pytest.approx(still[0], rel=0.03)
         assert squeezed_air_energy(1.0, Lam, 1 / SQUEEZE_NUMBER, 1.0, 0.0) == pytest.approx(
@@ -252,7 +257,7 @@ def test_air_that_slips_resists_less(slip):
     mesh = FilmMesh(12)
     x = mesh.points.real
     y = mesh.points.imag
-    turning, falling = mesh.linear([y, 1 + x], [y, 1 + x, np.ones_like(x)], slip=slip)
+    turning, falling = mesh.linear_responses([y, 1 + x], [y, 1 + x, np.ones_like(x)], slip=slip)
     expected = -turning.works[0].real, -falling.works[1].real
     law = np.pi * (by_law(1e-9, slip=slip)[0] * 1e9), np.pi * by_law(falling=1.0, slip=slip)[1]
     assert law == pytest.approx(expected, rel=0.1)
@@ -267,5 +272,5 @@ def test_how_fast_a_fall_the_film_is_right_for():
     mesh = FilmMesh(12, nearest=5.0)
     P = None
     for falling, low in ((0.3, 0.04), (1.0, 0.12), (3.0, 0.27)):
-        P = mesh.turning(1e-3, P, falling)
+        P = mesh.steady_rotating_pressure(1e-3, P, falling)
         assert by_law(falling=falling)[1] == pytest.approx((1 - low) * solved(mesh, P)[1], rel=0.02)

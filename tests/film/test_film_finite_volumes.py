@@ -115,10 +115,10 @@ def test_what_leaves_at_the_rim_is_told_by_the_rim_alone(nearest, falling):
     This also holds on a mesh with stronger numerical diffusion (nearest 5) and for a closing gap.
     """
     mesh = FilmMesh(6, nearest=nearest)
-    P = mesh.turning(100.0, falling=falling)
-    out = mesh.flow_out(P, 100.0, falling=falling)
+    P = mesh.steady_rotating_pressure(100.0, falling=falling)
+    out = mesh.rim_mass_flow(P, 100.0, falling=falling)
     mesh._waves(3)[mesh._inner] = 0
-    np.testing.assert_allclose(mesh.flow_out(P, 100.0, falling=falling), out, atol=1e-9)
+    np.testing.assert_allclose(mesh.rim_mass_flow(P, 100.0, falling=falling), out, atol=1e-9)
 
 
 @pytest.mark.parametrize("falling", [3.0])
@@ -127,6 +127,11 @@ def test_so_is_one_that_falls_as_it_turns(falling):
     lifts = []
     for cells in (8, 12):
         mesh = FilmMesh(cells, nearest=6.0)
-        lifts.append([mesh.integral(mesh.turning(10.0, falling=f) - 1) for f in (0.0, falling)])
+        lifts.append(
+            [
+                mesh.integral(mesh.steady_rotating_pressure(10.0, falling=f) - 1)
+                for f in (0.0, falling)
+            ]
+        )
     assert lifts[0] == pytest.approx(lifts[1], rel=0.02)
     assert lifts[0][1] > lifts[0][0]

@@ -24,7 +24,7 @@ from modal.elements.user_mesh import (
     nodes_of_eighths,
 )
 from modal.elements.user_mesh_error import (
-    CORNER_REMAINDER,
+    CORNER_ERROR_RATIO,
     angles_about_edges,
     prolongation,
     relative_errors,
@@ -113,7 +113,15 @@ def test_the_error_is_right_within_a_factor_of_five(clamped, share):
     whole = lagrange_elements(mesh)[1]
     values, shapes, _ = elastic_eigenpairs(fine, HELD, 2000.0, shift)
     stated = relative_errors(
-        mesh, facets, fine, coarse, nodes_of_eighths(whole), values, shapes, shift, CORNER_REMAINDER
+        mesh,
+        facets,
+        fine,
+        coarse,
+        nodes_of_eighths(whole),
+        values,
+        shapes,
+        shift,
+        CORNER_ERROR_RATIO,
     )
     finest = levels(*board(*zip(size, (2 * n for n in cells), strict=True), clamped))[1]
     nearer = np.sqrt(values / elastic_eigenpairs(finest, HELD, 2000.0, shift)[0][: len(values)]) - 1

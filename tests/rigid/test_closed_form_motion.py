@@ -18,7 +18,7 @@ from dynamics import Outcome, simulate
 from dynamics.hybrid import run_events
 from dynamics.regime import PRECESSION, X
 from dynamics.rolling import RollingDisk
-from dynamics.simulation import chosen_integrator, disk_constants, released
+from dynamics.simulation import chosen_integrator, disk_constants, initial_state
 from dynamics.steady_motion import flat_square, steady_precession
 from dynamics.theory import exact as theory
 
@@ -178,8 +178,8 @@ def test_the_self_similar_end():
 @pytest.mark.parametrize("turn", [0.5, -2.0])
 def test_turning_the_release_about_the_vertical_turns_the_path(turn):
     start = scene()
-    straight, _ = run_events(system_of(start), released(start.disk, start.release), 20.0)
-    y = released(start.disk, start.release)
+    straight, _ = run_events(system_of(start), initial_state(start.disk, start.release), 20.0)
+    y = initial_state(start.disk, start.release)
     y[PRECESSION] = turn
     turned, _ = run_events(system_of(start), y, 20.0)
     a, b = (

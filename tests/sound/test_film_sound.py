@@ -82,7 +82,7 @@ def test_the_table_is_that_of_the_solver():
 @pytest.mark.parametrize("sigma", [0.01, 0.3, 3.0, 30.0, 300.0])
 def test_the_heave_relaxes_as_the_film_does(sigma):
     mesh = FilmMesh(12)
-    share = -mesh.linear([np.ones_like(mesh.height)], [], sigma)[0].rim[0] / np.pi
+    share = -mesh.linear_responses([np.ones_like(mesh.height)], [], sigma)[0].rim[0] / np.pi
     fitted = np.sum(HEAVE_RELAXATION_WEIGHTS / (1 + 1j * sigma * HEAVE_RELAXATION_TIMES))
     assert fitted == pytest.approx(share, abs=0.006)
 
@@ -151,7 +151,7 @@ def test_the_second_harmonic_of_the_rim_is_heard_as_its_ring_radiates(scene, sen
     heard = 2 * np.mean((stems_of(disk, state)[:, 1] * np.exp(-2j * rate * t))[count // 2 :])
     Lam = float(compressibility(inclination, rate, scene.air))
     mesh = FilmMesh(10, nearest=5.0)
-    flow = mesh.flow_out(mesh.turning(Lam), Lam)[-2] / Lam
+    flow = mesh.rim_mass_flow(mesh.steady_rotating_pressure(Lam), Lam)[-2] / Lam
     angle = 2 * np.pi * np.arange(64) / 64
     wave = np.exp(-2j * sense * (angle - state[0, 0] - np.pi / 2))
     ring = radius * rate * np.sin(inclination) * radius / np.pi * 2j * rate * flow * wave

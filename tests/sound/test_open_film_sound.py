@@ -137,7 +137,9 @@ def test_film_and_air_outside_sound_as_one_air(gap, k):
     """
     mesh = FilmMesh(12, lambda x, y: 1 + 0 * x, nearest=9.0)
     velocities = [np.ones_like(mesh.height), mesh.points.real, mesh.points.imag]
-    film = mesh.at_rim(gap * mesh.height, -k * k * gap * mesh.height, velocities, RIM_ORDERS)
+    film = mesh.rim_flow_matrices(
+        gap * mesh.height, -k * k * gap * mesh.height, velocities, RIM_ORDERS
+    )
     found = couple_at_rim(gap, film, *rim_and_beyond(gap, k), wedge=False)
     whole = Floating(gap)
     for n, bar in ((0, 0.5), (1, 1.0 if k < 1 else 0.5)):

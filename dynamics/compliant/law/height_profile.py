@@ -18,8 +18,9 @@ from dynamics.numba_kernels import kernel, outermost
 
 
 class Profile(NamedTuple):
-    """Coefficients (n + 5,) of the quintic spline of the third integral of the heights, and cells
-    per metre.
+    """Height profile along a path: a periodic quintic spline of the third integral of the heights.
+
+    It consists of the coefficients (n + 5,) and the number of cells per metre.
     """
 
     coefficients: np.ndarray
@@ -34,7 +35,7 @@ class Profile(NamedTuple):
 SMOOTH_PROFILE = Profile(np.zeros(6), 1.0)
 """Profile of a smooth surface."""
 RELATIVE_SLOPE_STEP = 1 / 32
-"""Step of the height differences for slopes, over the half-length of the ellipse; accurate to 1
+"""Ratio of the step for slopes of heights to the half-length of the ellipse; accurate to 1
 %."""
 
 
@@ -123,12 +124,12 @@ def mean_heights(profile, s, a):
 
 
 def profile_from_csv(file, period: float | None = None) -> Profile:
-    """Read a profile from a CSV file: length [m] in the first column, height [m] in the second; a
-    header is skipped.
+    """Read a profile from a CSV file with length [m] and height [m]; a header is skipped.
 
     The best straight line is subtracted. The mirror image continues the profile and makes it
-    periodic. For an edge pass its circumference as `period` [m]: the length is stretched to a whole
-    number of periods. Raises ValueError if the file is not a valid profile.
+    periodic.
+    For an edge, `period` is its circumference [m]: the length is stretched to a whole number of
+    periods. Raises ValueError if the file is not a valid profile.
     """
     length, height = _columns(Path(file))
     height = height - np.polynomial.Polynomial.fit(length, height, 1)(length)

@@ -1,10 +1,9 @@
-"""Elastic contact of the edge on the table as data: Hertz's ellipse, Mindlin's springs, Kalker's
-creep.
+"""Elastic contact of the edge on the table: Hertz's ellipse, Mindlin's springs, Kalker's creep.
 
-The edge has a fillet. On a plane its contact is an ellipse between the principal radii r_f (the
-fillet, across) and R/sin(beta) (the rim, along the rolling direction 1). As the disk falls, the
-ellipse lengthens and its springs stiffen. The elliptic integrals are Carlson's, which are regular
-from the circle to the line: J = (K - E)/e^2 = R_D(0, q^2, 1)/3 with q = b/a.
+The edge has a fillet. Its contact on a plane is an ellipse between the principal radii r_f (the
+fillet, across) and R/sin(beta) (the rim, along the rolling direction 1). As the inclination
+decreases, the ellipse lengthens and its springs stiffen. The elliptic integrals are Carlson's,
+which are regular from the circle to the line: J = (K - E)/e^2 = R_D(0, q^2, 1)/3 with q = b/a.
 """
 
 from dataclasses import dataclass
@@ -19,7 +18,10 @@ from dynamics.compliant.law.kalker import creep_coefficients
 from dynamics.disk import Disk
 
 MAX_WIDTH_RATIO = 1 / 3
-"""Largest half-width of the ellipse over the fillet; beyond, neither body is a half space."""
+"""Largest ratio of the half-width of the ellipse to the fillet.
+
+Above it, the bodies are no longer half spaces.
+"""
 MIN_CONTACT_INCLINATION = 5e-8
 """Inclination below which the contact is not one ellipse [rad]."""
 
@@ -37,8 +39,10 @@ class ElasticConstants(NamedTuple):
 
 
 class ContactSprings(NamedTuple):
-    """Linearised contact: stiffness [N/m] and relaxation length [m] along 1 and 2, stiffness along
-    the normal [N/m].
+    """Linearised contact.
+
+    It has stiffness [N/m] and relaxation length [m] along 1 and 2, and stiffness [N/m] along the
+    normal.
     """
 
     k1: np.ndarray
@@ -84,10 +88,10 @@ class ContactLaw:
             )
         if not self._excess(self.fillet) <= 0:
             sharp = f"contact.fillet = {self.fillet:g}: too sharp for an elastic contact"
-            raise ValueError(f"{sharp}, {self._blunt_enough(largest)}")
+            raise ValueError(f"{sharp}, {self._smallest_fillet_message(largest)}")
 
-    def _blunt_enough(self, largest):
-        """Describe the smallest possible fillet, or why there is none."""
+    def _smallest_fillet_message(self, largest):
+        """Return a message with the smallest possible fillet, or that no fillet is possible."""
         if self._excess(largest) > 0:
             return f"as any up to {largest:g} is for bodies so soft, E* = {self.modulus:.3g} Pa, or so heavy"
         return f"must be at least {brentq(self._excess, 1e-12, largest):.3g}"

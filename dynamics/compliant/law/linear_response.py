@@ -29,7 +29,7 @@ TAYLOR_TERMS = 20
 MAX_STEP_TURN = 2.0
 """Largest phase of the fastest resonance in one step [rad]."""
 MIN_VIBRATION_FREQUENCY = 200.0
-"""Frequency above which the force belongs to the contact, and below to the motion [Hz]."""
+"""Frequency [Hz] that separates the vibration of the contact from the motion of the disk."""
 
 
 class MotionBlock(NamedTuple):
@@ -42,7 +42,7 @@ class MotionBlock(NamedTuple):
     inclination, load : (k,) arrays
         Inclination [rad] and normal force [N].
     rolls : (k,) array of bool
-        Whether the disk rolls.
+        True if the disk rolls.
     path, edge : (k,) arrays
         Path lengths of the contact on the table and on the edge [m].
     jumps : (k, 2) array
@@ -62,7 +62,7 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
     """Yield the motion as MotionBlocks; the last knot of a block is the first of the next.
 
     `rate` [1/s] is that of the samples. The contact advances by R d(spin) of the edge and the slip.
-    The motion ends at LEAST_INCLINATION, where the contact is no longer an ellipse.
+    The motion ends at MIN_CONTACT_INCLINATION, where the contact is no longer an ellipse.
     """
     valid = motion.t[np.flatnonzero(motion.state[:, 1] >= MIN_CONTACT_INCLINATION)[-1]]
     knots = int(
@@ -100,8 +100,7 @@ def motion_blocks(motion, rate: float, start: float = 0.0, stop: float | None = 
 def contact_response(
     table: LawTable, blocks, rate: float, profiles=(SMOOTH_PROFILE, SMOOTH_PROFILE)
 ):
-    """Yield the force added by the elastic, rough contact, (n, 2) [N] along a_2 and a_3, block by
-    block.
+    """Yield the force added by the elastic, rough contact along a_2 and a_3, block by block.
 
     Parameters
     ----------
@@ -114,10 +113,15 @@ def contact_response(
     profiles : (Profile, Profile)
         Heights of table and edge.
 
+    Yields
+    ------
+    (n, 2) array
+        Force [N] along a_2 and a_3.
+
     Raises
     ------
     ValueError
-        If a resonance turns too far in a step; the message names the required rate.
+        If the phase of a resonance changes too much in a step; the message names the required rate.
     """
     x = np.zeros(4)
     z = np.nan
@@ -175,10 +179,11 @@ def predicted_rms(
     speed,
     above=MIN_VIBRATION_FREQUENCY,
 ):
-    """Return the rms (k,) [N] of the force above a frequency [Hz] in steady motion, from the
-    spectrum of the heights.
+    """Return the rms (k,) [N] of the force above a frequency [Hz] in steady motion.
 
-    The contact runs along table and edge at `speed` (k,) [m/s].
+    It follows from the spectrum of the heights. The contact moves along table and edge at `speed`
+    (k,)
+    [m/s].
     """
     k = spectral_density(roughness, table.law.disk.radius)[0]
     mean_squares = []
@@ -190,10 +195,10 @@ def predicted_rms(
 
 
 def predicted_power(table: LawTable, roughness: Roughness, inclination, load, speed) -> np.ndarray:
-    """Return the mean power (k,) [W] that roughness takes from a disk in steady motion.
+    """Return the mean power (k,) [W] that roughness dissipates in steady motion.
 
-    It is the normal force N' times the rate of the heights z: the integral of their spectrum times
-    omega Im(N'/z).
+    It is the mean product of the normal force N' and the rate of the heights z: the integral of the
+    spectrum of z times omega Im(N'/z).
     """
     (k, heights) = spectral_density(roughness, table.law.disk.radius)
     powers = []

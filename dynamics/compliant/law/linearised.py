@@ -1,5 +1,4 @@
-"""Linearised contact: resonances of the disk on the three springs of its contact, one of which
-sounds.
+"""Linearised contact: resonances of the disk on the three springs of its contact.
 
 Components are along a_1 (the rolling direction), a_2 (horizontal, towards the contact) and a_3 (the
 vertical).
@@ -14,13 +13,13 @@ from dynamics.disk import Disk
 from dynamics.steady_motion import steady_precession
 
 MIN_ROOT = 1e-300
-"""Added bound of |s| in the loss factor, against division by zero [1/s]."""
+"""Lower bound of |s| in the loss factor [1/s], which prevents division by zero."""
 RIGID_FLEXIBILITY = np.zeros((3, 3))
 """Flexibility of a rigid disk [m/N]."""
 MAX_RESONANCE_TURN = 1.0
 """Largest phase of the fastest resonance in one step [rad]."""
 MAX_LOAD_RATIO = 4.0
-"""Load over the weight at which the step rate is determined."""
+"""Ratio of load to weight at which the required step rate is determined."""
 
 
 class Resonances(NamedTuple):

@@ -26,10 +26,10 @@ WAVE_NUMBER_COUNT = 8192
 
 
 def profiles(roughness: Roughness | None, radius: float) -> tuple[Profile, Profile]:
-    """Return the height profiles of table and edge for a disk of this radius [m], random or from
-    files.
+    """Return the height profiles of table and edge for a disk of this radius [m].
 
-    Raises ValueError if a file is not a valid profile, or if no wave fits the edge.
+    They are random or read from files. Raises ValueError if a file is not a valid profile, or if no
+    wave fits the edge.
     """
     if roughness is None:
         return SMOOTH_PROFILE, SMOOTH_PROFILE
@@ -139,8 +139,9 @@ def spectral_density(roughness: Roughness, radius: float) -> tuple[np.ndarray, n
 
 
 def circumference_gain(roughness: Roughness, period: float) -> float:
-    """Return the gain of each wave that fits a period [m] over an infinite profile of the same rms;
-    1 if none fits.
+    """Return the gain of each wave that fits a period [m]; 1 if no wave fits.
+
+    The gain is relative to an infinite profile of the same rms.
     """
     low = period / roughness.longest
     high = period / roughness.shortest
@@ -151,11 +152,13 @@ def circumference_gain(roughness: Roughness, period: float) -> float:
 
 
 def shift_of_contact(roughness: Roughness, inclination, half_length, radius: float):
-    """Return rms(z'') R/beta (n,), the shift of the true contact along the edge in radians per
-    radian.
+    """Return the relative shift rms(z'') R/beta (n,) of the true contact along the edge.
 
-    Table and edge are averaged over ellipses of half-length a (n,) [m] at inclinations (n,) [rad].
-    Above 1 the disk touches at several points, and one ellipse is an approximation only.
+    It is the shift in radians per radian. Table and edge are averaged over ellipses of half-length
+    a
+    (n,) [m] at inclinations (n,) [rad]. If the result exceeds 1, the disk touches at several
+    points,
+    and one ellipse is only an approximation.
     """
     k, power = spectral_density(roughness, radius)
     curvature = [

@@ -7,7 +7,7 @@ from typing import Annotated, Literal
 from annotated_types import Ge, Gt, Le, Lt
 
 DEFAULT_FILLET_RATIO = 1 / 8
-"""Default fillet over the thickness: 1.6 mm for the 12.8 mm of the toy."""
+"""Ratio of the default fillet to the thickness: 1.6 mm for the thickness 12.8 mm of the toy."""
 MAX_PROFILE_CELLS = 2**24
 """Largest number of cells of a profile."""
 CELLS_PER_WAVE = 8

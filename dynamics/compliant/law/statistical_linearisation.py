@@ -1,8 +1,8 @@
-"""Statistical linearisation of the contact spring: a strongly vibrating contact is softer than a
-linear one.
+"""Statistical linearisation of the contact spring.
 
-The approach of Hertz's spring is a Gaussian variable (Caughey 1963). Its variance follows from the
-linear contact with the mean stiffness, its mean from the condition that the mean force is the load.
+A strongly vibrating contact is softer than a linear one. The approach of Hertz's spring is a
+Gaussian variable (Caughey 1963). Its variance follows from the linear contact with the mean
+stiffness. Its mean follows from the condition that the mean force equals the load.
 """
 
 import numpy as np
@@ -17,7 +17,10 @@ SCATTER_NODES = np.linspace(-6.0, 6.0, 241)
 SCATTER_WEIGHTS = np.exp(-(SCATTER_NODES**2) / 2) / np.exp(-(SCATTER_NODES**2) / 2).sum()
 """Weights of this integral."""
 LINEARISATION_ROUNDS = 6
-"""Iterations; the load factor is then accurate to 3 %, the resonance, its sixth root, to 0.5 %."""
+"""Number of iterations.
+
+The load factor is then accurate to 3 %, and the resonance, its sixth root, to 0.5 %.
+"""
 
 
 def effective_load_factor(
@@ -28,10 +31,11 @@ def effective_load_factor(
     speed,
     rounds: int = LINEARISATION_ROUNDS,
 ) -> np.ndarray:
-    """Return the factors (k,) on the loads [N] at which the linear contact has the mean stiffness
-    of the vibrating one.
+    """Return the factors (k,) on the loads that account for the vibration of the contact.
 
-    Arguments (k,): inclinations [rad], loads [N] and speeds of the contact [m/s].
+    With these loads, the linear contact has the mean stiffness of the vibrating contact. The
+    arguments
+    (k,) are inclinations [rad], loads [N] and speeds of the contact [m/s].
     """
     every = np.broadcast_arrays(np.atleast_1d(inclination), load, speed)
     return np.array([_factor(table, roughness, *one, rounds) for one in zip(*every, strict=True)])

@@ -21,9 +21,9 @@ from dynamics.compliant.law.linearised import (
 GRID_STEP = 0.02
 """Step of the grid in ln sin(beta); the splines are accurate to 1e-8, the lengths to 2e-5."""
 MAX_NEGATIVE_FLEXIBILITY = 0.5
-"""Largest size of a negative flexibility of the edge, over that of the springs under the weight."""
+"""Largest size of a negative flexibility of the edge, divided by that of the springs under the weight."""
 MAX_LATERAL_FREQUENCY_RATIO = 0.5
-"""Largest squared frequency of the lateral flexibility, over that of the lowest mode."""
+"""Largest squared frequency of the lateral flexibility, divided by that of the lowest mode."""
 BISECTION_STEPS = 40
 """Bisections for the frequency of the contact resonance, at which the edge flexibility is
 evaluated.
@@ -68,7 +68,7 @@ class LawTable:
         Flexibility of the edge in series with the springs; None for a rigid disk.
     moves : float
         Modes below this frequency [Hz] are not part of the vertical flexibility, because they move
-        (bending.py).
+        (rim_modes.py).
     """
 
     law: ContactLaw

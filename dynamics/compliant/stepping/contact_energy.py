@@ -73,8 +73,10 @@ def approach_root(gap):
 
 @kernel
 def mean_force(r0, r1, gap0, gap1):
-    """Return -(U1 - U0)/K/(G1 - G0) [m^1.5]; if both gaps are closed, with r1^2 - r0^2
-    cancelled."""
+    """Return the mean force divided by the stiffness, -(U1 - U0)/K/(G1 - G0) [m^1.5].
+
+    If both gaps are closed, the common factor r1 - r0 is cancelled analytically.
+    """
     if r0 > 0 and r1 > 0:
         q0 = r0 * r0
         q1 = r1 * r1

@@ -32,7 +32,7 @@ DEFAULT_STEP_RATE = 400e3
 STEPS_PER_CALL = 2**15
 """Steps in one call of the time loop, or one row if a row has more steps."""
 NODES_PER_RATE_CHECK = 10
-"""Distance of the nodes of the tabulated law at which the required step rate is known.
+"""Spacing of the nodes of the tabulated law at which the required step rate is computed.
 
 Linear interpolation between them is accurate to 2e-4.
 """
@@ -129,7 +129,7 @@ class CompliantModel:
     film : Film, optional
         Air film.
     fitted : bool
-        Whether the friction was fitted to a rough disk and includes the losses of contact and
+        True if the friction was fitted to a rough disk and includes the losses of contact and
         creep.
     rate : float
         Steps per second.
@@ -176,16 +176,16 @@ class CompliantModel:
         return LawCubics(float(self.table.grid[0]), 1 / GRID_STEP, np.ascontiguousarray(cubics))
 
     @cached_property
-    def _needed(self) -> np.ndarray:
+    def _required_rate_at_nodes(self) -> np.ndarray:
         """Required step rate (n,) [1/s] at every NODES_PER_RATE_CHECK-th node of the tabulated
         law."""
         return required_step_rate(self.table.law, self.table.inclinations[::NODES_PER_RATE_CHECK])
 
-    def finer(self) -> "CompliantModel":
+    def with_half_time_step(self) -> "CompliantModel":
         """Return the model with half the time step."""
         return replace(self, rate=2 * self.rate)
 
-    def stiffer(self) -> "CompliantModel":
+    def with_double_stiffness(self) -> "CompliantModel":
         """Return the model with twice the contact stiffness, and a smaller time step where
         required.
         """
@@ -244,7 +244,7 @@ class CompliantModel:
         flying = [np.nan, np.nan, 0.0]
         slipping = [np.nan, np.nan]
         while left > 0 and why == EndReason.CONTINUES:
-            self._hold(y)
+            self._check_step_rate(y)
             rows = np.empty((min(max(STEPS_PER_CALL // every, 1), left), STATE_SIZE))
             forces = np.empty((len(rows) * parts, 3))
             flights, slips = (np.full((len(rows) * every // 2 + 2, k), np.nan) for k in (3, 2))
@@ -285,19 +285,19 @@ class CompliantModel:
             )
 
     def waves(self, y):
-        """Return the modes that carry a disk in the state y, and raise the disk onto them."""
+        """Return the modes that support a disk in the state y, and raise the disk onto them."""
         if self.imperfection is not None:
             return wavy_table(self.imperfection, y, self.constants)
         waves = modes_at_rest(self.modes, 1 / self.rate, self.bending)
         settle_modes(waves, self.modes, self, y)
         return waves
 
-    def _hold(self, y):
-        """Raise ValueError if a resonance turns too far in one step."""
+    def _check_step_rate(self, y):
+        """Raise ValueError if the phase of a resonance changes too much in one step."""
         fastest = np.interp(
             np.hypot(*y[STATE.axis : STATE.axis + 2]),
             np.exp(self.table.grid[::NODES_PER_RATE_CHECK]),
-            self._needed,
+            self._required_rate_at_nodes,
         )
         if fastest > self.rate:
             raise ValueError(

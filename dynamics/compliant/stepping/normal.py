@@ -50,7 +50,7 @@ An impact then keeps its energy to 1e-12. The estimate must include the contact 
 the force.
 """
 STANDING_DISTANCE = 1e-10
-"""A contact that moves by less in a step stands still [m]."""
+"""Displacement per step [m] below which the contact counts as stationary."""
 REREAD_DISTANCE = 1e-9
 """Heights are evaluated again if the path length of the estimate changes by more [m].
 
@@ -74,15 +74,13 @@ def rotation_step(n0, n1, n2, b0, b1, b2):
 
 @kernel
 def height_after(profile, path, moved, half, before):
-    """Return the height at the end of a step along a path; the height before if the contact stands
-    still.
-    """
+    """Return the height at the end of a step along a path; the height before if it is stationary."""
     return mean_height(profile, path + moved, half) if abs(moved) > STANDING_DISTANCE else before
 
 
 @kernel
 def mean_slope(y0, y1, dx):
-    """Return the mean slope of heights along a path; 0 if the contact stands still."""
+    """Return the mean slope of heights along a path; 0 if the contact is stationary."""
     return (y1 - y0) / dx if abs(dx) > STANDING_DISTANCE else 0.0
 
 

@@ -1,4 +1,4 @@
-"""Both parts of a time step on a table with modes; regular where the disk lies flat.
+"""Both parts of a time step on a table with modes; regular where the disk is flat.
 
 The scheme conserves or dissipates energy. The rim touches the table in the horizontal direction e
 of least gap G = z - R n.e + H (1 - c) - sum q_m w_m - r. Here n is the axis, c = n_z, and r the sum
@@ -43,15 +43,17 @@ from dynamics.compliant.stepping.tangential import step_tangential_at
 from dynamics.numba_kernels import kernel
 
 MAX_ROLLING_TURN = 0.3
-"""A contact that turns by more in one step has jumped to another place and did not roll there
-[rad].
+"""Largest turn of the contact in one step [rad].
+
+A contact that turns by more has jumped to another place and did not roll there.
 """
 
 
 @kernel
 def update_gap_stiffness(y, modes, law):
-    """Update the contact stiffness to the present inclination, and keep either the force or the
-    approach.
+    """Update the contact stiffness to the present inclination.
+
+    Either the force or the approach remains the same; see the description of this module.
     """
     K0 = modes.contact[CONTACT.gap_stiffness]
     K1 = law_column(

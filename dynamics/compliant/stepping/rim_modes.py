@@ -3,8 +3,8 @@
 A mode with n waves lifts the rim at an angle a on the disk by r (c A - s B) cos(n a - phase). A and
 B are its motion along axis and radius at unit modal mass, c and s the cosine and sine of the
 inclination, and r'' = -k r - c' r' + N times this shape. To the contact it is a mode of the table
-with the opposite shape, and waves.py advances both in the same way. The disk turns about its axis
-by the twist rate omega.(n + e3)/(1 + c), which is regular where the disk lies flat; the contact in
+with the opposite shape, and table_modes.py advances both in the same way. The disk turns about its axis
+by the twist rate omega.(n + e3)/(1 + c), which is regular where the disk is flat; the contact in
 the direction phi is at a = phi - twist. The model neglects the excitation of the modes by friction.
 """
 

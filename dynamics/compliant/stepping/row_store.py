@@ -12,9 +12,9 @@ INTERPOLATION_ROWS = 6
 
 
 class RowStore:
-    """Rows (n, width) of doubles in a temporary file, so that long motions need no more memory.
+    """Rows (n, width) of doubles in a temporary file, which limits the memory of long motions.
 
-    The file is removed with its last reader. The store begins with the rows `first`.
+    The file is deleted with its last reader. The store begins with the rows `first`.
     """
 
     def __init__(self, first):

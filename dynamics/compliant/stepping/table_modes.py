@@ -5,7 +5,7 @@ The table rises by W = sum q_m w_m(x, y), with shapes w_m of unit modal mass. Ea
 -k q - c q' - N w~, where ~ denotes the mean of both ends of a step h. The midpoint rule advances it
 with k and c chosen such that frequency and decay are exact for every step. The energy (q'^2 + k
 q^2)/2 changes by the work -N w~ dq minus h c q'~^2. The modes of the disk, which lower the rim by q
-w, obey the same equation (see bending.py).
+w, obey the same equation (see rim_modes.py).
 """
 
 from typing import NamedTuple

@@ -13,7 +13,7 @@ The resisting moments are impulses against omega.a_i, clipped where they stop th
 only take kinetic energy. Friction fitted to a rough disk includes the losses in contact and creep:
 the moments of rolling are reduced by this energy.
 
-The air film (film/law.py) acts against omega_3, and its pressure acts on the face at the centre of
+The air film (film/forces.py) acts against omega_3, and its pressure acts on the face at the centre of
 pressure, against the velocity there, as its law requires for a stationary contact. The compressed
 air stores energy up to the energy of the film in this state and loses the rest. It exerts no
 pressure once its energy is used up, whatever the contact does.

@@ -31,12 +31,12 @@ from dynamics.film import forces
 from dynamics.numba_kernels import fingerprint, kernel, outermost
 
 MIN_INCLINATION_RATIO = 0.6
-"""The disk lies flat after a step that reduces sin(inclination) below this fraction.
+"""The disk is flat after a step that reduces sin(inclination) below this fraction.
 
 The next steps would take the disk through the table.
 """
 FLAT_INCLINATION = 1e-5
-"""On a table with modes the disk lies flat below this sine of its inclination [rad]."""
+"""On a table with modes the disk is flat below this sine of its inclination [rad]."""
 REST_DURATION = 0.02
 """On a table with modes the motion ends when the disk has been flat for this time [s].
 
