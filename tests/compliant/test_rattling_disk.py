@@ -228,11 +228,13 @@ def test_impacts_lower_the_inclination_at_a_constant_rate(restitution, k):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("H", "rms", "n"), [(0.0, 3e-6, 0.5), (0.5, 3e-6, 0.43), (1.0, 1e-5, 0.32)]
+    ("H", "rms", "n", "seeds"),
+    [(0.0, 3e-6, 0.5, 8), (0.5, 3e-6, 0.43, 3), (1.0, 1e-5, 0.32, 3)],
 )
-def test_exponent_of_the_rate_follows_from_the_spectrum(H, rms, n):
+def test_exponent_of_the_rate_follows_from_the_spectrum(H, rms, n, seeds):
+    """Single motions scatter by 0.03 for H = 0."""
     exponents = []
-    for seed in (1, 2, 3):
+    for seed in range(1, seeds + 1):
         scene = coin(rms, 1 + 2 * H, 0.5, seed, 0.2)
         motion = settle(model_of(scene), scene, 0.006)
         t = np.arange(0, motion.t[-1], 2e-3)
