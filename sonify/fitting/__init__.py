@@ -1,7 +1,8 @@
-"""RECORDINGS -> WHAT SLOWED THE DISK.
+"""RECORDINGS -> CAUSE OF THE DECLINE: fit the dissipation of a disk to recordings.
 
-readings -- files as people have them; decline -- how a disk comes to rest, for any share of what slows it; phase -- the
-rate of a tone from its phase, in the time that a decline keeps; estimate -- shares and intervals; ear -- which signal,
-which line, the verdict; null, synthetic -- other mechanisms through the same ear; fu_berlin -- a published chain;
-apart -- several recordings at once; result, report -- files together, and what is written.
+The stages are: read the files (recordings_io); model the decline of a disk for any shares of
+dissipation (decay_model); measure the rate of a tone from its phase, in time coordinates of a
+decline (phase_demodulation); fit shares with intervals (least_squares); choose signal and spectral
+line, and give a verdict (line_selection); write the results (result, report). `synthetic` generates
+test recordings, `fu_berlin` reproduces a published analysis, and `apart` runs tasks in parallel.
 """

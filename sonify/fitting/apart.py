@@ -1,4 +1,4 @@
-"""TASKS -> ANSWERS, several at once, from processes of their own."""
+"""Parallel tasks in worker processes."""
 
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -10,8 +10,10 @@ from sonify.runtime.workers import WorkerDiedError, WorkerProcess
 
 
 def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
-    """Yield `function(*task)` for every task, in order, from `count` processes. Raises what it
-    raises."""
+    """Yield `function(*task)` for every task in order, computed by `count` worker processes.
+
+    Exceptions of the function are raised here.
+    """
     idle: SimpleQueue = SimpleQueue()
     processes = [WorkerProcess() for _ in range(count)]
     for process in processes:

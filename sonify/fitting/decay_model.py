@@ -1,9 +1,10 @@
-"""SCENE -> DECLINE: how fast the contact of a disk goes round so long before the end, whatever
-shares slow it.
+"""SCENE -> DECLINE: precession rate as a function of the time left, for given shares of
+dissipation.
 
-A disk in steady motion with a fixed centre loses energy slowly: dE(beta)/dt = -P(beta), with the
-power of contour friction, P = rolling m g R Omega, of the film of air, P = air P_film, and of the
-other laws of a scene, P = law P_law."""
+A disk in steady motion with a fixed centre loses energy slowly: dE(beta)/dt = -P(beta). The power P
+is the sum of three laws: contour friction, P = rolling m g R Omega; the air film, P = air P_film;
+and the other laws of the scene, P = law P_law.
+"""
 
 from copy import copy
 from dataclasses import replace
@@ -28,28 +29,27 @@ from dynamics.surface import Surface
 from sonify.scene import Scene
 
 LAWS = ("rolling", "air", "law")
-"""What slows a disk: contour friction, the film, and whatever else its scene names."""
+"""Names of the shares: contour friction, the air film, and the other laws of the scene."""
 LEAST_LEFT, SOLVED, PLACES = 2e-3, 4000, 8
-"""A solved motion is told to so little time left [s], from a table of so many times, in so many
-places a turn."""
+"""A solved motion is tabulated down to LEAST_LEFT [s] before the end, at SOLVED times and PLACES
+phases of a turn."""
 TOLERANCE = 1e-12
-"""Relative tolerance of a motion that is averaged so: 1e-2 of a turn in a thousand."""
+"""Relative tolerance of a solved motion; it corresponds to 1e-2 of a turn in a thousand."""
 BLOCK = 16
-"""Turns over which a solved motion is averaged, as a sound is."""
+"""Number of turns over which a solved motion is averaged, as for a sound."""
 SMOOTH = np.hanning(2 * PLACES + 1)[1:-1] / PLACES
-"""Means over a turn or two: what a nutation adds to the turns in between is no change of their
-rate."""
+"""Weights of a running mean over two turns, which removes the nutation between them."""
 SUM = "their sum"
-"""The line that is heard as often as disk and contact turn and nutate together."""
+"""Name of the spectral line at the sum of the precession and nutation rates."""
 NUTATING = (0.005, 0.02, 0.08, 0.3)
-"""Inclinations [rad] at which the nutation is solved."""
+"""Inclinations at which the nutation rate is computed [rad]."""
 LEAST_ROLLING = 1e-12
-"""A disk that nothing slows is slowed by so small a share of contour friction."""
+"""Least share of contour friction, for a disk without any dissipation."""
 SQUEEZED = 1e-7
-"""A film that is squeezed takes as little as so much contour friction, which is next to nothing:
-with none at all the disk would stay on it, and the end would hang on what cannot be heard."""
+"""Share of contour friction that replaces the power of a squeezed film. Without it, the disk would
+never reach the table, and the end would depend on inaudible details."""
 LEAST_AIR = 1e-3
-"""A film of less than this share is none."""
+"""A film of a smaller share is left out of the solved motion."""
 FACTORS = {
     "power_coefficient": 1,
     "air_viscosity": 1,
@@ -57,19 +57,20 @@ FACTORS = {
     "viscous_moment": 1,
     "viscous_force": 1,
 }
-"""What a share of the scene's other laws multiplies, besides the arms of its friction: this power
-of it."""
+"""Constants of the scene's other laws, and the power of the share `law` that multiplies each."""
 FLATTEST, POINTS = 1e-7, 600
-"""The least inclination [rad] that is tabulated, and how many are, evenly in the logarithm."""
+"""Least inclination of the table [rad], and its number of inclinations, evenly spaced in the
+logarithm."""
 LEAST_GROWTH = 0.49
-"""Below the table the time left goes at least with this power of the inclination: with 1/2 under
-the paper's arm, and with none under a film that is squeezed, which alone would never let the disk
-down."""
+"""Least exponent of the time left as a power of the inclination below the table. It is 1/2 with the
+arms of the paper, and would be 0 under a squeezed film alone."""
 
 
 def left_out(scene: Scene) -> list[str]:
-    """Return what of a scene no decline has, as sentences: its shares then stand for more than
-    their names say."""
+    """Return sentences on the parts of a scene that no `Decline` includes.
+
+    Their loss is attributed to the fitted shares.
+    """
     from dynamics.compliant.two_way_onset import may_be_two_way  # loads SciPy
 
     means = "what it takes counts as rolling, air or law, whose intervals need not hold the truth: no verdict is told"
@@ -81,22 +82,21 @@ def left_out(scene: Scene) -> list[str]:
 
 
 def has_film(scene: Scene) -> bool:
-    """Return whether there is air under the disk of a scene whose film is known."""
+    """Return True if the scene has an air film with a known law."""
     return scene.disk.shape == "solid" and scene.air.film != "none" and scene.air.pressure > 0
 
 
 class Decline:
-    """The steady decline of the disk of a scene. Shown by tests/fitting/test_fit.py."""
+    """Steady decline of the disk of a scene, seen in one spectral line."""
 
     ahead = np.zeros((2, 1))
-    """Times left (k,) [s], rising, and how many turns more than in steady motion were made up to
-    then (k,)."""
+    """Times left (k,) [s], ascending, and the turns (k,) of a solved motion in excess of the steady
+    one."""
     own: np.ndarray | None = None
-    """The shares (3,) with which that motion was solved."""
+    """Shares (3,) for which that motion was solved; None for steady motion."""
 
     faster = 0.0
-    """log(rate solved / steady) (b,) at every inclination that a steady motion has so long before
-    the end."""
+    """log(solved rate / steady rate) (b,) at the times left of the tabulated inclinations."""
 
     def __init__(self, scene: Scene):
         self.scene = scene
@@ -128,17 +128,17 @@ class Decline:
 
     @property
     def has_film(self) -> bool:
-        """Whether there is air under this disk whose film is known."""
+        """True if the disk has an air film with a known law."""
         return bool(self.powers[1].any())
 
     @property
     def has_law(self) -> bool:
-        """Whether the scene names another resistance than contour friction and the film."""
+        """True if the scene has other laws of dissipation."""
         return bool(self.powers[2].any())
 
     @cached_property
     def left_out(self) -> list[str]:
-        """What of the scene it does not have."""
+        """Sentences on the parts of the scene that are not included."""
         return left_out(self.scene)
 
     @cached_property
@@ -149,8 +149,11 @@ class Decline:
 
     @cached_property
     def lines(self) -> dict[str, "Decline"]:
-        """The decline as it is heard: once or twice in a turn of the contact, once in a nutation,
-        and as often as both together, where the tilting disk nutates."""
+        """The decline as seen in each spectral line, by name.
+
+        The lines are the precession rate, its double, the nutation rate, and the sum of precession
+        and nutation, which a tilting disk radiates.
+        """
         ratios = {"its double": 2.0, "nutation": self._nutation, SUM: 1.0 + self._nutation}
         return {"precession": self} | {name: self._heard(ratio) for name, ratio in ratios.items()}
 
@@ -161,8 +164,7 @@ class Decline:
 
     @cached_property
     def _nutation(self):
-        """How often the disk nutates in a turn of the contact (b,): from short motions without
-        losses."""
+        """Nutations per turn of the contact (b,), from short motions without losses."""
         found = [self._nutations(beta) for beta in NUTATING]
         return np.interp(np.log(self.beta), np.log(NUTATING), found)
 
@@ -180,8 +182,10 @@ class Decline:
         return float(np.median(nutations_per_turn(motion)))
 
     def left(self, shares) -> np.ndarray:
-        """Return the time left [s] (b,) at every inclination, for shares (3,) of the LAWS; the last
-        is remembered."""
+        """Return the time left [s] (b,) at every inclination for shares (3,) of the LAWS.
+
+        The last result is cached.
+        """
         key = np.asarray(shares, float).tobytes()
         if key not in self._known:
             self._known.clear()
@@ -195,28 +199,29 @@ class Decline:
         return np.log(self.beta[1] / self.beta[0])
 
     def _passing(self, shares):
-        """d(time left)/d(log inclination) [s] (b,)."""
+        """Return d(time left)/d(log inclination) [s] (b,)."""
         power = np.maximum(np.asarray(shares, float) @ self.powers, LEAST_ROLLING * self.powers[0])
         return self._slope / power * self.disk.time_unit
 
     def _integral(self, rate):
-        """The integral (b,) of a rate (b,) over the logarithm of the inclination: of cubics through
-        four points."""
+        """Return the integral (b,) of a rate (b,) over the log inclination, by cubic interpolation."""
         padded = np.concatenate([[_beyond(rate[:4])], rate, [_beyond(rate[:-5:-1])]])
         each = 13 * (padded[1:-2] + padded[2:-1]) - padded[:-3] - padded[3:]
         return self._step / 24 * np.append(0.0, np.cumsum(each))
 
     def _left_at(self, inclination, shares):
-        """The time left [s] at an inclination [rad], below the table as a power of it."""
+        """Return the time left [s] at an inclination [rad]; below the table it is a power law."""
         time = self.left(shares)
         growth = np.log(time[1] / time[0]) / self._step
         below = min(inclination / self.beta[0], 1.0) ** growth
         return float(np.interp(inclination, self.beta, time) * below)
 
     def course(self, shares) -> np.ndarray:
-        """Return times left [s], the periods still to come up to the flattest inclination, and how
-        many there are a second [Hz], (3, b): of a solved motion, where this is a line of one, with
-        its own shares."""
+        """Return the times left [s], the remaining periods and their rate [Hz], as (3, b).
+
+        The periods are counted down to the flattest inclination. For a line of a solved motion, the
+        shares of that motion replace those given.
+        """
         shares = shares if self.own is None else self.own
         time = self.left(shares)
         turned = self._integral(self.rate * self._passing(shares))
@@ -227,7 +232,7 @@ class Decline:
         )
 
     def _overtaken(self, time, turned):
-        """The course of a steady motion, and what a solved one is ahead of it."""
+        """Return the course of a steady motion plus the excess turns of the solved one."""
         left = self.ahead[0]
         left = np.concatenate([time[time < left[0]], left, time[time > left[-1]]])
         turned = _spline(time, turned, self.rate)(np.log(left)) - np.interp(left, *self.ahead)
@@ -237,15 +242,14 @@ class Decline:
         return np.array([left, turned, rate])
 
     def turns(self, left, shares) -> tuple[np.ndarray, np.ndarray]:
-        """Return the same periods, and how many there are a second [Hz], at times left (k,) [s] >
-        0."""
+        """Return the remaining periods and their rate [Hz] at times left (k,) [s] > 0."""
         time, turned, rate = self.course(shares)
         spline = _spline(time, turned, rate)
         within = np.log(np.clip(left, time[0], time[-1]))
         return spline(within), spline.derivative()(within) / np.exp(within)
 
     def frequency(self, left, shares) -> np.ndarray:
-        """Return periods a second [Hz] at times left (k,) [s] > 0, smoothed over slips."""
+        """Return the rate of the periods [Hz] at times left (k,) [s] > 0, smoothed over slips."""
         return np.exp(
             np.interp(np.log(left), np.log(self.left(shares)), np.log(self.rate) + self.faster)
         )
@@ -255,11 +259,11 @@ class Decline:
         return np.exp(np.interp(np.log(left), np.log(self.left(shares)), np.log(self.beta)))
 
     def solved(self, shares) -> dict[str, "Decline"]:
-        """Return the lines corrected by a solved motion: its centre moves, which no steady motion's
-        does, and it slips.
+        """Return the spectral lines, corrected by a solved motion with shares (3,) of the LAWS.
 
-        The motion is that of the scene, with shares (3,) of the LAWS; the lines are remembered.
-        Raises ValueError where it cannot be solved."""
+        Unlike in steady motion, its centre moves and it slips. The lines are cached. Raises
+        ValueError if the motion cannot be solved.
+        """
         key = np.asarray(shares, float).tobytes()
         if key not in self._solved:
             self._solved[key] = self._lines_of(shares)
@@ -289,8 +293,10 @@ class Decline:
         return {name: line for name, line in found.items() if line is not None}
 
     def _along(self, count, last, end, shares):
-        """The line as `count(t)` (k,) has it in a motion up to the time `last`; None where that
-        says little."""
+        """Return this line with the count of periods of a solved motion, `count(t)`.
+
+        The motion ends at the time `last`, and the decline at `end`.
+        """
         left = np.geomspace(end, max(end - last, LEAST_LEFT), SOLVED)
         steady = self.turns(left, shares)[0]
         even = np.arange(steady[0], steady[-1], -1 / PLACES)
@@ -332,20 +338,22 @@ class Decline:
 
 
 def _spline(time, turned, rate):
-    """The cubic of turns (b,) over the logarithm of times (b,) between which there are so many a
-    second (b,)."""
+    """Return the cubic Hermite spline of the turns (b,) over the log time, with given rates (b,)."""
     return CubicHermiteSpline(np.log(time), turned, rate * time)
 
 
 def _beyond(near):
-    """What comes before the first of four values on a cubic."""
+    """Return the value before the first of four equidistant values, extrapolated by a cubic."""
     return 4 * near[0] - 6 * near[1] + 4 * near[2] - near[3]
 
 
 def _slopes(left, excess, frequency):
-    """Middles (b,) [s] of blocks of even turns, rising, and log(solved / steady) there, of the
-    slope of what is turned in excess (k,) at times left (k,) [s] over the `frequency` (k,) [Hz],
-    with a Hann window."""
+    """Return the middles (b,) [s] of blocks of turns, ascending, and log(solved / steady rate)
+    there.
+
+    The rate follows from the slope of the excess turns (k,) over the times left (k,), with a Hann
+    window, relative to the `frequency` (k,) [Hz].
+    """
     size = BLOCK * PLACES
     window = np.sin(np.pi * (np.arange(size) + 0.5) / size) ** 2
     left, excess, frequency = (

@@ -1,10 +1,10 @@
-"""RECORDING -> EXPONENT AS PUBLISHED: the chain of a group that fits ridges by hand, to compare
-like with like.
+"""RECORDING -> EXPONENT: the analysis of a published study, for comparison with its values.
 
-Band-pass (FIR), Hilbert envelope, decimation to 960 Hz, high-pass at 3 Hz, a spectrogram of
-512-point Hamming windows every 12 samples, the maximum of each column, and a straight line through
-log Omega against log(t0 - t): FU Berlin, 2026. Its window of 0.53 s reads the exponent 1/3 as 0.30
-over a whole run and as 0.26 over its last four seconds."""
+The chain is a band-pass (FIR), the Hilbert envelope, decimation to 960 Hz, a high-pass at 3 Hz, a
+spectrogram of 512-point Hamming windows every 12 samples, the maximum of each column, and a
+straight line through log Omega against log(t0 - t) (FU Berlin, 2026). Its window of 0.53 s turns
+the exponent 1/3 into 0.30 over a whole run and into 0.26 over the last four seconds.
+"""
 
 from typing import NamedTuple
 
@@ -15,16 +15,15 @@ BAND, TAPS = (4600.0, 5400.0), 513
 RATE, HIGH_PASS = 960, 3.0
 WINDOW, HOP, LOWEST = 512, 12, 5.0
 WINDOWS = {"whole run": np.inf, "last 4 s": 4.0, "last 1 s": 1.0}
-"""Stretches before the end over which the line is drawn [s]."""
+"""Length of the stretches before the end that are fitted [s]."""
 THEIRS = {"whole run": (0.309, 0.032), "last 4 s": (0.223, 0.041)}
-"""Their exponent of a toy on granite, mean of 15 runs, and the standard deviation of one run."""
+"""Published exponents of a toy on granite: mean of 15 runs, and standard deviation of one run."""
 CLOSEST = 0.02
-"""Columns that are nearer to the end [s] are not used."""
+"""Columns closer to the end are not used [s]."""
 
 
 class Exponent(NamedTuple):
-    """The exponent of Omega in the time left over a stretch, its standard error, and how many
-    columns gave it."""
+    """Exponent of the rate over a stretch, its standard error, and the number of columns."""
 
     value: float
     error: float
@@ -35,7 +34,7 @@ def exponents(samples, rate: float, end: float, band=BAND) -> dict[str, Exponent
     """Return the exponents over WINDOWS of samples (n,) at `rate` [Hz] of a disk that ends at `end`
     [s].
 
-    Raises ValueError if the rate does not hold the `band` [Hz].
+    Raises ValueError if the sample rate is too low for the `band` [Hz].
     """
     if rate < 2.2 * band[1]:
         raise ValueError(
@@ -54,7 +53,7 @@ def exponents(samples, rate: float, end: float, band=BAND) -> dict[str, Exponent
 
 
 def _line(left, ridge, longest):
-    """A straight line through log Omega against log(time left), every column counting the same."""
+    """Return the unweighted straight line through log Omega against log(time left)."""
     within = (left > CLOSEST) & (left < longest)
     if within.sum() < 8:
         return Exponent(np.nan, np.nan, int(within.sum()))

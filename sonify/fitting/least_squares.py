@@ -1,5 +1,5 @@
-"""RATES -> SHARES: the end of the motion and the shares of what slows it, with intervals, by robust
-least squares."""
+"""RATES -> SHARES: end of the motion and shares of dissipation with intervals, by robust least
+squares."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -13,18 +13,18 @@ from sonify.fitting.decay_model import LAWS, Decline
 from sonify.fitting.phase_demodulation import OVERLAP, Rates, rates
 
 LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
-"""Turns in a block, from one round to the next: short ones follow a guess that is far off, long
-ones hear little noise."""
+"""Turns per block in successive rounds. Short blocks tolerate a poor initial guess, long blocks
+reduce the noise."""
 ROUGH, CLOSE = 1e-4, 1e-8
-"""Relative tolerances of the solution: before the sound is listened to again, and at last."""
+"""Relative tolerances of the solution, in all rounds but the last and in the last."""
 FLOOR = 2e-4
-"""The relative error of a rate that no block is without: the decline is not quite steady."""
+"""Least relative error of the rate of a block, because the decline is not exactly steady."""
 DRAWS, RUN, RUNS = 400, 4, 8
-"""Residuals are drawn anew so often, in runs of so many blocks at least, and at most so many runs:
-neighbours share half of what they hear, and what is not steady lasts."""
+"""Number of bootstrap draws of the residuals, least number of blocks in a run, and greatest number
+of runs. Residuals are drawn in runs because adjacent blocks overlap."""
 TINY = 1e-30
 LAST = 0.01
-"""So shortly before the end [s] nothing is heard any more."""
+"""The last part of the motion that is not used [s]."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -38,8 +38,8 @@ class Value:
 
 
 class Followed(NamedTuple):
-    """The rates at which a line of the decline is heard in one of several sounds, which count from
-    0, and those (k,) [Hz] that it would have in steady motion."""
+    """Rates of a line measured in the sound of index `sound`, and the rates (k,) [Hz] of steady
+    motion."""
 
     sound: int
     line: Decline
@@ -49,9 +49,12 @@ class Followed(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fit:
-    """A decline fitted to one sound or several: `ends` [s], one a sound, and `shares` of the LAWS,
-    of which the `free` ones were sought. `draws` (d, sounds + 3) are as likely as they; `residual`
-    (k,) is log(heard / fitted) of all that was `heard`, and `sigma` (k,) its error by noise."""
+    """Fit of a decline to one or more sounds.
+
+    `ends` [s] has one entry per sound. `shares` (3,) are those of the LAWS; those of index `free`
+    were fitted. `draws` (d, sounds + 3) are bootstrap draws of ends and shares. `residual` (k,) is
+    log(measured / fitted rate) of all blocks of `heard`, and `sigma` (k,) its error by noise.
+    """
 
     free: tuple[int, ...]
     ends: np.ndarray
@@ -63,16 +66,15 @@ class Fit:
 
     @property
     def spread(self) -> float:
-        """The robust standard deviation of the residual: how far heard and fitted rates are apart,
-        relative."""
+        """The robust relative standard deviation of measured from fitted rates."""
         return _deviation(self.residual)
 
     def values(self) -> dict[str, Value]:
-        """Return the shares of the LAWS that were sought, by name."""
+        """Return the fitted shares of the LAWS by name."""
         return {LAWS[i]: self.value(len(self.ends) + i) for i in self.free}
 
     def value(self, i: int) -> Value:
-        """Return the end of sound i, or from the number of sounds on the shares."""
+        """Return the end of sound i; from the number of sounds on, the shares."""
         best = np.append(self.ends, self.shares)[i]
         low, inner_low, inner_high, high = np.percentile(self.draws[:, i], [2.5, 16, 84, 97.5])
         least = 0.0 if i >= len(self.ends) else -np.inf
@@ -87,8 +89,10 @@ class Fit:
 
 @dataclass(frozen=True, kw_only=True)
 class Heard:
-    """A sound to be fitted: samples (n,) at `rate` [Hz] from the time `first` [s] on, `filtered` or
-    not by the high-pass of a recorder, whose phase looks like a rate of its own."""
+    """A signal to be fitted: samples (n,) at `rate` [Hz], from the time `first` [s] on.
+
+    `filtered` is True if it passed the high-pass of a recorder, whose phase shift resembles a rate.
+    """
 
     samples: np.ndarray
     rate: float
@@ -97,13 +101,15 @@ class Heard:
 
     @cached_property
     def integral(self) -> np.ndarray:
-        """The sum (n + 1,) of the samples before each."""
+        """Cumulative sum (n + 1,) of the samples."""
         return np.append(0.0, np.cumsum(self.samples))
 
 
 def tracked(decline: Decline, sound: Heard, end, shares, length, **how) -> Rates:
-    """Return the rates of a sound beside the decline of an end [s] and shares (3,); `how` as for
-    `rates`."""
+    """Return the rates of a sound relative to the decline with an end [s] and shares (3,).
+
+    Further arguments are those of `rates`.
+    """
     left, turned, frequency = decline.course(shares)
     here = left > LAST
     course = np.array([end - left, -turned, frequency])[:, here][:, ::-1]
@@ -121,10 +127,10 @@ def fit(
     lengths=LENGTHS,
     least=0.05,
 ) -> Fit:
-    """Return the fit of a line of a decline to sounds, sought from guesses of the ends [s] and the
-    shares (3,), which begin with `least` of their UNITS.
+    """Return the fit of a line of a decline to sounds.
 
-    Raises ValueError if less than eight blocks of the sounds are clear.
+    `ends` [s] and `shares` (3,) are the initial guess; shares are raised to `least` of their UNITS.
+    Raises ValueError if fewer than eight blocks of the sounds have a clear tone.
     """
     ends = np.array(ends, float)
     shares = np.array(shares, float)
@@ -145,8 +151,11 @@ def fit(
 def followed(
     line: Decline, sounds: list[Heard], ends, shares, length, **how
 ) -> tuple[Followed, ...]:
-    """Return the rates of a line in every sound, beside the decline of ends [s] and shares (3,);
-    `how` as for `rates`."""
+    """Return the rates of a line in every sound, relative to the decline of ends [s] and shares
+    (3,).
+
+    Further arguments are those of `rates`.
+    """
     found = []
     for i, (sound, end) in enumerate(zip(sounds, ends, strict=True)):
         here = tracked(line, sound, end, shares, length, **how)
@@ -157,8 +166,10 @@ def followed(
 
 
 def solved_near(heard: tuple[Followed, ...], ends, shares, free):
-    """Return ends, shares and robust cost of the decline that is nearest to given rates, without
-    listening again."""
+    """Return ends, shares and robust cost of the decline that fits given rates best.
+
+    The sounds are not demodulated again.
+    """
     ends, shares, (solved, _) = _solved(
         heard, False, np.array(ends, float), np.array(shares, float), free
     )
@@ -166,14 +177,14 @@ def solved_near(heard: tuple[Followed, ...], ends, shares, free):
 
 
 def in_words(values: dict[str, Value]) -> str:
-    """Return values by name with their 95 % intervals."""
+    """Return values by name with their 95 % intervals as text."""
     return ", ".join(
         f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)" for name, v in values.items()
     )
 
 
 def _deviation(residual) -> float:
-    """A standard deviation about 0 that few outliers do not change."""
+    """Return a robust standard deviation about 0."""
     return float(1.48 * np.median(np.abs(residual)))
 
 
@@ -189,8 +200,10 @@ def _unpack(x, sounds, shares, free, unit):
 
 
 def _residual(x, heard, sounds, shares, free, unit):
-    """log(heard / model) of every block over its error; behind a high-pass also how far its corner
-    is from what is usual."""
+    """Return log(measured / model) of every block, divided by its error.
+
+    Behind a high-pass, the last entry is the deviation of its corner from CORNER.
+    """
     ends, full, corner = _unpack(x, sounds, shares, free, unit)
     out = []
     for i, line, h, steady in heard:
@@ -201,8 +214,10 @@ def _residual(x, heard, sounds, shares, free, unit):
 
 
 def _through_high_pass(frequency, left, corner):
-    """The rate [Hz] at times left (k,) [s] behind a high-pass of second order (Butterworth) with a
-    corner [Hz]: its phase falls as the tone rises, and what falls is a rate."""
+    """Return the rate [Hz] at times left (k,) [s] behind a second-order Butterworth high-pass.
+
+    The phase shift of the filter decreases as the tone rises, which changes the apparent rate.
+    """
     here = frequency(left)
     if not corner:
         return here
@@ -242,15 +257,14 @@ def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
 
 
 CORNER, HIGHEST_CORNER, STEP = 50.0, 4.0, 1e-3
-"""The corner of a recorder's high-pass is so many hertz, give or take as many, and so many times as
-much at most: where the sound does not tell it, it is no more uncertain; relative step in the time
-left."""
+"""Corner frequency of a recorder's high-pass [Hz], which is also its uncertainty; its upper limit
+in units of itself; and the relative step in the time left of the numerical derivative."""
 UNITS = (1e-5, 0.05, 0.05)
-"""Shares of the LAWS below which they are looked for from the ground up."""
+"""Shares of the LAWS below which the search starts from these values."""
 
 
 def _with_intervals(heard, ends, shares, free, solution):
-    """Draw residuals anew, in runs of blocks, and solve the linearised problem for each drawing."""
+    """Return the fit with bootstrap draws: residuals drawn in runs of blocks, solved linearly."""
     solved, unit = solution
     arguments = (heard, len(ends), shares, free, unit)
     residual = _residual(solved.x, *arguments)
@@ -285,7 +299,8 @@ def _with_intervals(heard, ends, shares, free, solution):
 
 
 def _jacobian(function, x):
-    """Derivatives (k, n), of second order in the step, from above: a share is not negative."""
+    """Return the derivatives (k, n) by one-sided differences of second order; shares are not
+    negative."""
     steps = 1e-4 * np.maximum(np.abs(x), 0.05)
     here = function(x)
     columns = [
@@ -296,8 +311,10 @@ def _jacobian(function, x):
 
 
 def pooled(fits: list[Fit]) -> Fit:
-    """Return what fits to one sound each say together: the mean of their shares, weighted by their
-    variances; where these are farther apart than they tell, all errors are as much larger."""
+    """Return the mean of fits to single sounds, weighted by the inverse variances of their shares.
+
+    If the shares scatter more than their errors predict, the errors are scaled up accordingly.
+    """
     values = np.array([one.shares for one in fits])
     draws = np.array([one.draws[:DRAWS, 1:] for one in fits])
     spread = np.maximum(draws.std(axis=1), TINY)
@@ -322,11 +339,11 @@ def pooled(fits: list[Fit]) -> Fit:
 
 
 def mixed(fits: list[Fit]) -> Fit:
-    """Return the first of m fits to the same sounds along motions that differ, with the mean of
-    their values and all that is as likely as any of them.
+    """Return the mean of m fits to the same sounds with different motions, with the draws of all.
 
-    How far these are from their mean counts with Student's factor over that of a normal error
-    (Rubin 1987, 3.1.6)."""
+    The scatter between the fits enters with Student's factor over that of a normal error (Rubin
+    1987, 3.1.6).
+    """
     values = np.array([np.append(one.ends, one.shares) for one in fits])
     m = len(fits)
     mean = values.mean(axis=0)

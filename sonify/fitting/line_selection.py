@@ -1,4 +1,4 @@
-"""SOUNDS -> WHAT SLOWED THE DISK: in which signal and line the run is followed, and the fit."""
+"""SOUNDS -> VERDICT: select the signal and the spectral line, fit the decline, and judge the cause."""
 
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -30,65 +30,67 @@ from sonify.hearing.settling.detector import settling_runs
 from sonify.hearing.settling.settings import SettlingSettings
 
 TONE_RATE = 4000
-"""Samples a second [Hz] in which the tone is followed."""
+"""Sample rate of the signal in which a tone is demodulated [Hz]."""
 SHORTEST = 1.5
-"""A shorter recording is refused [s]."""
+"""Least length of a recording [s]."""
 SECOND_RUN = 1 / 3
-"""A run is another disk if its score is at least this share of the best one's."""
+"""A run is another disk if its score is at least this share of the best score."""
 FAINT_TONE, FAINT_SCORE = 0.8, 12.0
-"""Share of the thresholds of a tone, and score of a run, that are evidence of a disk together, though
-neither is alone."""
+"""Share of the thresholds of a tone, and score of a run, that together are evidence of a disk."""
 STRONG_TONE = 2.0
-"""A tone is evidence of a disk alone from this multiple of its thresholds on."""
+"""A tone alone is evidence of a disk from this multiple of its thresholds on."""
 SAME_END = 0.5
-"""A tone and a run that end within this time [s] are of the same disk."""
+"""A tone and a run belong to the same disk if they end within this time [s]."""
 FARTHEST_END = 8.0
-"""A fit whose end is farther from that of the run is none [s]."""
+"""Largest distance of the fitted end from that of the run [s]."""
 MAIN = ("precession", "its double", "nutation")
-"""Lines that the loudest tone may be."""
+"""Lines that may be the loudest tone."""
 NEAR, USUAL, LIKELY, LIKELIER = 0.05, 5.0, 0.5, 0.7
-"""A block speaks for a line by the logarithm of this over the spread of the fit; the contact is
-usually heard once in a turn; tracks for which so much speaks, over that for the best, are tried
-along a solved motion, and along a second."""
+"""A relative spread of NEAR gives a block no weight in the score; USUAL is the bonus of the
+precession line; tracks above the shares LIKELY and LIKELIER of the best score are refined by one
+and by two solved motions."""
 MOST_AIR, MUCH = 2.0, 20.0
-"""Theory knows the film within this factor; how much an excess of it speaks against a track."""
+"""Largest plausible factor on the theory of the film, and the weight in the score of an excess."""
 LITTLE = 1e-4
-"""Of its unit, with which a share begins that was sought before."""
+"""Initial share of a refined search, in its unit."""
 FIRST, SECOND, THEN = (8.0,), (12.0,), (16.0,) * 4
-"""Turns in a block along motions that are solved one after the other: for likely tracks, for
-likelier ones, and for the best."""
+"""Turns per block of successive solved motions: for likely tracks, for likelier tracks, and for the
+best one."""
 SETTLED, AS_WELL = 0.25, 2.0
-"""Shares that move by less than this, over their standard deviation, have settled; a motion
-explains a sound as well whose spread is not so many times as large, nor what is heard along it so
-many times less."""
+"""Shares have converged if they change by less than SETTLED standard deviations. A motion is as
+good as the best one if its spread is at most AS_WELL times as large and it uses at least 1/AS_WELL
+of the blocks."""
 SLIPS, FAR_WORSE = 2.5e-3, 4.0
-"""A steady motion that leaves less of the rates than slips do stands, if the motion solved with its
-shares leaves so many times as much."""
+"""A steady motion with a smaller spread is kept if the solved motion has FAR_WORSE times its
+spread."""
 UNKNOWN = 0.004
-"""So much of the power may go elsewhere: the precession of a hoop tells 0.7 % more of it than there
-is, its nutation what there is."""
+"""Share of the power that may be lost otherwise: the precession of a hoop overestimates the power
+by 0.7 %, its nutation by nothing."""
 FILM_ERROR = 0.06
-"""Relative error of the power of the film: a thin-wedge law puts rolling up to 8 % off."""
+"""Relative error of the power of the film; a thin-wedge law changes rolling by up to 8 %."""
 UNEXPLAINED = 0.01
-"""A motion that leaves more of the rates than this, and than noise, does not explain them."""
+"""Spread above which a motion does not explain the rates, unless noise does."""
 NOT_EXPLAINED = 0.03
-"""A motion that leaves more of the rates than this is not that of the scene."""
+"""Spread above which the motion is not that of the scene."""
 STARTS = (1e-4, 1.0, 1.0)
-"""Shares of the LAWS with which the search begins."""
+"""Initial shares of the LAWS."""
 RIDGE_ERROR = 0.03
-"""Relative error of the law of a run, from which the search begins."""
+"""Relative error of the law of a run, with which the search starts."""
 CLIPPED, RUN, NEAR_TOP = 1e-3, 3, 0.98
-"""A sound is clipped if this share of it, in runs of so many samples, is at its greatest value, and
-less above this share of that: the round top of a slow tone is not."""
+"""A sound is clipped if at least the share CLIPPED of its samples, in runs of RUN samples, has the
+largest value, and fewer lie between NEAR_TOP and 1 of it, as they would in a slow tone."""
 ABSENT, PRESENT = 0.1, 0.02
-"""A law is absent if, at the upper end of its interval, it takes less than this share of the power
-that was lost; and present if it takes at least that at the lower end."""
+"""A law is absent if it takes less than ABSENT of the lost power at the upper end of its interval,
+and present if it takes at least PRESENT at the lower end."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Sound:
-    """A sound that was read, the `end` [s] of the run in it, and rates that the disk may have: of
-    the run, and of the rising tone. It may have passed a recorder's high-pass."""
+    """A recording with the `end` [s] of the run in it and candidate ridges of its rate.
+
+    The ridges are those of the detected run and of the rising tone. `recorded` is True if the sound
+    passed a recorder's high-pass.
+    """
 
     name: str
     samples: np.ndarray
@@ -101,10 +103,12 @@ class Sound:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Judged:
-    """What sounds tell together: the `fit` of the LAWS to their `signal` (tone, envelope), heard as
-    a `line` of the decline, of the `model` steady or solved; `verdict` is one of rolling, air,
-    both, cannot tell. Where no motion has `explained` it, the line may be any other that was
-    followed."""
+    """Result for one or more sounds: the `fit` of the LAWS and its verdict.
+
+    `signal` is "tone" or "envelope", `line` the spectral line, and `model` "steady" or "solved".
+    `verdict` is "rolling", "air", "both", "not this scene" or "cannot tell". If no motion has
+    `explained` the rates, another line may be the right one.
+    """
 
     sounds: tuple[Sound, ...]
     signal: str
@@ -118,12 +122,11 @@ class Judged:
 
     @property
     def contour_fits(self) -> bool:
-        """Whether contour friction and film alone explain the sounds: the scene's other law takes
-        little."""
+        """True if contour friction and film suffice and the scene's other law takes little."""
         return 2 not in self.fit.free or shares_of_power(self.decline, self.fit)["law"][0] < ABSENT
 
     def without_samples(self) -> "Judged":
-        """Return the same with nothing left of the sounds but what was found."""
+        """Return a copy without the samples of the sounds."""
         none = np.zeros(0)
         sounds = tuple(replace(sound, samples=none) for sound in self.sounds)
         return replace(
@@ -131,15 +134,15 @@ class Judged:
         )
 
     def values(self) -> dict[str, Value]:
-        """Return `rolling`, `air` and `law`, the share of the scene's other laws: those that were
-        sought."""
+        """Return the fitted shares `rolling`, `air` and `law`, by name."""
         return self.fit.values()
 
 
 def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) -> Sound:
-    """Return a sound, which begins at a time [s] of its file, with the run of the disk in it.
+    """Return a sound and the run of a disk in it.
 
-    Raises RecordingError for one that cannot be fitted, in one line.
+    `begin` is the time [s] of the first sample in its file. Raises RecordingError with one line if
+    no disk is detected or the sound cannot be fitted.
     """
     samples, rate, start, duration = read(source)
     if duration < SHORTEST:
@@ -197,10 +200,10 @@ def _refuse_clipped(samples, name):
 
 
 def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged:
-    """Return what sounds of the same disk tell. Raises RecordingError if none of them can be
-    followed.
+    """Return the result for sounds of the same disk.
 
-    `correct` by solved motions, unless a steady one leaves little and the solved one far more.
+    Raises RecordingError if no line can be followed. With `correct`, the steady decline is refined
+    by solved motions, unless it fits well and the solved motions fit far worse.
     """
     lines = _tracks(decline, sounds)
     best = max(lines, key=lambda track: track.score)
@@ -236,8 +239,10 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Track:
-    """The fit of a decline to one signal of the sounds, in which one `line` of it is followed: the
-    other lines, there and in the signals `beside`, must be where they should be then."""
+    """Fit of a decline to one line in one signal of the sounds.
+
+    The score also counts the other lines, in this signal and in the signals `beside`.
+    """
 
     signal: str
     line: str
@@ -249,14 +254,17 @@ class Track:
 
     @property
     def decline(self) -> Decline:
-        """The decline as it is heard in this line."""
+        """The decline as seen in this line."""
         return self.lines[self.line]
 
     @cached_property
     def score(self) -> float:
-        """How much speaks for it: the tones of all lines that are where they should be, how near
-        the one that is followed is to its decline, that the contact is usually heard once in a
-        turn, and that no film is much more than theory has it."""
+        """Evidence for the track.
+
+        It adds the evidence of all lines at their expected rates, the closeness of this line to its
+        decline and a bonus for the precession line, and subtracts a penalty for an implausible
+        film.
+        """
         one = self.fit
         signals = product((self.streams, *self.beside), self.lines.values())
         seen = sum(
@@ -273,8 +281,11 @@ class Track:
 
 
 def _evidence(line, streams, ends, shares, length, near=FARTHEST):
-    """How much speaks for a line: the sum of log(1 + power over noise) of the blocks that are
-    `near` where they should be, over that; another line beside it is no noise."""
+    """Return the evidence for a line: the sum of log(1 + signal-to-noise) of the blocks near it.
+
+    `near` is the largest relative distance from the expected rate. The noise is a median, so that
+    neighbouring lines do not count as noise.
+    """
     found = 0.0
     for one in followed(line, streams, ends, shares, length, noise_of=np.median):
         found += np.log1p(one.rates.clear[np.abs(one.rates.missed) < near]).sum() / OVERLAP
@@ -282,9 +293,11 @@ def _evidence(line, streams, ends, shares, length, near=FARTHEST):
 
 
 def _tracks(decline, sounds):
-    """The tracks of the sounds: the ridge of every signal that they have in common may be that of
-    every line, and of the lines of the decline that this would be, that which is heard best is
-    followed, or the next that can be."""
+    """Return the tracks of the sounds, at most one for each signal and line.
+
+    Each common ridge is tried as each line of MAIN. For each guess, lines are tried in order of
+    their evidence until one can be fitted. Raises RecordingError if there is none.
+    """
     enveloped = all(sound.rate > 2 * ENVELOPE_FROM for sound in sounds)
     signals = ("tone", "envelope") if enveloped else ("tone",)
     streams = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}
@@ -320,8 +333,10 @@ def _tracks(decline, sounds):
 
 
 def _track(decline, streams, signal, line, ends, shares):
-    """The track of a line in a signal, from a guess of ends and shares; None if it cannot be
-    followed, or leads to ends that are farther away than the tone was sought."""
+    """Return the track of a line in a signal from a guess of ends and shares.
+
+    Returns None if the fit fails or its end is too far from the guess.
+    """
     try:
         one = fit(decline.lines[line], streams[signal], ends, shares, _free(decline), LENGTHS[:4])
     except ValueError:
@@ -334,20 +349,18 @@ def _track(decline, streams, signal, line, ends, shares):
 
 
 def _free(decline):
-    """The laws that are sought: the scene's other law too where it stands in place of contour
-    friction."""
+    """Return the indices of the fitted laws; the scene's other law replaces contour friction."""
     other = decline.has_law and not decline.scene.dissipation.contour_moment
     return (0, *([1] if decline.has_film else []), *([2] if other else []))
 
 
 def base(decline: Decline, shares) -> np.ndarray:
-    """Return shares with that of the scene's other laws: beside contour friction in the same scene,
-    they are known."""
+    """Return shares with that of the scene's other laws, which is 1 beside contour friction."""
     return np.array([*shares[:2], 1.0 if decline.scene.dissipation.contour_moment else shares[2]])
 
 
 def stream(sound: Sound, signal: str) -> Heard:
-    """Return the signal of a sound in which its tone is followed."""
+    """Return the signal of a sound in which a tone is demodulated."""
     if signal == "envelope":
         samples, rate = envelope(sound.samples, sound.rate)
     else:
@@ -360,13 +373,13 @@ def stream(sound: Sound, signal: str) -> Heard:
 
 
 def _ridge_of_run(run):
-    """The rates of the law of a run at 200 times, from its beginning on."""
+    """Return the rates of a run at 200 times, as given by its law."""
     time = run.t_end.value - np.geomspace(run.t_end.value - run.start, LAST, 200)
     return _ridge(time, run.rate(time))
 
 
 def _ridge_of_tone(tone, start):
-    """The rates of a tone in samples that begin at a time [s]."""
+    """Return the rates of a tone in samples that begin at the time `start` [s]."""
     return _ridge(start + tone.time, tone.frequency)
 
 
@@ -375,8 +388,10 @@ def _ridge(time, frequency):
 
 
 def _guess(decline, line, ridges, ends):
-    """Ends and shares with which a line is near the ridges: of every law that is sought alone, or
-    of two of them."""
+    """Return ends and shares for which a line is closest to the ridges.
+
+    Each fitted law is tried alone, then the first two together.
+    """
     heard = tuple(Followed(i, line, ridge, ridge.frequency) for i, ridge in enumerate(ridges))
     sought = _free(decline)
     tried = []
@@ -388,13 +403,12 @@ def _guess(decline, line, ridges, ends):
 
 
 def _near_the_best(tracks, share):
-    """The tracks for which as much speaks as this share of what does for the best."""
+    """Return the tracks whose score is at least a share of the best score."""
     return [track for track in tracks if track.score >= share * max(one.score for one in tracks)]
 
 
 def _stands(track, decline):
-    """Whether a steady motion leaves little, and the motion that is solved with its shares far
-    more."""
+    """Return True if the steady motion fits well and the solved motions fit far worse."""
     least = FAR_WORSE * track.fit.spread
     return track.fit.spread < SLIPS and all(
         one.fit.spread > least for one in _approached([track], decline, FIRST)
@@ -402,8 +416,10 @@ def _stands(track, decline):
 
 
 def _approached(tracks, decline, lengths):
-    """Every track along motions that are solved one after the other, each with the shares found
-    along the one before, in blocks of so many turns, until these have settled."""
+    """Return tracks refined by successive solved motions until their shares converge.
+
+    Each motion is solved with the shares of the previous fit; `lengths` are the turns per block.
+    """
     found = []
     for track in tracks:
         for length in lengths:
@@ -425,8 +441,10 @@ def _approached(tracks, decline, lengths):
 
 
 def _followed(track, decline, length):
-    """The lines of the motion with the shares of a track, and the fit of its line there; or of the
-    motion by which what was heard there would be explained."""
+    """Return the lines of the motion solved for the shares of a track, and the new fit.
+
+    If this fails, the motion is solved for the shares that the measured rates would give.
+    """
     one = track.fit
     lines = decline.solved(track.fit.shares)
     try:
@@ -443,8 +461,10 @@ def _followed(track, decline, length):
 
 
 def _mean_of(fits, decline):
-    """The mean of fits along all motions that explain as much of the sounds as well, which differ
-    by when they slip; as uncertain as if every law took or left what is UNKNOWN of the power."""
+    """Return the mean of the fits that explain the sounds about equally well.
+
+    They differ in the times of slips. The draws include the UNKNOWN share of the power.
+    """
     as_much = max(len(one.residual) for one in fits) / AS_WELL
     fits = sorted((one for one in fits if len(one.residual) >= as_much), key=lambda one: one.spread)
     one = mixed([one for one in fits if one.spread <= AS_WELL * fits[0].spread])
@@ -456,9 +476,9 @@ def _mean_of(fits, decline):
 
 
 def with_model_error(judged: Judged) -> Judged:
-    """Return the same with draws that differ as much as laws of the film that other models give.
+    """Return the result with the error of the film's law in its draws.
 
-    The power of the film is uncertain by FILM_ERROR of itself, which other laws take up.
+    The power of the film is uncertain by FILM_ERROR, which the other laws compensate.
     """
     one = judged.fit
     power, fall = _powers(judged.decline, one)
@@ -472,16 +492,18 @@ def with_model_error(judged: Judged) -> Judged:
 
 
 def _unknown(decline, one):
-    """By how much every share (3,) that is sought is uncertain that takes or leaves what is UNKNOWN
-    of the power."""
+    """Return the uncertainty of each fitted share (3,) due to the UNKNOWN share of the power."""
     power, fall = _powers(decline, one)
     unknown = UNKNOWN * (one.shares @ power @ fall) / np.maximum(power @ fall, TINY)
     return np.where(np.isin(range(3), one.free), unknown, 0.0)
 
 
 def _powers(decline, one):
-    """The power that each of the LAWS takes (3, 60) at inclinations that were heard, and how far
-    these are apart (60,): energy goes with the inclination."""
+    """Return the power of each of the LAWS (3, 60) at inclinations covered by the sound.
+
+    Also returns the weights (60,) of the inclinations; the energy is proportional to the
+    inclination.
+    """
     left = np.concatenate([one.ends[h.sound] - h.rates.time for h in one.heard])
     beta = np.geomspace(
         *decline.inclination(np.clip([left.min(), left.max()], 1e-3, None), one.shares), 60
@@ -490,8 +512,10 @@ def _powers(decline, one):
 
 
 def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]]:
-    """Return for each of the LAWS the least and greatest share, in 95 %, of the energy that was
-    lost while heard."""
+    """Return the 95 % interval of the share of each of the LAWS in the energy lost.
+
+    Only the part of the motion covered by the sound counts.
+    """
     power, fall = _powers(decline, one)
     each = np.clip(one.draws[:, len(one.ends) :, None] * power, 0, None)
     share = (each / np.maximum(each.sum(axis=1, keepdims=True), TINY) * fall).sum(
@@ -502,8 +526,10 @@ def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]
 
 
 def verdict_of(decline: Decline, one: Fit) -> str:
-    """Return rolling, air or both, where 95 % of what is as likely as the fit agrees on it; else,
-    and where the scene has what no decline has, cannot tell."""
+    """Return "rolling", "air" or "both" if 95 % of the draws agree, otherwise "cannot tell".
+
+    The verdict is also "cannot tell" if the scene has parts that no decline includes.
+    """
     if decline.left_out:
         return "cannot tell"
     share = shares_of_power(decline, one)

@@ -1,9 +1,10 @@
-"""SOUND + DECLINE -> RATES: how much faster or slower than a decline says a tone turns, read from
-its phase.
+"""SOUND + DECLINE -> RATES: deviation of a tone from the rate of a decline, measured from its
+phase.
 
-In the time that the decline itself keeps, the tone is a constant: the sound times exp(-2 pi i
-turns) is steady, and a slope of its phase within a block is a rate that the decline has missed. No
-window smears what rises."""
+In the phase coordinate of the decline the tone is constant: the sound times exp(-2 pi i turns) is
+steady, and the slope of its phase within a block is the deviation from the expected rate. The rise
+of the pitch does not smear it.
+"""
 
 from typing import NamedTuple
 
@@ -12,26 +13,27 @@ from numpy.lib.stride_tricks import sliding_window_view
 from scipy.interpolate import CubicHermiteSpline
 
 SIDES = np.array([-6, -5, -4, 4, 5, 6])
-"""Where beside the tone the noise is read, in turns a block: a Hann window has nothing left of the
-tone there."""
+"""Frequencies beside the tone at which the noise is measured, in cycles per block; a Hann window
+has no leakage there."""
 BINS = 24
-"""Means of the still tone in a turn."""
+"""Number of means per turn."""
 FARTHEST = 0.15
-"""A rate that is so far from what is expected, over that, is not told by the slope of a phase."""
+"""Largest relative deviation from the expected rate that the phase slope can measure."""
 CLEAR = 4.0
-"""A block counts whose tone has so many times the power of the noise beside it."""
+"""Least ratio of the power of the tone to that of the noise."""
 MOST_BLOCKS, OVERLAP = 300, 2
-"""Blocks of a sound at most, each sharing half of itself with the next."""
+"""Largest number of blocks of a sound, and number of blocks that cover each instant."""
 TINY = 1e-300
 USUALLY = 0.5
-"""A tone that is there is told by so large a share of the blocks at least: noise and speech tell
-one in a tenth."""
+"""Least share of clear blocks in a tone; in noise and speech a tenth of the blocks are clear."""
 
 
 class Rates(NamedTuple):
-    """Middle of the blocks [s], turns a second there [Hz], their standard errors by noise [Hz],
-    power over that of the noise, and by how much these are more than was expected, over that, all
-    (k,)."""
+    """Measured rates, arrays (k,): middle of the blocks [s], rate [Hz] and its error by noise [Hz].
+
+    `clear` is the power relative to the noise, and `missed` the deviation relative to the expected
+    rate.
+    """
 
     time: np.ndarray
     frequency: np.ndarray
@@ -43,14 +45,15 @@ class Rates(NamedTuple):
 def rates(
     samples, rate: float, first: float, course, length: float, noise_of=np.mean, integral=None
 ) -> Rates:
-    """Return the rates of the tone in samples (n,) at `rate` [Hz], of which the first is at the
-    time `first` [s].
+    """Return the rates of the tone in samples (n,) at `rate` [Hz] that begin at the time `first`
+    [s].
 
-    `course`, times [s], turns and turns a second [Hz] (3, k), rising, is what the tone is expected
-    to do; between these it is a cubic. What was heard before the tone began is left out. Blocks are
-    `length` turns long, or longer where there would be more than MOST_BLOCKS. The noise is
-    `noise_of` the powers beside the tone. Who asks often hands over the `integral` (n + 1,) of the
-    samples."""
+    `course` (3, k) holds times [s], turns and rates [Hz] of the expected tone, ascending; it is
+    interpolated by a cubic. Blocks before the beginning of the tone are left out. A block has
+    `length` turns, or more if there would be more than MOST_BLOCKS. The noise is `noise_of` the
+    powers beside the tone. `integral` (n + 1,) is the cumulative sum of the samples, for repeated
+    calls.
+    """
     integral = np.append(0.0, np.cumsum(samples)) if integral is None else integral
     heard = _binned(samples, integral, rate, first, course)
     begin = _beginning(_told(heard, length, noise_of)[0]) * _step(length)
@@ -61,18 +64,17 @@ def rates(
 
 
 def _beginning(told):
-    """The first of the blocks (b,) from which on most are told: their surplus from there to the end
-    is the greatest."""
+    """Return the index of the first of the blocks (b,) from which on most are clear."""
     return len(told) - 1 - np.argmax(np.cumsum(told[::-1] - USUALLY)) if len(told) else 0
 
 
 def _step(length):
-    """Bins from one block of `length` turns to the next."""
+    """Return the number of bins between the beginnings of two blocks."""
     return round(length * BINS) // OVERLAP
 
 
 def _told(heard, length, noise_of):
-    """Whether each block (b,) tells a tone, and the Rates (b,) there."""
+    """Return which blocks (b,) have a clear tone, and the fields of Rates (b,) there."""
     still, t, frequency = heard
     size = round(length * BINS)
     if len(t) < size:
@@ -85,8 +87,8 @@ def _told(heard, length, noise_of):
 
 
 def _binned(samples, integral, rate, first, course):
-    """Means (b,) of the still tone over every bin of a turn, their times [s], and the turns a
-    second expected there."""
+    """Return the demodulated tone averaged over every bin (b,), the times [s] and the expected
+    rates."""
     time, turned, frequency = course[:, course[2] < rate / 2.5]
     last = first + (len(samples) - 1) / rate
     if len(time) < 2 or time[-1] < first or time[0] > last:
@@ -104,8 +106,10 @@ def _binned(samples, integral, rate, first, course):
 
 
 def _blocks(still, t, noise_of):
-    """Middle, mean rate expected, missed rate, error and clarity (b,) of blocks (b, bins); silence
-    has none."""
+    """Return middle, expected rate, deviation, error and clarity (b,) of blocks (b, bins).
+
+    Silence has zero clarity.
+    """
     phase = (np.arange(still.shape[1]) + 0.5) / still.shape[1]
     window = np.sin(np.pi * phase) ** 2  # a Hann window over turns
     middle = t @ window / window.sum()

@@ -1,4 +1,4 @@
-"""PATHS -> SOURCES: sound files, exports of phyphox, folders of takes."""
+"""PATHS -> SOURCES: sound files, phyphox exports, and folders of recordings."""
 
 import csv
 import io
@@ -27,16 +27,18 @@ TAKES = (
     ".zip",
     ".csv",
 )
-"""What a folder of takes is searched for."""
+"""File suffixes that are read from a folder."""
 TIME = re.compile(r"time.*\((m?s)\)", re.IGNORECASE)
 LEAST_ROWS = 100
 OWN = "eulers-disk-sonify"
-"""So begins what this program notes in its sound files, `sonify.sound.wav`."""
+"""Beginning of the note in sound files written by this program (`sonify.sound.wav`)."""
 
 
 def takes(paths) -> list[Path]:
-    """Return the files that paths name, the takes of a folder in order. Raises RecordingError for
-    none."""
+    """Return the files that paths name; a folder gives its recordings in order.
+
+    Raises RecordingError if there is none.
+    """
     found = []
     for path in map(Path, paths):
         inside = (
@@ -51,10 +53,9 @@ def takes(paths) -> list[Path]:
 
 
 def source(path: Path) -> Source | Path:
-    """Return the source in a file: a table of amplitude against time in a CSV or ZIP of phyphox, or
-    a sound file.
+    """Return the source of a file: a sound file, or a phyphox table of amplitude against time.
 
-    Raises RecordingError for a table that is none.
+    Raises RecordingError for an invalid table.
     """
     if path.suffix.lower() not in {".csv", ".zip"}:
         return SoundFile(path)
@@ -74,8 +75,7 @@ def source(path: Path) -> Source | Path:
 
 
 def recorded(path: Path) -> bool:
-    """Return whether a recorder has made a file, and not this program, whose sounds pass no
-    high-pass."""
+    """Return True unless the file was written by this program, whose sounds pass no high-pass."""
     try:
         with SoundFile(path).open() as file:
             return not file.software.startswith(OWN)
@@ -84,7 +84,7 @@ def recorded(path: Path) -> bool:
 
 
 def _tables(path):
-    """The texts of the tables in a file."""
+    """Return the texts of the tables in a file."""
     if path.suffix.lower() == ".csv":
         return [path.read_text(encoding="utf-8-sig")]
     with zipfile.ZipFile(path) as archive:
@@ -93,7 +93,7 @@ def _tables(path):
 
 
 def _recording(text, path):
-    """The amplitude of a table against its evenly spaced time; None if it has none."""
+    """Return the amplitudes of a table with evenly spaced times; None if it has none."""
     separator = max(",;\t", key=text.partition("\n")[0].count)
     rows = csv.reader(io.StringIO(text), delimiter=separator)
     head = [name.strip() for name in next(rows, [])]

@@ -1,4 +1,4 @@
-"""FITS -> FILES: fit.json, a picture, a table and a short page."""
+"""FITS -> FILES: fit.json, fit.csv, a picture and a short page."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -17,15 +17,16 @@ from sonify.report.write import finite, write_json
 from sonify.runtime.files import atomic_write, claimed_folder, first_numbered
 
 NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
-"""What a law takes that was not sought, as the film in a vacuum."""
+"""Share of a law that was not fitted, such as the film in a vacuum."""
 PANELS, DRAWN = 6, 120
-"""Recordings in the picture at most, the first; as likely declines in the band of a fit, at most
-about."""
+"""Largest number of recordings in the picture, and approximate number of draws in a band."""
 
 
 def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
-    """Write fit.json, fit.csv, fit.png and fit.md into `out`, return the folder. Raises
-    OutputError."""
+    """Write fit.json, fit.csv, fit.png and fit.md into `out` and return the folder.
+
+    Raises OutputError if it cannot be written.
+    """
     with claimed_folder(out or own_folder(fits.files[0].file)) as folder:
         write_json(finite(as_json(fits)), folder / "fit.json")
         with atomic_write(folder / "fit.png") as temporary:
@@ -38,15 +39,14 @@ def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
 
 
 def own_folder(file: str) -> Path:
-    """Return outputs/fit/<name of the recording>, or <name>-2, ... where the folder before is there
-    already."""
+    """Return a new folder outputs/fit/<name of the recording>, or <name>-2 and so on."""
     return first_numbered(
         Path("outputs") / "fit" / Path(file).stem, lambda folder: not (folder / "fit.json").exists()
     )
 
 
 def as_json(fits: Fits) -> dict[str, Any]:
-    """Return what fit.json holds."""
+    """Return the content of fit.json."""
     end = asdict(fits.pool.value(0)) if len(fits.files) == 1 else None
     pool = {"t_end": end} | _values(fits.values()) | {"verdict": fits.verdict}
     shares = {
@@ -91,14 +91,14 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
 
 
 def _values(values) -> dict[str, Any]:
-    """Values by name; `rolling` and `air` always."""
+    """Return the values by name, always with `rolling` and `air`."""
     return dict.fromkeys(("rolling", "air"), NOTHING) | {
         name: asdict(v) for name, v in values.items()
     }
 
 
 def table(fits: Fits, separator: str = " | ") -> list[str]:
-    """Return a line for every recording, and one for all together."""
+    """Return one row for each recording and one for all together."""
     lines = [
         separator.join(
             ("recording", "t_end [s]", "rolling", "low", "high", "air", "low", "high", "verdict")
@@ -125,7 +125,7 @@ def table(fits: Fits, separator: str = " | ") -> list[str]:
 
 
 def sentences(fits: Fits) -> list[str]:
-    """Return what was found in words."""
+    """Return the results in words."""
     said = [line for fitted in fits.files for line in _of_one(fitted)]
     if len(fits.files) > 1:
         said.insert(0, f"{fits.verdict}: together; {in_words(fits.values())}")
@@ -155,7 +155,7 @@ def _of_one(fitted):
 
 
 def _carriers(fits: Fits) -> list[str]:
-    """Return a line for every carrier in the first recordings, and what it is a resonance of."""
+    """Return one row for each spectral line in the first recordings, with its assignment."""
     head = (
         "recording",
         "carrier [Hz]",
@@ -189,7 +189,7 @@ def _carrier(name, c):
 
 
 def page(fits: Fits) -> str:
-    """Return a short page, Markdown."""
+    """Return a short page in Markdown."""
     lines = [
         f"# What slowed the disk '{fits.scene.name}'",
         "",
@@ -204,7 +204,7 @@ def page(fits: Fits) -> str:
 
 
 def _as_markdown(rows):
-    """A table, of which the first row is the head."""
+    """Return a Markdown table; the first row is the head."""
     return [
         f"| {rows[0]} |",
         "|---" * len(rows[0].split(" | ")) + "|",
@@ -213,8 +213,8 @@ def _as_markdown(rows):
 
 
 def draw(fits: Fits, path: Path):
-    """Draw for each recording the rates heard and fitted against the time left, and how far they
-    are apart."""
+    """Draw measured and fitted rates against the time left, and their differences, for each
+    recording."""
     shown = fits.files[:PANELS]
     with figure_at(
         path, 2, len(shown), (max(4.5 * len(shown), 7), 7), sharex="col", squeeze=False
@@ -260,6 +260,6 @@ def _draw_one(above, below, fitted):
 
 
 def _drawn(decline, one, draw, at):
-    """The rate at times `at` (k,) [s] before the fitted end, by a draw of ends and shares."""
+    """Return the rate of one draw of ends and shares at times `at` (k,) [s] before the fitted end."""
     left = np.maximum(at + draw[0] - one.ends[0], LAST)
     return decline.frequency(left, np.maximum(draw[len(one.ends) :], 0))

@@ -1,5 +1,4 @@
-"""FILES + SCENE -> FITTED: each recording by itself, all of them together, and what else could have
-been heard."""
+"""FILES + SCENE -> FITS: each recording alone, all of them together, and a test of the radius."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
@@ -22,17 +21,19 @@ from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene import Scene, from_document, load_scene
 
 WRONG = (0.9, 1.1)
-"""Factors on the radius with which every fit is tried again."""
+"""Factors on the radius for which every fit is repeated."""
 BETTER = 2.0
-"""A fit is far better than another where its spread is so many times smaller."""
+"""A fit is far better than another if its spread is smaller by this factor."""
 WORKERS, MANY = 2, 3
-"""So many processes share the recordings where there are at least so many."""
+"""Number of worker processes, and least number of recordings for which they are used."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fitted:
-    """One recording: what was `judged` of it, whether a radius 10 % off would show,
-    its carriers, and how much of it is there if its file was cut off."""
+    """Result for one recording: `judged`, a test of a radius that is 10 % off, and spectral lines.
+
+    It also holds the share of the recording that a truncated file contains.
+    """
 
     file: str
     judged: Judged
@@ -47,8 +48,11 @@ class Fitted:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Fits:
-    """Recordings of one disk: each in `files`, and all of them in the `pool`, with its `verdict`;
-    `resonances` of the scene are of what, and their frequencies [Hz]."""
+    """Results for recordings of one disk: each in `files`, all together in `pool`, with the
+    `verdict`.
+
+    `resonances` holds the origin and the frequency [Hz] of resonances of the scene.
+    """
 
     scene: Scene
     files: list[Fitted]
@@ -57,7 +61,7 @@ class Fits:
     resonances: list[tuple[str, float]]
 
     def values(self) -> dict[str, Value]:
-        """Return `rolling`, `air` and whatever else was sought, of all recordings together."""
+        """Return `rolling`, `air` and the other fitted shares of all recordings together."""
         return self.pool.values()
 
     def __repr__(self):
@@ -72,13 +76,13 @@ def fit(
     watch: Callable[[float, str], None] = lambda share, doing: None,
     span: tuple[float, float] = (0.0, inf),
 ) -> Fits:
-    """Return what slowed the disk of a scene in recordings: sound files, exports of phyphox,
-    folders of takes.
+    """Return the cause of the decline of a disk in recordings.
 
-    The scene gives radius, thickness and air. `like` "fu-berlin" adds the exponents of a published
-    chain. Only the part of each recording within the `span` [s] is analysed. Raises RecordingError
-    for a recording that cannot be fitted, in one line, and SceneError
-    for a wrong scene."""
+    The recordings are sound files, phyphox exports, or folders of them. The scene gives radius,
+    thickness and air. With `like` = "fu-berlin" the exponents of a published analysis are added.
+    Only the part of each recording within `span` [s] is analysed. Raises RecordingError with one
+    line for a recording that cannot be fitted, and SceneError for an invalid scene.
+    """
     from sonify.claims.resonance_matching import resonances  # modes load slowly
 
     scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene
@@ -102,9 +106,9 @@ def fit(
 def fit_one(
     path: Path, document: dict, like: str | None, span: tuple[float, float] = (0.0, inf)
 ) -> Fitted:
-    """Return the fit of one recording between two times [s]; the scene comes as its document.
+    """Return the fit of one recording within a span [s]; the scene is given as its document.
 
-    Raises RecordingError.
+    Raises RecordingError with one line if it cannot be fitted.
     """
     scene = from_document(document)
     recording = source(path)
@@ -133,8 +137,7 @@ def fit_one(
 
 
 def radius_shows(judged: Judged) -> bool:
-    """Return whether declines of disks whose radius is 10 % off fit far worse, however what slows
-    them is chosen."""
+    """Return True if disks with a radius 10 % off fit far worse, for any law of dissipation."""
     found = [_with_radius(judged, factor) for factor in WRONG]
     return all(
         spread is None or spread > BETTER * max(judged.fit.spread, FLOOR) for spread in found
@@ -142,7 +145,7 @@ def radius_shows(judged: Judged) -> bool:
 
 
 def _with_radius(judged, factor):
-    """The spread of the fit of a disk of another radius; None if it cannot follow the tone."""
+    """Return the spread of the fit of a disk with another radius; None if the fit fails."""
     scene = judged.decline.scene
     disk = replace(scene.disk, radius=factor * scene.disk.radius, density=None)  # it keeps its mass
     decline = Decline(replace(scene, disk=disk)).lines[judged.line]

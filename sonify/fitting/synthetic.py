@@ -1,5 +1,4 @@
-"""DECLINE -> RECORDING: what a phone would hear of a disk that declines as it is told, with all
-that spoils it."""
+"""DECLINE -> RECORDING: synthetic phone recordings of a disk, with noise and other defects."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,7 +13,7 @@ BLOCK = 1 << 16
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Recording:
-    """Samples (n,) as a source for everything in sonify.hearing."""
+    """Samples (n,) as an audio source."""
 
     samples: np.ndarray
     sample_rate: int
@@ -25,7 +24,7 @@ class Recording:
         return len(self.samples)
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, 1): the samples from number `start` on."""
+        """Yield blocks (k, 1) of samples, from the sample `start` on."""
         for first in range(start, self.frames, BLOCK):
             yield self.samples[first : first + BLOCK, None]
 
@@ -45,11 +44,12 @@ def recording(
     bits: int | None = None,
     seed: int = 0,
 ) -> np.ndarray:
-    """Return samples (n,) of a disk that is heard from `start` to `end` [s]: its tone with two
-    harmonics, and noise above 2 kHz that it modulates.
+    """Return samples (n,) of a disk that sounds from `start` to `end` [s].
 
-    `noise` is the standard deviation of white noise over the amplitude of the tone at its loudest,
-    `hum` that of 50 Hz."""
+    The tone has two harmonics and modulates noise above 2 kHz. `noise` is the standard deviation of
+    white noise relative to the largest amplitude of the tone, and `hum` the relative amplitude at
+    50 Hz.
+    """
     random = np.random.default_rng(seed)
     t = np.arange(int(duration * rate)) / rate
     sounding = (t > start) & (t < end - 2 / rate)
