@@ -30,9 +30,12 @@ from sonify.scene import Scene
 
 LAWS = ("rolling", "air", "law")
 """Names of the shares: contour friction, the air film, and the other laws of the scene."""
-LEAST_LEFT, SOLVED, PLACES = 2e-3, 4000, 8
-"""A solved motion is tabulated down to LEAST_LEFT [s] before the end, at SOLVED times and PLACES
-phases of a turn."""
+LEAST_LEFT = 2e-3
+"""Time before the end down to which a solved motion is tabulated [s]."""
+SOLVED = 4000
+"""Number of times in the table of a solved motion."""
+PLACES = 8
+"""Phases per turn in the table of a solved motion."""
 TOLERANCE = 1e-12
 """Relative tolerance of a solved motion; it corresponds to 1e-2 of a turn in a thousand."""
 BLOCK = 16
@@ -58,9 +61,10 @@ FACTORS = {
     "viscous_force": 1,
 }
 """Constants of the scene's other laws, and the power of the share `law` that multiplies each."""
-FLATTEST, POINTS = 1e-7, 600
-"""Least inclination of the table [rad], and its number of inclinations, evenly spaced in the
-logarithm."""
+FLATTEST = 1e-7
+"""Least inclination of the table [rad]."""
+POINTS = 600
+"""Number of inclinations in the table, evenly spaced in the logarithm."""
 LEAST_GROWTH = 0.49
 """Least exponent of the time left as a power of the inclination below the table. It is 1/2 with the
 arms of the paper, and would be 0 under a squeezed film alone."""

@@ -15,13 +15,18 @@ from sonify.fitting.phase_demodulation import OVERLAP, Rates, rates
 LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
 """Turns per block in successive rounds. Short blocks tolerate a poor initial guess, long blocks
 reduce the noise."""
-ROUGH, CLOSE = 1e-4, 1e-8
-"""Relative tolerances of the solution, in all rounds but the last and in the last."""
+ROUGH = 1e-4
+"""Relative tolerance of the solution in all rounds but the last."""
+CLOSE = 1e-8
+"""Relative tolerance of the solution in the last round."""
 FLOOR = 2e-4
 """Least relative error of the rate of a block, because the decline is not exactly steady."""
-DRAWS, RUN, RUNS = 400, 4, 8
-"""Number of bootstrap draws of the residuals, least number of blocks in a run, and greatest number
-of runs. Residuals are drawn in runs because adjacent blocks overlap."""
+DRAWS = 400
+"""Number of bootstrap draws of the residuals."""
+RUN = 4
+"""Least number of blocks in a run of residuals; runs are drawn because adjacent blocks overlap."""
+RUNS = 8
+"""Largest number of runs of residuals."""
 TINY = 1e-30
 LAST = 0.01
 """The last part of the motion that is not used [s]."""
@@ -256,9 +261,12 @@ def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
     return ends, full, (solved, unit)
 
 
-CORNER, HIGHEST_CORNER, STEP = 50.0, 4.0, 1e-3
-"""Corner frequency of a recorder's high-pass [Hz], which is also its uncertainty; its upper limit
-in units of itself; and the relative step in the time left of the numerical derivative."""
+CORNER = 50.0
+"""Corner frequency of a recorder's high-pass, which is also its uncertainty [Hz]."""
+HIGHEST_CORNER = 4.0
+"""Largest corner frequency, in units of CORNER."""
+STEP = 1e-3
+"""Relative step in the time left of the numerical derivative of the phase."""
 UNITS = (1e-5, 0.05, 0.05)
 """Shares of the LAWS below which the search starts from these values."""
 

@@ -35,8 +35,10 @@ SHORTEST = 1.5
 """Least length of a recording [s]."""
 SECOND_RUN = 1 / 3
 """A run is another disk if its score is at least this share of the best score."""
-FAINT_TONE, FAINT_SCORE = 0.8, 12.0
-"""Share of the thresholds of a tone, and score of a run, that together are evidence of a disk."""
+FAINT_TONE = 0.8
+"""Share of the thresholds of a tone that is evidence of a disk together with a faint run."""
+FAINT_SCORE = 12.0
+"""Score of a run that is evidence of a disk together with a faint tone."""
 STRONG_TONE = 2.0
 """A tone alone is evidence of a disk from this multiple of its thresholds on."""
 SAME_END = 0.5
@@ -45,24 +47,35 @@ FARTHEST_END = 8.0
 """Largest distance of the fitted end from that of the run [s]."""
 MAIN = ("precession", "its double", "nutation")
 """Lines that may be the loudest tone."""
-NEAR, USUAL, LIKELY, LIKELIER = 0.05, 5.0, 0.5, 0.7
-"""A relative spread of NEAR gives a block no weight in the score; USUAL is the bonus of the
-precession line; tracks above the shares LIKELY and LIKELIER of the best score are refined by one
-and by two solved motions."""
-MOST_AIR, MUCH = 2.0, 20.0
-"""Largest plausible factor on the theory of the film, and the weight in the score of an excess."""
+NEAR = 0.05
+"""Relative spread of the rates at which a block has no weight in the score of a track."""
+USUAL = 5.0
+"""Bonus of the precession line in the score; the contact is usually heard once per turn."""
+LIKELY = 0.5
+"""Share of the best score above which tracks are refined by a solved motion."""
+LIKELIER = 0.7
+"""Share of the best score above which tracks are refined by a second solved motion."""
+MOST_AIR = 2.0
+"""Largest plausible factor on the theory of the film."""
+MUCH = 20.0
+"""Weight in the score of a factor in excess of it."""
 LITTLE = 1e-4
 """Initial share of a refined search, in its unit."""
-FIRST, SECOND, THEN = (8.0,), (12.0,), (16.0,) * 4
-"""Turns per block of successive solved motions: for likely tracks, for likelier tracks, and for the
-best one."""
-SETTLED, AS_WELL = 0.25, 2.0
-"""Shares have converged if they change by less than SETTLED standard deviations. A motion is as
-good as the best one if its spread is at most AS_WELL times as large and it uses at least 1/AS_WELL
-of the blocks."""
-SLIPS, FAR_WORSE = 2.5e-3, 4.0
-"""A steady motion with a smaller spread is kept if the solved motion has FAR_WORSE times its
-spread."""
+FIRST = (8.0,)
+"""Turns per block of the solved motion of likely tracks."""
+SECOND = (12.0,)
+"""Turns per block of the second solved motion."""
+THEN = (16.0,) * 4
+"""Turns per block of the solved motions of the best track."""
+SETTLED = 0.25
+"""Change of the shares, in standard deviations, below which they have converged."""
+AS_WELL = 2.0
+"""Ratio of spreads, and of numbers of blocks, within which two motions explain a sound equally
+well."""
+SLIPS = 2.5e-3
+"""Spread of the rates that slips cause; a steady motion with less may be kept."""
+FAR_WORSE = 4.0
+"""Ratio of the spread of the solved to the steady motion from which the steady one is kept."""
 UNKNOWN = 0.004
 """Share of the power that may be lost otherwise: the precession of a hoop overestimates the power
 by 0.7 %, its nutation by nothing."""
@@ -76,12 +89,17 @@ STARTS = (1e-4, 1.0, 1.0)
 """Initial shares of the LAWS."""
 RIDGE_ERROR = 0.03
 """Relative error of the law of a run, with which the search starts."""
-CLIPPED, RUN, NEAR_TOP = 1e-3, 3, 0.98
-"""A sound is clipped if at least the share CLIPPED of its samples, in runs of RUN samples, has the
-largest value, and fewer lie between NEAR_TOP and 1 of it, as they would in a slow tone."""
-ABSENT, PRESENT = 0.1, 0.02
-"""A law is absent if it takes less than ABSENT of the lost power at the upper end of its interval,
-and present if it takes at least PRESENT at the lower end."""
+CLIPPED = 1e-3
+"""Share of samples at the largest value from which a sound is clipped."""
+RUN = 3
+"""Length of the runs of such samples."""
+NEAR_TOP = 0.98
+"""Share of the largest value above which the samples of a slow tone lie, more often than at it."""
+ABSENT = 0.1
+"""A law is absent if it takes less than this share of the lost power at the upper end of its
+interval."""
+PRESENT = 0.02
+"""A law is present if it takes more than this share at the lower end of its interval."""
 
 
 @dataclass(frozen=True, kw_only=True)

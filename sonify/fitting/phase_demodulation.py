@@ -21,8 +21,10 @@ FARTHEST = 0.15
 """Largest relative deviation from the expected rate that the phase slope can measure."""
 CLEAR = 4.0
 """Least ratio of the power of the tone to that of the noise."""
-MOST_BLOCKS, OVERLAP = 300, 2
-"""Largest number of blocks of a sound, and number of blocks that cover each instant."""
+MOST_BLOCKS = 300
+"""Largest number of blocks of a sound."""
+OVERLAP = 2
+"""Number of blocks that cover each instant."""
 TINY = 1e-300
 USUALLY = 0.5
 """Least share of clear blocks in a tone; in noise and speech a tenth of the blocks are clear."""

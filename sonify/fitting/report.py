@@ -18,8 +18,10 @@ from sonify.runtime.files import atomic_write, claimed_folder, first_numbered
 
 NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
 """Share of a law that was not fitted, such as the film in a vacuum."""
-PANELS, DRAWN = 6, 120
-"""Largest number of recordings in the picture, and approximate number of draws in a band."""
+PANELS = 6
+"""Largest number of recordings in the picture."""
+DRAWN = 120
+"""Approximate number of draws in a band of the picture."""
 
 
 def write_fits(fits: Fits, out: str | Path | None = None) -> Path:

@@ -24,8 +24,10 @@ WRONG = (0.9, 1.1)
 """Factors on the radius for which every fit is repeated."""
 BETTER = 2.0
 """A fit is far better than another if its spread is smaller by this factor."""
-WORKERS, MANY = 2, 3
-"""Number of worker processes, and least number of recordings for which they are used."""
+WORKERS = 2
+"""Number of worker processes."""
+MANY = 3
+"""Least number of recordings for which they are used."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
