@@ -30,30 +30,30 @@ from sonify.scene import Scene
 
 LAWS = ("rolling", "air", "law")
 """Names of the shares: contour friction, the air film, and the other laws of the scene."""
-LEAST_LEFT = 2e-3
+MIN_TIME_LEFT = 2e-3
 """Time before the end down to which a solved motion is tabulated [s]."""
-SOLVED = 4000
+SOLVED_TIME_COUNT = 4000
 """Number of times in the table of a solved motion."""
-PLACES = 8
+PHASES_PER_TURN = 8
 """Phases per turn in the table of a solved motion."""
-TOLERANCE = 1e-12
+MOTION_TOLERANCE = 1e-12
 """Relative tolerance of a solved motion; it corresponds to 1e-2 of a turn in a thousand."""
-BLOCK = 16
+TURNS_PER_BLOCK = 16
 """Number of turns over which a solved motion is averaged, as for a sound."""
-SMOOTH = np.hanning(2 * PLACES + 1)[1:-1] / PLACES
+NUTATION_SMOOTHING = np.hanning(2 * PHASES_PER_TURN + 1)[1:-1] / PHASES_PER_TURN
 """Weights of a running mean over two turns, which removes the nutation between them."""
-SUM = "their sum"
+SUM_LINE = "their sum"
 """Name of the spectral line at the sum of the precession and nutation rates."""
-NUTATING = (0.005, 0.02, 0.08, 0.3)
+NUTATION_INCLINATIONS = (0.005, 0.02, 0.08, 0.3)
 """Inclinations at which the nutation rate is computed [rad]."""
-LEAST_ROLLING = 1e-12
+MIN_ROLLING_SHARE = 1e-12
 """Least share of contour friction, for a disk without any dissipation."""
-SQUEEZED = 1e-7
+MIN_FILM_POWER_SHARE = 1e-7
 """Share of contour friction that replaces the power of a squeezed film. Without it, the disk would
 never reach the table, and the end would depend on inaudible details."""
-LEAST_AIR = 1e-3
+MIN_AIR_SHARE = 1e-3
 """A film of a smaller share is left out of the solved motion."""
-FACTORS = {
+LAW_EXPONENTS = {
     "power_coefficient": 1,
     "air_viscosity": 1,
     "boundary_layer_viscosity": 2,
@@ -61,16 +61,16 @@ FACTORS = {
     "viscous_force": 1,
 }
 """Constants of the scene's other laws, and the power of the share `law` that multiplies each."""
-FLATTEST = 1e-7
+MIN_INCLINATION = 1e-7
 """Least inclination of the table [rad]."""
-POINTS = 600
+INCLINATION_COUNT = 600
 """Number of inclinations in the table, evenly spaced in the logarithm."""
-LEAST_GROWTH = 0.49
+MIN_TIME_EXPONENT = 0.49
 """Least exponent of the time left as a power of the inclination below the table. It is 1/2 with the
 arms of the paper, and would be 0 under a squeezed film alone."""
 
 
-def left_out(scene: Scene) -> list[str]:
+def neglected_parts(scene: Scene) -> list[str]:
     """Return sentences on the parts of a scene that no `Decline` includes.
 
     Their loss is attributed to the fitted shares.
@@ -109,7 +109,7 @@ class Decline:
         self._solved: dict[bytes, dict[str, Decline]] = {}
         law = disk_constants(self.disk, Friction(mu_static=1.0, mu_dynamic=1.0))
         steepest = 0.9 * atan((1 + 4 * law.h**2 / (3 * law.K)) / (2 * law.h)) if law.h else 1.2
-        self.beta = np.geomspace(FLATTEST, min(steepest, 1.2), POINTS)
+        self.beta = np.geomspace(MIN_INCLINATION, min(steepest, 1.2), INCLINATION_COUNT)
         rate = np.array([steady_precession(b, law.h, law.K) for b in self.beta])
         w3 = rate * np.sin(self.beta)
         self.energy = energy(self.beta, (0.0, law.h * w3, w3), (0.0, 0.0), law)
@@ -128,7 +128,7 @@ class Decline:
             ]
         )
         if film:
-            self.powers[1] = np.maximum(self.powers[1], SQUEEZED * self.powers[0])
+            self.powers[1] = np.maximum(self.powers[1], MIN_FILM_POWER_SHARE * self.powers[0])
 
     @property
     def has_film(self) -> bool:
@@ -143,7 +143,7 @@ class Decline:
     @cached_property
     def left_out(self) -> list[str]:
         """Sentences on the parts of the scene that are not included."""
-        return left_out(self.scene)
+        return neglected_parts(self.scene)
 
     @cached_property
     def _slope(self):
@@ -158,7 +158,7 @@ class Decline:
         The lines are the precession rate, its double, the nutation rate, and the sum of precession
         and nutation, which a tilting disk radiates.
         """
-        ratios = {"its double": 2.0, "nutation": self._nutation, SUM: 1.0 + self._nutation}
+        ratios = {"its double": 2.0, "nutation": self._nutation, SUM_LINE: 1.0 + self._nutation}
         return {"precession": self} | {name: self._heard(ratio) for name, ratio in ratios.items()}
 
     def _heard(self, ratio):
@@ -169,8 +169,8 @@ class Decline:
     @cached_property
     def _nutation(self):
         """Nutations per turn of the contact (b,), from short motions without losses."""
-        found = [self._nutations(beta) for beta in NUTATING]
-        return np.interp(np.log(self.beta), np.log(NUTATING), found)
+        found = [self._nutations(beta) for beta in NUTATION_INCLINATIONS]
+        return np.interp(np.log(self.beta), np.log(NUTATION_INCLINATIONS), found)
 
     def _nutations(self, beta):
         turns = float(np.interp(beta, self.beta, self.rate))
@@ -194,7 +194,7 @@ class Decline:
         if key not in self._known:
             self._known.clear()
             rate = self._passing(shares)  # below the table a power of the inclination
-            growth = max(np.log(rate[1] / rate[0]) / self._step, LEAST_GROWTH)
+            growth = max(np.log(rate[1] / rate[0]) / self._step, MIN_TIME_EXPONENT)
             self._known[key] = self._integral(rate) + rate[0] / growth
         return self._known[key]
 
@@ -204,12 +204,16 @@ class Decline:
 
     def _passing(self, shares):
         """Return d(time left)/d(log inclination) [s] (b,)."""
-        power = np.maximum(np.asarray(shares, float) @ self.powers, LEAST_ROLLING * self.powers[0])
+        power = np.maximum(
+            np.asarray(shares, float) @ self.powers, MIN_ROLLING_SHARE * self.powers[0]
+        )
         return self._slope / power * self.disk.time_unit
 
     def _integral(self, rate):
         """Return the integral (b,) of a rate (b,) over the log inclination, by cubic interpolation."""
-        padded = np.concatenate([[_beyond(rate[:4])], rate, [_beyond(rate[:-5:-1])]])
+        padded = np.concatenate(
+            [[_extrapolated_value(rate[:4])], rate, [_extrapolated_value(rate[:-5:-1])]]
+        )
         each = 13 * (padded[1:-2] + padded[2:-1]) - padded[:-3] - padded[3:]
         return self._step / 24 * np.append(0.0, np.cumsum(each))
 
@@ -239,7 +243,7 @@ class Decline:
         """Return the course of a steady motion plus the excess turns of the solved one."""
         left = self.ahead[0]
         left = np.concatenate([time[time < left[0]], left, time[time > left[-1]]])
-        turned = _spline(time, turned, self.rate)(np.log(left)) - np.interp(left, *self.ahead)
+        turned = _turn_spline(time, turned, self.rate)(np.log(left)) - np.interp(left, *self.ahead)
         rate = np.gradient(turned, left)
         if rate.min() <= 0:
             raise ValueError("the solved motion is far from every steady one")
@@ -248,7 +252,7 @@ class Decline:
     def turns(self, left, shares) -> tuple[np.ndarray, np.ndarray]:
         """Return the remaining periods and their rate [Hz] at times left (k,) [s] > 0."""
         time, turned, rate = self.course(shares)
-        spline = _spline(time, turned, rate)
+        spline = _turn_spline(time, turned, rate)
         within = np.log(np.clip(left, time[0], time[-1]))
         return spline(within), spline.derivative()(within) / np.exp(within)
 
@@ -288,7 +292,7 @@ class Decline:
             "precession": turned,
             "its double": lambda t: 2 * turned(t),
             "nutation": nutated,
-            SUM: lambda t: turned(t) + nutated(t),
+            SUM_LINE: lambda t: turned(t) + nutated(t),
         }
         found = {
             name: self.lines[name]._along(count, motion.t[-1], end, shares)
@@ -301,9 +305,9 @@ class Decline:
 
         The motion ends at the time `last`, and the decline at `end`.
         """
-        left = np.geomspace(end, max(end - last, LEAST_LEFT), SOLVED)
+        left = np.geomspace(end, max(end - last, MIN_TIME_LEFT), SOLVED_TIME_COUNT)
         steady = self.turns(left, shares)[0]
-        even = np.arange(steady[0], steady[-1], -1 / PLACES)
+        even = np.arange(steady[0], steady[-1], -1 / PHASES_PER_TURN)
         left = np.interp(even, steady[::-1], left[::-1])
         excess = count(np.clip(end - left, 0.0, last)) + even
         here = np.isfinite(excess)
@@ -311,9 +315,11 @@ class Decline:
         left = left[here]
         excess = excess[here]
         other.own = np.array(shares, float)
-        other.ahead = np.array([left, convolve1d(excess, SMOOTH, mode="nearest")])[:, ::-1]
+        other.ahead = np.array([left, convolve1d(excess, NUTATION_SMOOTHING, mode="nearest")])[
+            :, ::-1
+        ]
         other.faster = np.interp(
-            self.left(shares), *_slopes(left, excess, self.frequency(left, shares))
+            self.left(shares), *_log_rate_ratios(left, excess, self.frequency(left, shares))
         )
         return other
 
@@ -323,7 +329,10 @@ class Decline:
             arm: law * vars(scene.friction)[arm]
             for arm in ("arm_nutation", "arm_rolling", "arm_pivoting")
         }
-        own = {name: law**power * vars(scene.dissipation)[name] for name, power in FACTORS.items()}
+        own = {
+            name: law**power * vars(scene.dissipation)[name]
+            for name, power in LAW_EXPONENTS.items()
+        }
         return replace(
             scene,
             friction=replace(scene.friction, **arms),
@@ -333,32 +342,32 @@ class Decline:
                 **own,
             ),
             air=replace(scene.air, film="acts", viscosity=air * scene.air.viscosity)
-            if air > LEAST_AIR
+            if air > MIN_AIR_SHARE
             else replace(scene.air, film="none"),
             contact=replace(scene.contact, law="rigid"),
             surface=Surface(),
-            numerics=replace(scene.numerics, tolerance=TOLERANCE),
+            numerics=replace(scene.numerics, tolerance=MOTION_TOLERANCE),
         )
 
 
-def _spline(time, turned, rate):
+def _turn_spline(time, turned, rate):
     """Return the cubic Hermite spline of the turns (b,) over the log time, with given rates (b,)."""
     return CubicHermiteSpline(np.log(time), turned, rate * time)
 
 
-def _beyond(near):
+def _extrapolated_value(near):
     """Return the value before the first of four equidistant values, extrapolated by a cubic."""
     return 4 * near[0] - 6 * near[1] + 4 * near[2] - near[3]
 
 
-def _slopes(left, excess, frequency):
+def _log_rate_ratios(left, excess, frequency):
     """Return the middles (b,) [s] of blocks of turns, ascending, and log(solved / steady rate)
     there.
 
     The rate follows from the slope of the excess turns (k,) over the times left (k,), with a Hann
     window, relative to the `frequency` (k,) [Hz].
     """
-    size = BLOCK * PLACES
+    size = TURNS_PER_BLOCK * PHASES_PER_TURN
     window = np.sin(np.pi * (np.arange(size) + 0.5) / size) ** 2
     left, excess, frequency = (
         sliding_window_view(x, size)[:: size // 4] for x in (left, excess, frequency)

@@ -14,11 +14,11 @@ from scipy.signal import butter, decimate, firwin, hilbert, oaconvolve, sosfiltf
 BAND, TAPS = (4600.0, 5400.0), 513
 RATE, HIGH_PASS = 960, 3.0
 WINDOW, HOP, LOWEST = 512, 12, 5.0
-WINDOWS = {"whole run": np.inf, "last 4 s": 4.0, "last 1 s": 1.0}
+FITTED_STRETCHES = {"whole run": np.inf, "last 4 s": 4.0, "last 1 s": 1.0}
 """Length of the stretches before the end that are fitted [s]."""
-THEIRS = {"whole run": (0.309, 0.032), "last 4 s": (0.223, 0.041)}
+PUBLISHED_EXPONENTS = {"whole run": (0.309, 0.032), "last 4 s": (0.223, 0.041)}
 """Published exponents of a toy on granite: mean of 15 runs, and standard deviation of one run."""
-CLOSEST = 0.02
+MIN_TIME_LEFT = 0.02
 """Columns closer to the end are not used [s]."""
 
 
@@ -31,7 +31,7 @@ class Exponent(NamedTuple):
 
 
 def exponents(samples, rate: float, end: float, band=BAND) -> dict[str, Exponent]:
-    """Return the exponents over WINDOWS of samples (n,) at `rate` [Hz] of a disk that ends at `end`
+    """Return the exponents over FITTED_STRETCHES of samples (n,) at `rate` [Hz] of a disk that ends at `end`
     [s].
 
     Raises ValueError if the sample rate is too low for the `band` [Hz].
@@ -49,12 +49,14 @@ def exponents(samples, rate: float, end: float, band=BAND) -> dict[str, Exponent
         slow, rate / down, "hamming", min(WINDOW, len(slow)), noverlap=min(WINDOW, len(slow)) - HOP
     )
     ridge = f[f > LOWEST][np.argmax(power[f > LOWEST], axis=0)]
-    return {name: _line(end - t, ridge, longest) for name, longest in WINDOWS.items()}
+    return {
+        name: _fitted_line(end - t, ridge, longest) for name, longest in FITTED_STRETCHES.items()
+    }
 
 
-def _line(left, ridge, longest):
+def _fitted_line(left, ridge, longest):
     """Return the unweighted straight line through log Omega against log(time left)."""
-    within = (left > CLOSEST) & (left < longest)
+    within = (left > MIN_TIME_LEFT) & (left < longest)
     if within.sum() < 8:
         return Exponent(np.nan, np.nan, int(within.sum()))
     (slope, _), covariance = np.polyfit(np.log(left[within]), np.log(ridge[within]), 1, cov=True)

@@ -10,25 +10,25 @@ from scipy.optimize import least_squares
 from scipy.stats import norm, t
 
 from sonify.fitting.decay_model import LAWS, Decline
-from sonify.fitting.phase_demodulation import OVERLAP, Rates, rates
+from sonify.fitting.phase_demodulation import BLOCK_OVERLAP, Rates, rates
 
-LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
+BLOCK_LENGTHS = (8.0, 10.0, 12.0, 16.0, 16.0)
 """Turns per block in successive rounds. Short blocks tolerate a poor initial guess, long blocks
 reduce the noise."""
-ROUGH = 1e-4
+ROUGH_TOLERANCE = 1e-4
 """Relative tolerance of the solution in all rounds but the last."""
-CLOSE = 1e-8
+FINAL_TOLERANCE = 1e-8
 """Relative tolerance of the solution in the last round."""
-FLOOR = 2e-4
+MIN_RATE_ERROR = 2e-4
 """Least relative error of the rate of a block, because the decline is not exactly steady."""
-DRAWS = 400
+BOOTSTRAP_DRAWS = 400
 """Number of bootstrap draws of the residuals."""
-RUN = 4
+MIN_RUN_BLOCKS = 4
 """Least number of blocks in a run of residuals; runs are drawn because adjacent blocks overlap."""
-RUNS = 8
+MAX_RUN_COUNT = 8
 """Largest number of runs of residuals."""
 TINY = 1e-30
-LAST = 0.01
+UNUSED_END = 0.01
 """The last part of the motion that is not used [s]."""
 
 
@@ -42,7 +42,7 @@ class Value:
     inner: tuple[float, float]
 
 
-class Followed(NamedTuple):
+class LineRates(NamedTuple):
     """Rates of a line measured in the sound of index `sound`, and the rates (k,) [Hz] of steady
     motion."""
 
@@ -65,14 +65,14 @@ class Fit:
     ends: np.ndarray
     shares: np.ndarray
     draws: np.ndarray
-    heard: tuple[Followed, ...]
+    heard: tuple[LineRates, ...]
     residual: np.ndarray
     sigma: np.ndarray
 
     @property
     def spread(self) -> float:
         """The robust relative standard deviation of measured from fitted rates."""
-        return _deviation(self.residual)
+        return _robust_deviation(self.residual)
 
     def values(self) -> dict[str, Value]:
         """Return the fitted shares of the LAWS by name."""
@@ -93,7 +93,7 @@ class Fit:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Heard:
+class ToneSignal:
     """A signal to be fitted: samples (n,) at `rate` [Hz], from the time `first` [s] on.
 
     `filtered` is True if it passed the high-pass of a recorder, whose phase shift resembles a rate.
@@ -110,13 +110,13 @@ class Heard:
         return np.append(0.0, np.cumsum(self.samples))
 
 
-def tracked(decline: Decline, sound: Heard, end, shares, length, **how) -> Rates:
+def measured_rates(decline: Decline, sound: ToneSignal, end, shares, length, **how) -> Rates:
     """Return the rates of a sound relative to the decline with an end [s] and shares (3,).
 
     Further arguments are those of `rates`.
     """
     left, turned, frequency = decline.course(shares)
-    here = left > LAST
+    here = left > UNUSED_END
     course = np.array([end - left, -turned, frequency])[:, here][:, ::-1]
     return rates(
         sound.samples, sound.rate, sound.first, course, length, integral=sound.integral, **how
@@ -125,37 +125,37 @@ def tracked(decline: Decline, sound: Heard, end, shares, length, **how) -> Rates
 
 def fit(
     line: Decline,
-    sounds: list[Heard],
+    sounds: list[ToneSignal],
     ends,
     shares,
     free: tuple[int, ...],
-    lengths=LENGTHS,
+    lengths=BLOCK_LENGTHS,
     least=0.05,
 ) -> Fit:
     """Return the fit of a line of a decline to sounds.
 
-    `ends` [s] and `shares` (3,) are the initial guess; shares are raised to `least` of their UNITS.
+    `ends` [s] and `shares` (3,) are the initial guess; shares are raised to `least` of their SHARE_UNITS.
     Raises ValueError if fewer than eight blocks of the sounds have a clear tone.
     """
     ends = np.array(ends, float)
     shares = np.array(shares, float)
     filtered = all(sound.filtered for sound in sounds)
-    heard: tuple[Followed, ...] = ()
+    heard: tuple[LineRates, ...] = ()
     for length in lengths:
-        longer = followed(line, sounds, ends, shares, length)
+        longer = line_rates(line, sounds, ends, shares, length)
         if sum(len(h.rates.time) for h in longer) < 8:
             if not heard:
                 raise ValueError("the tone is too faint or too short to be followed")
             break  # a short run has no more long blocks
         heard = longer
-        tolerance = CLOSE if length == lengths[-1] else ROUGH
+        tolerance = FINAL_TOLERANCE if length == lengths[-1] else ROUGH_TOLERANCE
         ends, shares, solved = _solved(heard, filtered, ends, shares, free, least, tolerance)
     return _with_intervals(heard, ends, shares, free, solved)
 
 
-def followed(
-    line: Decline, sounds: list[Heard], ends, shares, length, **how
-) -> tuple[Followed, ...]:
+def line_rates(
+    line: Decline, sounds: list[ToneSignal], ends, shares, length, **how
+) -> tuple[LineRates, ...]:
     """Return the rates of a line in every sound, relative to the decline of ends [s] and shares
     (3,).
 
@@ -163,14 +163,14 @@ def followed(
     """
     found = []
     for i, (sound, end) in enumerate(zip(sounds, ends, strict=True)):
-        here = tracked(line, sound, end, shares, length, **how)
+        here = measured_rates(line, sound, end, shares, length, **how)
         found.append(
-            Followed(i, line, here, line.frequency(end - here.time, shares) * (1 + here.missed))
+            LineRates(i, line, here, line.frequency(end - here.time, shares) * (1 + here.missed))
         )
     return tuple(found)
 
 
-def solved_near(heard: tuple[Followed, ...], ends, shares, free):
+def fit_to_rates(heard: tuple[LineRates, ...], ends, shares, free):
     """Return ends, shares and robust cost of the decline that fits given rates best.
 
     The sounds are not demodulated again.
@@ -181,38 +181,38 @@ def solved_near(heard: tuple[Followed, ...], ends, shares, free):
     return ends, shares, float(solved.cost)
 
 
-def in_words(values: dict[str, Value]) -> str:
+def values_in_words(values: dict[str, Value]) -> str:
     """Return values by name with their 95 % intervals as text."""
     return ", ".join(
         f"{name} {v.value:.4g} ({v.low:.4g} to {v.high:.4g}, 95 %)" for name, v in values.items()
     )
 
 
-def _deviation(residual) -> float:
+def _robust_deviation(residual) -> float:
     """Return a robust standard deviation about 0."""
     return float(1.48 * np.median(np.abs(residual)))
 
 
 def _relative_error(h):
-    return np.hypot(h.error / h.frequency, FLOOR)
+    return np.hypot(h.error / h.frequency, MIN_RATE_ERROR)
 
 
 def _unpack(x, sounds, shares, free, unit):
     full = shares.copy()
     count = sounds + len(free)
     full[list(free)] = x[sounds:count] * unit
-    return x[:sounds], full, x[count] * CORNER if len(x) > count else 0.0
+    return x[:sounds], full, x[count] * HIGH_PASS_CORNER if len(x) > count else 0.0
 
 
 def _residual(x, heard, sounds, shares, free, unit):
     """Return log(measured / model) of every block, divided by its error.
 
-    Behind a high-pass, the last entry is the deviation of its corner from CORNER.
+    Behind a high-pass, the last entry is the deviation of its corner from HIGH_PASS_CORNER.
     """
     ends, full, corner = _unpack(x, sounds, shares, free, unit)
     out = []
     for i, line, h, steady in heard:
-        left = np.maximum(ends[i] - h.time, LAST / 10)
+        left = np.maximum(ends[i] - h.time, UNUSED_END / 10)
         model = _through_high_pass(partial(line.frequency, shares=full), left, corner)
         out.append(np.log(steady / model) / _relative_error(h))
     return np.concatenate([*out, x[sounds + len(free) :] - 1.0])
@@ -228,24 +228,27 @@ def _through_high_pass(frequency, left, corner):
         return here
     lead = [
         np.arctan2(2**0.5 * corner * f, f**2 - corner**2)
-        for f in (frequency(left * (1 - STEP)), frequency(left * (1 + STEP)))
+        for f in (
+            frequency(left * (1 - PHASE_DERIVATIVE_STEP)),
+            frequency(left * (1 + PHASE_DERIVATIVE_STEP)),
+        )
     ]
-    return here + (lead[0] - lead[1]) / (2 * STEP * left) / (2 * np.pi)
+    return here + (lead[0] - lead[1]) / (2 * PHASE_DERIVATIVE_STEP * left) / (2 * np.pi)
 
 
-def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
-    unit = np.maximum(shares[list(free)], [UNITS[i] for i in free])
+def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH_TOLERANCE):
+    unit = np.maximum(shares[list(free)], [SHARE_UNITS[i] for i in free])
     x = np.concatenate([ends, np.maximum(shares[list(free)] / unit, least), [1.0] * filtered])
     others = np.zeros(len(x) - len(ends))
     last = np.full(len(ends), -np.inf)
     for i, _, h, _ in heard:
         last[i] = max(last[i], h.time.max(initial=-np.inf))
-    lower = np.append(last + LAST / 5, others)
+    lower = np.append(last + UNUSED_END / 5, others)
     upper = np.full(len(x), np.inf)
-    upper[len(ends) + len(free) :] = HIGHEST_CORNER
+    upper[len(ends) + len(free) :] = MAX_CORNER_FACTOR
     x = np.maximum(x, lower + 1e-9)
     arguments = (heard, len(ends), shares, free, unit)
-    scale = max(_deviation(_residual(x, *arguments)), 1.0)
+    scale = max(_robust_deviation(_residual(x, *arguments)), 1.0)
     solved = least_squares(
         _residual,
         x,
@@ -261,13 +264,13 @@ def _solved(heard, filtered, ends, shares, free, least=0.05, tolerance=ROUGH):
     return ends, full, (solved, unit)
 
 
-CORNER = 50.0
+HIGH_PASS_CORNER = 50.0
 """Corner frequency of a recorder's high-pass, which is also its uncertainty [Hz]."""
-HIGHEST_CORNER = 4.0
-"""Largest corner frequency, in units of CORNER."""
-STEP = 1e-3
+MAX_CORNER_FACTOR = 4.0
+"""Largest corner frequency, in units of HIGH_PASS_CORNER."""
+PHASE_DERIVATIVE_STEP = 1e-3
 """Relative step in the time left of the numerical derivative of the phase."""
-UNITS = (1e-5, 0.05, 0.05)
+SHARE_UNITS = (1e-5, 0.05, 0.05)
 """Shares of the LAWS below which the search starts from these values."""
 
 
@@ -276,23 +279,23 @@ def _with_intervals(heard, ends, shares, free, solution):
     solved, unit = solution
     arguments = (heard, len(ends), shares, free, unit)
     residual = _residual(solved.x, *arguments)
-    scale = max(_deviation(residual), 1.0)
+    scale = max(_robust_deviation(residual), 1.0)
     weight = 1 / (1 + (residual / (2 * scale)) ** 2)
     sigma = np.concatenate([_relative_error(h.rates) for h in heard])
     random = np.random.default_rng(0)
     count = len(sigma)
-    run = max(RUN, count // RUNS)
-    apart = count / OVERLAP
+    run = max(MIN_RUN_BLOCKS, count // MAX_RUN_COUNT)
+    apart = count / BLOCK_OVERLAP
     leverage = np.sqrt(apart / max(apart - len(solved.x), 1))
     runs = -(-count // run)
-    drawn = (random.integers(0, count, (DRAWS, runs, 1)) + np.arange(run)) % count
-    noise = leverage * residual[drawn] * random.choice([-1.0, 1.0], (DRAWS, runs, 1))
-    corner = random.standard_normal((DRAWS, len(residual) - count))
-    noise = np.hstack([noise.reshape(DRAWS, -1)[:, :count], corner])
+    drawn = (random.integers(0, count, (BOOTSTRAP_DRAWS, runs, 1)) + np.arange(run)) % count
+    noise = leverage * residual[drawn] * random.choice([-1.0, 1.0], (BOOTSTRAP_DRAWS, runs, 1))
+    corner = random.standard_normal((BOOTSTRAP_DRAWS, len(residual) - count))
+    noise = np.hstack([noise.reshape(BOOTSTRAP_DRAWS, -1)[:, :count], corner])
     jacobian = _jacobian(lambda x: _residual(x, *arguments), solved.x)
     inverse = np.linalg.pinv(jacobian.T @ (weight[:, None] * jacobian)) @ (jacobian.T * weight)
     moved = solved.x - noise @ inverse.T
-    draws = np.tile(np.append(ends, shares), (DRAWS, 1))
+    draws = np.tile(np.append(ends, shares), (BOOTSTRAP_DRAWS, 1))
     draws[:, : len(ends)] = moved[:, : len(ends)]
     draws[:, len(ends) + np.array(free, int)] = moved[:, len(ends) : len(ends) + len(free)] * unit
     return Fit(
@@ -318,13 +321,13 @@ def _jacobian(function, x):
     return np.stack(columns, axis=1)
 
 
-def pooled(fits: list[Fit]) -> Fit:
+def pool_fits(fits: list[Fit]) -> Fit:
     """Return the mean of fits to single sounds, weighted by the inverse variances of their shares.
 
     If the shares scatter more than their errors predict, the errors are scaled up accordingly.
     """
     values = np.array([one.shares for one in fits])
-    draws = np.array([one.draws[:DRAWS, 1:] for one in fits])
+    draws = np.array([one.draws[:BOOTSTRAP_DRAWS, 1:] for one in fits])
     spread = np.maximum(draws.std(axis=1), TINY)
     weight = spread**-2 / np.sum(spread**-2, axis=0)
     mean = np.sum(weight * values, axis=0)
@@ -346,7 +349,7 @@ def pooled(fits: list[Fit]) -> Fit:
     )
 
 
-def mixed(fits: list[Fit]) -> Fit:
+def combine_motions(fits: list[Fit]) -> Fit:
     """Return the mean of m fits to the same sounds with different motions, with the draws of all.
 
     The scatter between the fits enters with Student's factor over that of a normal error (Rubin

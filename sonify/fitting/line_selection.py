@@ -9,20 +9,20 @@ from scipy.signal import resample_poly
 
 from sonify.fitting.decay_model import LAWS, Decline
 from sonify.fitting.least_squares import (
-    FLOOR,
-    LAST,
-    LENGTHS,
+    BLOCK_LENGTHS,
+    MIN_RATE_ERROR,
     TINY,
+    UNUSED_END,
     Fit,
-    Followed,
-    Heard,
+    LineRates,
+    ToneSignal,
     Value,
+    combine_motions,
     fit,
-    followed,
-    mixed,
-    solved_near,
+    fit_to_rates,
+    line_rates,
 )
-from sonify.fitting.phase_demodulation import FARTHEST, OVERLAP, Rates
+from sonify.fitting.phase_demodulation import BLOCK_OVERLAP, MAX_RATE_DEVIATION, Rates
 from sonify.hearing.audio_source import Source
 from sonify.hearing.recording import ENVELOPE_FROM, LONGEST, RecordingError, envelope, read
 from sonify.hearing.rising_tone import clearest_tone
@@ -31,74 +31,74 @@ from sonify.hearing.settling.settings import SettlingSettings
 
 TONE_RATE = 4000
 """Sample rate of the signal in which a tone is demodulated [Hz]."""
-SHORTEST = 1.5
+MIN_RECORDING_LENGTH = 1.5
 """Least length of a recording [s]."""
-SECOND_RUN = 1 / 3
+SECOND_RUN_SHARE = 1 / 3
 """A run is another disk if its score is at least this share of the best score."""
-FAINT_TONE = 0.8
+FAINT_TONE_SHARE = 0.8
 """Share of the thresholds of a tone that is evidence of a disk together with a faint run."""
-FAINT_SCORE = 12.0
+FAINT_RUN_SCORE = 12.0
 """Score of a run that is evidence of a disk together with a faint tone."""
-STRONG_TONE = 2.0
+STRONG_TONE_FACTOR = 2.0
 """A tone alone is evidence of a disk from this multiple of its thresholds on."""
-SAME_END = 0.5
+MAX_END_DIFFERENCE = 0.5
 """A tone and a run belong to the same disk if they end within this time [s]."""
-FARTHEST_END = 8.0
+MAX_FITTED_END_DISTANCE = 8.0
 """Largest distance of the fitted end from that of the run [s]."""
-MAIN = ("precession", "its double", "nutation")
+MAIN_LINES = ("precession", "its double", "nutation")
 """Lines that may be the loudest tone."""
-NEAR = 0.05
+NEUTRAL_SPREAD = 0.05
 """Relative spread of the rates at which a block has no weight in the score of a track."""
-USUAL = 5.0
+PRECESSION_BONUS = 5.0
 """Bonus of the precession line in the score; the contact is usually heard once per turn."""
-LIKELY = 0.5
+LIKELY_SCORE_SHARE = 0.5
 """Share of the best score above which tracks are refined by a solved motion."""
-LIKELIER = 0.7
+SECOND_SCORE_SHARE = 0.7
 """Share of the best score above which tracks are refined by a second solved motion."""
-MOST_AIR = 2.0
+MAX_AIR_FACTOR = 2.0
 """Largest plausible factor on the theory of the film."""
-MUCH = 20.0
+AIR_PENALTY = 20.0
 """Weight in the score of a factor in excess of it."""
-LITTLE = 1e-4
+INITIAL_SHARE = 1e-4
 """Initial share of a refined search, in its unit."""
-FIRST = (8.0,)
+FIRST_BLOCK_LENGTHS = (8.0,)
 """Turns per block of the solved motion of likely tracks."""
-SECOND = (12.0,)
+SECOND_BLOCK_LENGTHS = (12.0,)
 """Turns per block of the second solved motion."""
-THEN = (16.0,) * 4
+FINAL_BLOCK_LENGTHS = (16.0,) * 4
 """Turns per block of the solved motions of the best track."""
-SETTLED = 0.25
+CONVERGED_CHANGE = 0.25
 """Change of the shares, in standard deviations, below which they have converged."""
-AS_WELL = 2.0
+EQUIVALENT_FIT_RATIO = 2.0
 """Ratio of spreads, and of numbers of blocks, within which two motions explain a sound equally
 well."""
-SLIPS = 2.5e-3
+SLIP_SPREAD = 2.5e-3
 """Spread of the rates that slips cause; a steady motion with less may be kept."""
-FAR_WORSE = 4.0
+FAR_WORSE_RATIO = 4.0
 """Ratio of the spread of the solved to the steady motion from which the steady one is kept."""
-UNKNOWN = 0.004
+UNKNOWN_POWER_SHARE = 0.004
 """Share of the power that may be lost otherwise: the precession of a hoop overestimates the power
 by 0.7 %, its nutation by nothing."""
 FILM_ERROR = 0.06
 """Relative error of the power of the film; a thin-wedge law changes rolling by up to 8 %."""
-UNEXPLAINED = 0.01
+UNEXPLAINED_SPREAD = 0.01
 """Spread above which a motion does not explain the rates, unless noise does."""
-NOT_EXPLAINED = 0.03
+WRONG_SCENE_SPREAD = 0.03
 """Spread above which the motion is not that of the scene."""
-STARTS = (1e-4, 1.0, 1.0)
+INITIAL_SHARES = (1e-4, 1.0, 1.0)
 """Initial shares of the LAWS."""
 RIDGE_ERROR = 0.03
 """Relative error of the law of a run, with which the search starts."""
-CLIPPED = 1e-3
+CLIPPED_SAMPLE_SHARE = 1e-3
 """Share of samples at the largest value from which a sound is clipped."""
-RUN = 3
+CLIPPED_RUN_LENGTH = 3
 """Length of the runs of such samples."""
-NEAR_TOP = 0.98
+NEAR_PEAK_LEVEL = 0.98
 """Share of the largest value above which the samples of a slow tone lie, more often than at it."""
-ABSENT = 0.1
+ABSENT_POWER_SHARE = 0.1
 """A law is absent if it takes less than this share of the lost power at the upper end of its
 interval."""
-PRESENT = 0.02
+PRESENT_POWER_SHARE = 0.02
 """A law is present if it takes more than this share at the lower end of its interval."""
 
 
@@ -133,7 +133,7 @@ class Judged:
     line: str
     model: str
     decline: Decline
-    streams: list[Heard]
+    streams: list[ToneSignal]
     fit: Fit
     explained: bool
     verdict: str
@@ -141,7 +141,10 @@ class Judged:
     @property
     def contour_fits(self) -> bool:
         """True if contour friction and film suffice and the scene's other law takes little."""
-        return 2 not in self.fit.free or shares_of_power(self.decline, self.fit)["law"][0] < ABSENT
+        return (
+            2 not in self.fit.free
+            or shares_of_power(self.decline, self.fit)["law"][0] < ABSENT_POWER_SHARE
+        )
 
     def without_samples(self) -> "Judged":
         """Return a copy without the samples of the sounds."""
@@ -156,19 +159,19 @@ class Judged:
         return self.fit.values()
 
 
-def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) -> Sound:
+def detect_run(source: Source, name: str, recorded: bool = True, begin: float = 0.0) -> Sound:
     """Return a sound and the run of a disk in it.
 
     `begin` is the time [s] of the first sample in its file. Raises RecordingError with one line if
     no disk is detected or the sound cannot be fitted.
     """
     samples, rate, start, duration = read(source)
-    if duration < SHORTEST:
+    if duration < MIN_RECORDING_LENGTH:
         raise RecordingError(
-            f"{name}: {duration:.3g} s long: at least {SHORTEST:g} s of a disk are needed"
+            f"{name}: {duration:.3g} s long: at least {MIN_RECORDING_LENGTH:g} s of a disk are needed"
         )
     runs = _runs_by_score(source, SettlingSettings())
-    if len(runs) > 1 and runs[1].score > SECOND_RUN * runs[0].score:
+    if len(runs) > 1 and runs[1].score > SECOND_RUN_SHARE * runs[0].score:
         raise RecordingError(
             f"{name}: the recording contains a second run, ending at "
             f"{begin + runs[1].t_end.value:.2f} s; choose one with --from and --to"
@@ -177,11 +180,15 @@ def heard(source: Source, name: str, recorded: bool = True, begin: float = 0.0) 
         samples, rate, start, _ = read(source, runs[0].t_end.value)
     start += begin
     tone = clearest_tone(samples, rate) if runs or duration <= LONGEST else None
-    clear = tone is not None and tone.stands_out(1.0 if runs else FAINT_TONE)
-    alone = tone is not None and tone.stands_out(STRONG_TONE)
+    clear = tone is not None and tone.stands_out(1.0 if runs else FAINT_TONE_SHARE)
+    alone = tone is not None and tone.stands_out(STRONG_TONE_FACTOR)
     if clear and not runs:
-        faint = _runs_by_score(source, SettlingSettings(heard_score=FAINT_SCORE))
-        runs = [run for run in faint if abs(begin + run.t_end.value - start - tone.end) < SAME_END]
+        faint = _runs_by_score(source, SettlingSettings(heard_score=FAINT_RUN_SCORE))
+        runs = [
+            run
+            for run in faint
+            if abs(begin + run.t_end.value - start - tone.end) < MAX_END_DIFFERENCE
+        ]
     ridges = [_ridge_of_run(runs[0].later(begin))] if runs else []
     if clear:
         ridges.append(_ridge_of_tone(tone, start))
@@ -206,18 +213,21 @@ def _runs_by_score(source, settings):
 def _refuse_clipped(samples, name):
     share = np.abs(samples) / np.abs(samples).max()
     top = share > 1 - 1e-6
-    below = (share > NEAR_TOP) & (share <= 1 - 1e-6)
+    below = (share > NEAR_PEAK_LEVEL) & (share <= 1 - 1e-6)
     runs = top.copy()
-    for i in range(1, RUN):
+    for i in range(1, CLIPPED_RUN_LENGTH):
         runs[:-i] &= top[i:]
-    if runs.sum() > max(CLIPPED * len(samples), RUN) and top.sum() > below.sum():
+    if (
+        runs.sum() > max(CLIPPED_SAMPLE_SHARE * len(samples), CLIPPED_RUN_LENGTH)
+        and top.sum() > below.sum()
+    ):
         raise RecordingError(
             f"{name}: clipped: {top.mean():.1%} of its samples are at full scale; record it more "
             f"quietly"
         )
 
 
-def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged:
+def judge_sounds(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged:
     """Return the result for sounds of the same disk.
 
     Raises RecordingError if no line can be followed. With `correct`, the steady decline is refined
@@ -225,23 +235,31 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
     """
     lines = _tracks(decline, sounds)
     best = max(lines, key=lambda track: track.score)
-    correct = correct and not _stands(best, decline)
-    first = _approached(_near_the_best(lines, LIKELY) if correct else [], decline, FIRST)
-    second = _approached(_near_the_best(first, LIKELIER), decline, SECOND)
-    nearest = _near_the_best(first + second, 1.0)[:1]
-    found = _approached(nearest, decline, THEN) or nearest
-    if any(track.fit.spread <= AS_WELL * best.fit.spread for track in found):
+    correct = correct and not _steady_is_enough(best, decline)
+    first = _refined_tracks(
+        _best_tracks(lines, LIKELY_SCORE_SHARE) if correct else [], decline, FIRST_BLOCK_LENGTHS
+    )
+    second = _refined_tracks(_best_tracks(first, SECOND_SCORE_SHARE), decline, SECOND_BLOCK_LENGTHS)
+    nearest = _best_tracks(first + second, 1.0)[:1]
+    found = _refined_tracks(nearest, decline, FINAL_BLOCK_LENGTHS) or nearest
+    if any(track.fit.spread <= EQUIVALENT_FIT_RATIO * best.fit.spread for track in found):
         best = min(found, key=lambda track: track.fit.spread)
     same = [
         track for track in lines + found if (track.signal, track.line) == (best.signal, best.line)
     ]
-    one = _mean_of([track.fit for track in same], decline) if best.model == "solved" else best.fit
-    explained = not correct or one.spread < max(UNEXPLAINED, AS_WELL * np.median(one.sigma))
+    one = (
+        _mean_of_equivalent([track.fit for track in same], decline)
+        if best.model == "solved"
+        else best.fit
+    )
+    explained = not correct or one.spread < max(
+        UNEXPLAINED_SPREAD, EQUIVALENT_FIT_RATIO * np.median(one.sigma)
+    )
     if not explained:
         others = [
             track.fit for track in lines if (track.signal, track.line) != (best.signal, best.line)
         ]
-        one = mixed([best.fit, *others])
+        one = combine_motions([best.fit, *others])
     return Judged(
         sounds=tuple(sounds),
         signal=best.signal,
@@ -251,7 +269,7 @@ def judge(decline: Decline, sounds: list[Sound], correct: bool = True) -> Judged
         streams=best.streams,
         fit=one,
         explained=explained,
-        verdict="not this scene" if one.spread > NOT_EXPLAINED else verdict_of(decline, one),
+        verdict="not this scene" if one.spread > WRONG_SCENE_SPREAD else verdict_of(decline, one),
     )
 
 
@@ -266,8 +284,8 @@ class Track:
     line: str
     model: str
     lines: dict[str, Decline]
-    streams: list[Heard]
-    beside: list[list[Heard]]
+    streams: list[ToneSignal]
+    beside: list[list[ToneSignal]]
     fit: Fit
 
     @property
@@ -286,52 +304,56 @@ class Track:
         one = self.fit
         signals = product((self.streams, *self.beside), self.lines.values())
         seen = sum(
-            _evidence(line, streams, one.ends, one.shares, LENGTHS[-1], NEAR)
+            _evidence(line, streams, one.ends, one.shares, BLOCK_LENGTHS[-1], NEUTRAL_SPREAD)
             for streams, line in signals
         )
-        near = len(one.residual) / OVERLAP * np.log(NEAR / max(one.spread, FLOOR))
+        near = (
+            len(one.residual)
+            / BLOCK_OVERLAP
+            * np.log(NEUTRAL_SPREAD / max(one.spread, MIN_RATE_ERROR))
+        )
         return float(
             seen
             + near
-            + USUAL * (self.line == "precession")
-            - MUCH * max(one.shares[1] - MOST_AIR, 0)
+            + PRECESSION_BONUS * (self.line == "precession")
+            - AIR_PENALTY * max(one.shares[1] - MAX_AIR_FACTOR, 0)
         )
 
 
-def _evidence(line, streams, ends, shares, length, near=FARTHEST):
+def _evidence(line, streams, ends, shares, length, near=MAX_RATE_DEVIATION):
     """Return the evidence for a line: the sum of log(1 + signal-to-noise) of the blocks near it.
 
     `near` is the largest relative distance from the expected rate. The noise is a median, so that
     neighbouring lines do not count as noise.
     """
     found = 0.0
-    for one in followed(line, streams, ends, shares, length, noise_of=np.median):
-        found += np.log1p(one.rates.clear[np.abs(one.rates.missed) < near]).sum() / OVERLAP
+    for one in line_rates(line, streams, ends, shares, length, noise_of=np.median):
+        found += np.log1p(one.rates.clear[np.abs(one.rates.missed) < near]).sum() / BLOCK_OVERLAP
     return found
 
 
 def _tracks(decline, sounds):
     """Return the tracks of the sounds, at most one for each signal and line.
 
-    Each common ridge is tried as each line of MAIN. For each guess, lines are tried in order of
+    Each common ridge is tried as each line of MAIN_LINES. For each guess, lines are tried in order of
     their evidence until one can be fitted. Raises RecordingError if there is none.
     """
     enveloped = all(sound.rate > 2 * ENVELOPE_FROM for sound in sounds)
     signals = ("tone", "envelope") if enveloped else ("tone",)
-    streams = {signal: [stream(sound, signal) for sound in sounds] for signal in signals}
+    streams = {signal: [tone_signal(sound, signal) for sound in sounds] for signal in signals}
     ends = np.array([sound.end for sound in sounds])
     found = {}
-    for number, name in product(range(min(len(sound.ridges) for sound in sounds)), MAIN):
+    for number, name in product(range(min(len(sound.ridges) for sound in sounds)), MAIN_LINES):
         ridges = [sound.ridges[number] for sound in sounds]
         try:
-            moved, shares = _guess(decline, decline.lines[name], ridges, ends)
+            moved, shares = _initial_guess(decline, decline.lines[name], ridges, ends)
         except ValueError:
             continue
         heard = {
             (signal, line): _evidence(
-                decline.lines[line], streams[signal], moved, shares, LENGTHS[0]
+                decline.lines[line], streams[signal], moved, shares, BLOCK_LENGTHS[0]
             )
-            for signal, line in product(signals, MAIN)
+            for signal, line in product(signals, MAIN_LINES)
         }
         best_first = sorted(heard, key=heard.__getitem__, reverse=True)
         tracks = (
@@ -356,28 +378,35 @@ def _track(decline, streams, signal, line, ends, shares):
     Returns None if the fit fails or its end is too far from the guess.
     """
     try:
-        one = fit(decline.lines[line], streams[signal], ends, shares, _free(decline), LENGTHS[:4])
+        one = fit(
+            decline.lines[line],
+            streams[signal],
+            ends,
+            shares,
+            _fitted_laws(decline),
+            BLOCK_LENGTHS[:4],
+        )
     except ValueError:
         return None
-    if np.abs(one.ends - ends).max() > FARTHEST_END:
+    if np.abs(one.ends - ends).max() > MAX_FITTED_END_DISTANCE:
         return None
     beside = [sounds for other, sounds in streams.items() if other != signal]
     head = {"signal": signal, "line": line, "model": "steady", "lines": decline.lines}
     return Track(**head, streams=streams[signal], beside=beside, fit=one)
 
 
-def _free(decline):
+def _fitted_laws(decline):
     """Return the indices of the fitted laws; the scene's other law replaces contour friction."""
     other = decline.has_law and not decline.scene.dissipation.contour_moment
     return (0, *([1] if decline.has_film else []), *([2] if other else []))
 
 
-def base(decline: Decline, shares) -> np.ndarray:
+def with_known_laws(decline: Decline, shares) -> np.ndarray:
     """Return shares with that of the scene's other laws, which is 1 beside contour friction."""
     return np.array([*shares[:2], 1.0 if decline.scene.dissipation.contour_moment else shares[2]])
 
 
-def stream(sound: Sound, signal: str) -> Heard:
+def tone_signal(sound: Sound, signal: str) -> ToneSignal:
     """Return the signal of a sound in which a tone is demodulated."""
     if signal == "envelope":
         samples, rate = envelope(sound.samples, sound.rate)
@@ -385,14 +414,14 @@ def stream(sound: Sound, signal: str) -> Heard:
         down = max(int(sound.rate // TONE_RATE), 1)
         samples = resample_poly(sound.samples, 1, down)
         rate = sound.rate / down
-    return Heard(
+    return ToneSignal(
         samples=samples, rate=rate, first=sound.start, filtered=sound.recorded and signal == "tone"
     )
 
 
 def _ridge_of_run(run):
     """Return the rates of a run at 200 times, as given by its law."""
-    time = run.t_end.value - np.geomspace(run.t_end.value - run.start, LAST, 200)
+    time = run.t_end.value - np.geomspace(run.t_end.value - run.start, UNUSED_END, 200)
     return _ridge(time, run.rate(time))
 
 
@@ -405,35 +434,35 @@ def _ridge(time, frequency):
     return Rates(time, frequency, RIDGE_ERROR * frequency, 1 + 0 * time, 0 * time)
 
 
-def _guess(decline, line, ridges, ends):
+def _initial_guess(decline, line, ridges, ends):
     """Return ends and shares for which a line is closest to the ridges.
 
     Each fitted law is tried alone, then the first two together.
     """
-    heard = tuple(Followed(i, line, ridge, ridge.frequency) for i, ridge in enumerate(ridges))
-    sought = _free(decline)
+    heard = tuple(LineRates(i, line, ridge, ridge.frequency) for i, ridge in enumerate(ridges))
+    sought = _fitted_laws(decline)
     tried = []
     for some in (*((law,) for law in sought), sought[:2]):
         start = np.zeros(3)
-        start[list(some)] = np.array(STARTS)[list(some)]
-        tried.append(solved_near(heard, ends, base(decline, start), some))
+        start[list(some)] = np.array(INITIAL_SHARES)[list(some)]
+        tried.append(fit_to_rates(heard, ends, with_known_laws(decline, start), some))
     return min(tried, key=lambda one: one[2])[:2]
 
 
-def _near_the_best(tracks, share):
+def _best_tracks(tracks, share):
     """Return the tracks whose score is at least a share of the best score."""
     return [track for track in tracks if track.score >= share * max(one.score for one in tracks)]
 
 
-def _stands(track, decline):
+def _steady_is_enough(track, decline):
     """Return True if the steady motion fits well and the solved motions fit far worse."""
-    least = FAR_WORSE * track.fit.spread
-    return track.fit.spread < SLIPS and all(
-        one.fit.spread > least for one in _approached([track], decline, FIRST)
+    least = FAR_WORSE_RATIO * track.fit.spread
+    return track.fit.spread < SLIP_SPREAD and all(
+        one.fit.spread > least for one in _refined_tracks([track], decline, FIRST_BLOCK_LENGTHS)
     )
 
 
-def _approached(tracks, decline, lengths):
+def _refined_tracks(tracks, decline, lengths):
     """Return tracks refined by successive solved motions until their shares converge.
 
     Each motion is solved with the shares of the previous fit; `lengths` are the turns per block.
@@ -442,7 +471,7 @@ def _approached(tracks, decline, lengths):
     for track in tracks:
         for length in lengths:
             try:
-                lines, one = _followed(track, decline, length)
+                lines, one = _refit(track, decline, length)
             except (
                 ValueError,
                 ArithmeticError,
@@ -452,13 +481,15 @@ def _approached(tracks, decline, lengths):
             moved = np.abs(one.shares - track.fit.shares)
             track = replace(track, model="solved", lines=lines, fit=one)
             found.append(track)
-            away = np.hypot(one.draws[:, len(one.ends) :].std(axis=0), _unknown(decline, one))
-            if (moved <= SETTLED * away).all():
+            away = np.hypot(
+                one.draws[:, len(one.ends) :].std(axis=0), _unknown_power_error(decline, one)
+            )
+            if (moved <= CONVERGED_CHANGE * away).all():
                 break
     return found
 
 
-def _followed(track, decline, length):
+def _refit(track, decline, length):
     """Return the lines of the motion solved for the shares of a track, and the new fit.
 
     If this fails, the motion is solved for the shares that the measured rates would give.
@@ -467,29 +498,37 @@ def _followed(track, decline, length):
     lines = decline.solved(track.fit.shares)
     try:
         return lines, fit(
-            lines[track.line], track.streams, one.ends, one.shares, one.free, (length,), LITTLE
+            lines[track.line],
+            track.streams,
+            one.ends,
+            one.shares,
+            one.free,
+            (length,),
+            INITIAL_SHARE,
         )
     except ValueError:
         heard = tuple(h._replace(line=lines[track.line]) for h in one.heard)
-        ends, shares, _ = solved_near(heard, one.ends, one.shares, one.free)
+        ends, shares, _ = fit_to_rates(heard, one.ends, one.shares, one.free)
         lines = decline.solved(shares)
         return lines, fit(
-            lines[track.line], track.streams, ends, shares, one.free, (length,), LITTLE
+            lines[track.line], track.streams, ends, shares, one.free, (length,), INITIAL_SHARE
         )
 
 
-def _mean_of(fits, decline):
+def _mean_of_equivalent(fits, decline):
     """Return the mean of the fits that explain the sounds about equally well.
 
-    They differ in the times of slips. The draws include the UNKNOWN share of the power.
+    They differ in the times of slips. The draws include the UNKNOWN_POWER_SHARE.
     """
-    as_much = max(len(one.residual) for one in fits) / AS_WELL
+    as_much = max(len(one.residual) for one in fits) / EQUIVALENT_FIT_RATIO
     fits = sorted((one for one in fits if len(one.residual) >= as_much), key=lambda one: one.spread)
-    one = mixed([one for one in fits if one.spread <= AS_WELL * fits[0].spread])
-    draws = one.draws.copy()
-    draws[:, len(one.ends) :] += _unknown(decline, one) * np.random.default_rng(0).standard_normal(
-        (len(draws), 3)
+    one = combine_motions(
+        [one for one in fits if one.spread <= EQUIVALENT_FIT_RATIO * fits[0].spread]
     )
+    draws = one.draws.copy()
+    draws[:, len(one.ends) :] += _unknown_power_error(decline, one) * np.random.default_rng(
+        0
+    ).standard_normal((len(draws), 3))
     return replace(one, draws=draws)
 
 
@@ -499,7 +538,7 @@ def with_model_error(judged: Judged) -> Judged:
     The power of the film is uncertain by FILM_ERROR, which the other laws compensate.
     """
     one = judged.fit
-    power, fall = _powers(judged.decline, one)
+    power, fall = _powers_by_law(judged.decline, one)
     error = FILM_ERROR * one.shares[1] * (power[1] @ fall) / np.maximum(power @ fall, TINY)
     error[[law for law in range(3) if law not in one.free]] = 0.0
     draws = one.draws.copy()
@@ -509,14 +548,14 @@ def with_model_error(judged: Judged) -> Judged:
     return replace(judged, fit=fit_with_error)
 
 
-def _unknown(decline, one):
-    """Return the uncertainty of each fitted share (3,) due to the UNKNOWN share of the power."""
-    power, fall = _powers(decline, one)
-    unknown = UNKNOWN * (one.shares @ power @ fall) / np.maximum(power @ fall, TINY)
+def _unknown_power_error(decline, one):
+    """Return the uncertainty of each fitted share (3,) due to the UNKNOWN_POWER_SHARE."""
+    power, fall = _powers_by_law(decline, one)
+    unknown = UNKNOWN_POWER_SHARE * (one.shares @ power @ fall) / np.maximum(power @ fall, TINY)
     return np.where(np.isin(range(3), one.free), unknown, 0.0)
 
 
-def _powers(decline, one):
+def _powers_by_law(decline, one):
     """Return the power of each of the LAWS (3, 60) at inclinations covered by the sound.
 
     Also returns the weights (60,) of the inclinations; the energy is proportional to the
@@ -534,7 +573,7 @@ def shares_of_power(decline: Decline, one: Fit) -> dict[str, tuple[float, float]
 
     Only the part of the motion covered by the sound counts.
     """
-    power, fall = _powers(decline, one)
+    power, fall = _powers_by_law(decline, one)
     each = np.clip(one.draws[:, len(one.ends) :, None] * power, 0, None)
     share = (each / np.maximum(each.sum(axis=1, keepdims=True), TINY) * fall).sum(
         axis=2
@@ -551,11 +590,11 @@ def verdict_of(decline: Decline, one: Fit) -> str:
     if decline.left_out:
         return "cannot tell"
     share = shares_of_power(decline, one)
-    if 2 in one.free and share.pop("law")[1] > ABSENT:
+    if 2 in one.free and share.pop("law")[1] > ABSENT_POWER_SHARE:
         return "cannot tell"
     share = {name: share[name] for name in ("rolling", "air")}
-    present = {name for name, (low, _) in share.items() if low > PRESENT}
-    absent = {name for name, (_, high) in share.items() if high < ABSENT}
+    present = {name for name, (low, _) in share.items() if low > PRESENT_POWER_SHARE}
+    absent = {name for name, (_, high) in share.items() if high < ABSENT_POWER_SHARE}
     if len(present) == 2:
         return "both"
     return next(iter(present)) if len(present) == 1 and len(absent) == 1 else "cannot tell"

@@ -13,7 +13,7 @@ from sonify.fitting.synthetic import Recording
 from sonify.hearing.audio_source import SoundFile, Source
 from sonify.hearing.recording import RecordingError
 
-TAKES = (
+RECORDING_SUFFIXES = (
     ".wav",
     ".flac",
     ".ogg",
@@ -30,11 +30,11 @@ TAKES = (
 """File suffixes that are read from a folder."""
 TIME = re.compile(r"time.*\((m?s)\)", re.IGNORECASE)
 LEAST_ROWS = 100
-OWN = "eulers-disk-sonify"
+OWN_NOTE = "eulers-disk-sonify"
 """Beginning of the note in sound files written by this program (`sonify.sound.wav`)."""
 
 
-def takes(paths) -> list[Path]:
+def recording_files(paths) -> list[Path]:
     """Return the files that paths name; a folder gives its recordings in order.
 
     Raises RecordingError if there is none.
@@ -42,17 +42,19 @@ def takes(paths) -> list[Path]:
     found = []
     for path in map(Path, paths):
         inside = (
-            sorted(p for p in path.iterdir() if p.suffix.lower() in TAKES)
+            sorted(p for p in path.iterdir() if p.suffix.lower() in RECORDING_SUFFIXES)
             if path.is_dir()
             else [path]
         )
         if not inside:
-            raise RecordingError(f"{path}: no take in this folder; they end in {', '.join(TAKES)}")
+            raise RecordingError(
+                f"{path}: no take in this folder; they end in {', '.join(RECORDING_SUFFIXES)}"
+            )
         found += inside
     return found
 
 
-def source(path: Path) -> Source | Path:
+def source_of_file(path: Path) -> Source | Path:
     """Return the source of a file: a sound file, or a phyphox table of amplitude against time.
 
     Raises RecordingError for an invalid table.
@@ -60,12 +62,12 @@ def source(path: Path) -> Source | Path:
     if path.suffix.lower() not in {".csv", ".zip"}:
         return SoundFile(path)
     try:
-        tables = _tables(path)
+        tables = _table_texts(path)
     except (OSError, zipfile.BadZipFile, UnicodeDecodeError) as error:
         raise RecordingError(
             f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}"
         ) from None
-    found = [made for text in tables if (made := _recording(text, path)) is not None]
+    found = [made for text in tables if (made := _table_samples(text, path)) is not None]
     if not found:
         raise RecordingError(
             f"{path}: holds no table with a column 'Time (s)' or 'Time (ms)' and an amplitude "
@@ -74,16 +76,16 @@ def source(path: Path) -> Source | Path:
     return max(found, key=lambda recording: recording.frames)
 
 
-def recorded(path: Path) -> bool:
+def is_recorded(path: Path) -> bool:
     """Return True unless the file was written by this program, whose sounds pass no high-pass."""
     try:
         with SoundFile(path).open() as file:
-            return not file.software.startswith(OWN)
+            return not file.software.startswith(OWN_NOTE)
     except (soundfile.LibsndfileError, OSError):
         return True
 
 
-def _tables(path):
+def _table_texts(path):
     """Return the texts of the tables in a file."""
     if path.suffix.lower() == ".csv":
         return [path.read_text(encoding="utf-8-sig")]
@@ -92,7 +94,7 @@ def _tables(path):
         return [archive.read(name).decode("utf-8-sig") for name in names]
 
 
-def _recording(text, path):
+def _table_samples(text, path):
     """Return the amplitudes of a table with evenly spaced times; None if it has none."""
     separator = max(",;\t", key=text.partition("\n")[0].count)
     rows = csv.reader(io.StringIO(text), delimiter=separator)

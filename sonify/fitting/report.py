@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from sonify.fitting.decay_model import has_film, left_out
-from sonify.fitting.fu_berlin import THEIRS
-from sonify.fitting.least_squares import LAST, in_words
+from sonify.fitting.decay_model import has_film, neglected_parts
+from sonify.fitting.fu_berlin import PUBLISHED_EXPONENTS
+from sonify.fitting.least_squares import UNUSED_END, values_in_words
 from sonify.fitting.line_selection import shares_of_power
 from sonify.fitting.result import Fits, Fitted
 from sonify.report.figure import figure_at, legend_above, plain_decades
@@ -16,11 +16,11 @@ from sonify.report.recording import carrier_numbers
 from sonify.report.write import finite, write_json
 from sonify.runtime.files import atomic_write, claimed_folder, first_numbered
 
-NOTHING = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
+ABSENT_LAW = {"value": 0.0, "low": 0.0, "high": 0.0, "inner": [0.0, 0.0]}
 """Share of a law that was not fitted, such as the film in a vacuum."""
-PANELS = 6
+MAX_PANELS = 6
 """Largest number of recordings in the picture."""
-DRAWN = 120
+BAND_DRAWS = 120
 """Approximate number of draws in a band of the picture."""
 
 
@@ -29,7 +29,7 @@ def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
 
     Raises OutputError if it cannot be written.
     """
-    with claimed_folder(out or own_folder(fits.files[0].file)) as folder:
+    with claimed_folder(out or new_folder(fits.files[0].file)) as folder:
         write_json(finite(as_json(fits)), folder / "fit.json")
         with atomic_write(folder / "fit.png") as temporary:
             draw(fits, temporary)
@@ -40,7 +40,7 @@ def write_fits(fits: Fits, out: str | Path | None = None) -> Path:
     return folder
 
 
-def own_folder(file: str) -> Path:
+def new_folder(file: str) -> Path:
     """Return a new folder outputs/fit/<name of the recording>, or <name>-2 and so on."""
     return first_numbered(
         Path("outputs") / "fit" / Path(file).stem, lambda folder: not (folder / "fit.json").exists()
@@ -58,7 +58,7 @@ def as_json(fits: Fits) -> dict[str, Any]:
     files = [_one(f, fits.resonances) for f in fits.files]
     return {
         "scene": fits.scene.name,
-        "left_out": left_out(fits.scene),
+        "left_out": neglected_parts(fits.scene),
         "files": files,
         "pooled": pool | {"power_shares": shares},
     }
@@ -80,7 +80,8 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
         "radius_10_percent_off_shows": fitted.radius_shows,
         "carriers": [carrier_numbers(carrier, known) for carrier in fitted.carriers],
         "published_way": {
-            name: e._asdict() | ({"theirs": THEIRS[name]} if name in THEIRS else {})
+            name: e._asdict()
+            | ({"theirs": PUBLISHED_EXPONENTS[name]} if name in PUBLISHED_EXPONENTS else {})
             for name, e in (fitted.published_way or {}).items()
         },
         "residual": {
@@ -94,7 +95,7 @@ def _one(fitted: Fitted, known) -> dict[str, Any]:
 
 def _values(values) -> dict[str, Any]:
     """Return the values by name, always with `rolling` and `air`."""
-    return dict.fromkeys(("rolling", "air"), NOTHING) | {
+    return dict.fromkeys(("rolling", "air"), ABSENT_LAW) | {
         name: asdict(v) for name, v in values.items()
     }
 
@@ -130,10 +131,10 @@ def sentences(fits: Fits) -> list[str]:
     """Return the results in words."""
     said = [line for fitted in fits.files for line in _of_one(fitted)]
     if len(fits.files) > 1:
-        said.insert(0, f"{fits.verdict}: together; {in_words(fits.values())}")
+        said.insert(0, f"{fits.verdict}: together; {values_in_words(fits.values())}")
     if not has_film(fits.scene):
         said.append("air was not considered: the scene has no air film")
-    return said + left_out(fits.scene)
+    return said + neglected_parts(fits.scene)
 
 
 def _of_one(fitted):
@@ -141,7 +142,7 @@ def _of_one(fitted):
     end = fitted.judged.fit.value(0)
     told = f"the {judged.line} in the {judged.signal}, along {judged.model} motion, within {judged.fit.spread:.2%}"
     yield f"{judged.verdict}: {fitted.file}; end at {end.value:.4f} s ({end.low:.4f} to {end.high:.4f}), {told}"
-    yield f"  {in_words(judged.values())}"
+    yield f"  {values_in_words(judged.values())}"
     if not judged.explained:
         yield "  no motion explains it: it may be another line, and the intervals hold what every line would tell"
     if not judged.contour_fits:
@@ -149,8 +150,8 @@ def _of_one(fitted):
     yield f"  a radius 10 % off {'would show' if fitted.radius_shows else 'cannot be told: the shares take it up'}"
     for name, e in (fitted.published_way or {}).items():
         theirs = (
-            "; theirs on granite {:.3f}, one run ± {:.3f}".format(*THEIRS[name])
-            if name in THEIRS
+            "; theirs on granite {:.3f}, one run ± {:.3f}".format(*PUBLISHED_EXPONENTS[name])
+            if name in PUBLISHED_EXPONENTS
             else ""
         )
         yield f"  as published, {name}: exponent {e.value:.3f} ± {e.error:.3f}, {e.columns} columns{theirs}"
@@ -169,7 +170,7 @@ def _carriers(fits: Fits) -> list[str]:
     )
     rows = [
         (f.file, carrier_numbers(carrier, fits.resonances))
-        for f in fits.files[:PANELS]
+        for f in fits.files[:MAX_PANELS]
         for carrier in f.carriers
     ]
     return [" | ".join(head)] + [_carrier(Path(name).name, c) for name, c in rows]
@@ -199,7 +200,7 @@ def page(fits: Fits) -> str:
         "",
     ]
     lines += ["![heard and fitted](fit.png)", "", *_as_markdown(table(fits))]
-    if any(fitted.carriers for fitted in fits.files[:PANELS]):
+    if any(fitted.carriers for fitted in fits.files[:MAX_PANELS]):
         lines += ["", "Carriers, and the resonances of the scene that they are near:", ""]
         lines += _as_markdown(_carriers(fits))
     return "\n".join(lines) + "\n"
@@ -217,7 +218,7 @@ def _as_markdown(rows):
 def draw(fits: Fits, path: Path):
     """Draw measured and fitted rates against the time left, and their differences, for each
     recording."""
-    shown = fits.files[:PANELS]
+    shown = fits.files[:MAX_PANELS]
     with figure_at(
         path, 2, len(shown), (max(4.5 * len(shown), 7), 7), sharex="col", squeeze=False
     ) as (_, axes):
@@ -234,7 +235,10 @@ def _draw_one(above, below, fitted):
     at = np.geomspace(left.min(), left.max(), 200)
     order = np.argsort(left)
     drawn = np.array(
-        [_drawn(decline, one, d, at) for d in one.draws[:: max(len(one.draws) // DRAWN, 1)]]
+        [
+            _rate_of_draw(decline, one, d, at)
+            for d in one.draws[:: max(len(one.draws) // BAND_DRAWS, 1)]
+        ]
     )
     low, high = np.percentile(drawn / np.median(drawn, axis=0) - 1, [2.5, 97.5], axis=0)
     above.errorbar(
@@ -261,7 +265,7 @@ def _draw_one(above, below, fitted):
     legend_above(below, frameon=False)
 
 
-def _drawn(decline, one, draw, at):
+def _rate_of_draw(decline, one, draw, at):
     """Return the rate of one draw of ends and shares at times `at` (k,) [s] before the fitted end."""
-    left = np.maximum(at + draw[0] - one.ends[0], LAST)
+    left = np.maximum(at + draw[0] - one.ends[0], UNUSED_END)
     return decline.frequency(left, np.maximum(draw[len(one.ends) :], 0))

@@ -9,24 +9,30 @@ import soundfile
 
 from modal.blas_threads import one_blas_thread
 from sonify.fitting import least_squares
-from sonify.fitting.apart import each
 from sonify.fitting.decay_model import Decline
 from sonify.fitting.fu_berlin import Exponent, exponents
-from sonify.fitting.least_squares import FLOOR, Fit, Value, in_words, pooled
-from sonify.fitting.line_selection import Judged, heard, judge, verdict_of, with_model_error
-from sonify.fitting.recordings_io import recorded, source, takes
+from sonify.fitting.least_squares import MIN_RATE_ERROR, Fit, Value, pool_fits, values_in_words
+from sonify.fitting.line_selection import (
+    Judged,
+    detect_run,
+    judge_sounds,
+    verdict_of,
+    with_model_error,
+)
+from sonify.fitting.parallel import in_worker_processes
+from sonify.fitting.recordings_io import is_recorded, recording_files, source_of_file
 from sonify.hearing.audio_source import Truncation, excerpt, source_of, truncation_of
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene import Scene, from_document, load_scene
 
-WRONG = (0.9, 1.1)
+WRONG_RADIUS_FACTORS = (0.9, 1.1)
 """Factors on the radius for which every fit is repeated."""
-BETTER = 2.0
+FAR_BETTER_RATIO = 2.0
 """A fit is far better than another if its spread is smaller by this factor."""
-WORKERS = 2
+WORKER_COUNT = 2
 """Number of worker processes."""
-MANY = 3
+MIN_PARALLEL_RECORDINGS = 3
 """Least number of recordings for which they are used."""
 
 
@@ -45,7 +51,9 @@ class Fitted:
     truncation: Truncation | None = None
 
     def __repr__(self):
-        return f"Fitted({self.file}: {self.judged.verdict}; {in_words(self.judged.values())})"
+        return (
+            f"Fitted({self.file}: {self.judged.verdict}; {values_in_words(self.judged.values())})"
+        )
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -67,7 +75,9 @@ class Fits:
         return self.pool.values()
 
     def __repr__(self):
-        return f"Fits({len(self.files)} recordings: {self.verdict}; {in_words(self.values())})"
+        return (
+            f"Fits({len(self.files)} recordings: {self.verdict}; {values_in_words(self.values())})"
+        )
 
 
 @one_blas_thread
@@ -88,18 +98,20 @@ def fit(
     from sonify.claims.resonance_matching import resonances  # modes load slowly
 
     scene = load_scene(scene) if isinstance(scene, (str, Path)) else scene
-    paths = takes([files] if isinstance(files, (str, Path)) else files)
+    paths = recording_files([files] if isinstance(files, (str, Path)) else files)
     known = resonances(scene)
     fitted = []
     tasks = [(path, scene.document, like, span) for path in paths]
     for one in (
-        (fit_one(*task) for task in tasks) if len(tasks) < MANY else each(fit_one, tasks, WORKERS)
+        (fit_one(*task) for task in tasks)
+        if len(tasks) < MIN_PARALLEL_RECORDINGS
+        else in_worker_processes(fit_one, tasks, WORKER_COUNT)
     ):
         fitted.append(one)
         watch(len(fitted) / len(paths), one.file)
     decline = fitted[0].judged.decline
     fits = [one.judged.fit for one in fitted]
-    pool = fits[0] if len(fits) == 1 else pooled(fits)
+    pool = fits[0] if len(fits) == 1 else pool_fits(fits)
     verdict = fitted[0].judged.verdict if len(fits) == 1 else verdict_of(decline, pool)
     return Fits(scene=scene, files=fitted, pool=pool, verdict=verdict, resonances=known)
 
@@ -113,14 +125,14 @@ def fit_one(
     Raises RecordingError with one line if it cannot be fitted.
     """
     scene = from_document(document)
-    recording = source(path)
+    recording = source_of_file(path)
     try:
         part = excerpt(source_of(recording), *span)
     except (soundfile.LibsndfileError, OSError):
         part = recording  # `heard` tells why
-    sound = heard(part, str(path), recorded=recorded(path), begin=span[0])
+    sound = detect_run(part, str(path), recorded=is_recorded(path), begin=span[0])
     decline = Decline(scene)
-    judged = judge(decline, [sound])
+    judged = judge_sounds(decline, [sound])
     published = None
     if like == "fu-berlin":
         end = float(judged.fit.ends[0]) - sound.start
@@ -131,22 +143,23 @@ def fit_one(
     return Fitted(
         file=str(path),
         judged=with_model_error(judged).without_samples(),
-        radius_shows=radius_shows(judged),
+        radius_shows=is_radius_determined(judged),
         carriers=carriers(sound.samples, sound.rate, sound.start),
         published_way=published,
         truncation=truncation_of(recording),
     )
 
 
-def radius_shows(judged: Judged) -> bool:
+def is_radius_determined(judged: Judged) -> bool:
     """Return True if disks with a radius 10 % off fit far worse, for any law of dissipation."""
-    found = [_with_radius(judged, factor) for factor in WRONG]
+    found = [_spread_with_radius(judged, factor) for factor in WRONG_RADIUS_FACTORS]
     return all(
-        spread is None or spread > BETTER * max(judged.fit.spread, FLOOR) for spread in found
+        spread is None or spread > FAR_BETTER_RATIO * max(judged.fit.spread, MIN_RATE_ERROR)
+        for spread in found
     )
 
 
-def _with_radius(judged, factor):
+def _spread_with_radius(judged, factor):
     """Return the spread of the fit of a disk with another radius; None if the fit fails."""
     scene = judged.decline.scene
     disk = replace(scene.disk, radius=factor * scene.disk.radius, density=None)  # it keeps its mass

@@ -20,13 +20,13 @@ from scipy.stats import binomtest
 from sonify import RecordingError, load_scene
 from sonify.__main__ import main
 from sonify.claims.resonance_matching import resonances
-from sonify.fitting.decay_model import Decline, left_out
+from sonify.fitting.decay_model import Decline, neglected_parts
 from sonify.fitting.fu_berlin import exponents
-from sonify.fitting.line_selection import heard, judge, verdict_of, with_model_error
+from sonify.fitting.line_selection import detect_run, judge_sounds, verdict_of, with_model_error
 from sonify.fitting.phase_demodulation import rates
-from sonify.fitting.recordings_io import source, takes
+from sonify.fitting.recordings_io import recording_files, source_of_file
 from sonify.fitting.report import sentences
-from sonify.fitting.result import fit, fit_one, radius_shows
+from sonify.fitting.result import fit, fit_one, is_radius_determined
 from sonify.fitting.synthetic import Recording, recording
 from sonify.hearing.recording import AFTER, LONGEST, read
 from sonify.hearing.settling.detector import settling_runs
@@ -55,7 +55,7 @@ def decline(scene):
 
 
 def listened(decline, shares, **how):
-    return heard(
+    return detect_run(
         Recording(samples=recording(decline, shares, rate=RATE, **how), sample_rate=RATE),
         "made",
     )
@@ -129,7 +129,7 @@ def test_what_was_heard_before_a_tone_began_is_left_out():
     [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")],
 )
 def test_the_truth_is_found_and_named(decline, shares, verdict):
-    found = judge(decline, [listened(decline, shares, noise=0.3, seed=5)], correct=False)
+    found = judge_sounds(decline, [listened(decline, shares, noise=0.3, seed=5)], correct=False)
     assert found.verdict == verdict
     values = found.values()
     for name, truth, unit in (("rolling", shares[0], 1e-4), ("air", shares[1], 1.0)):
@@ -145,7 +145,7 @@ def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
     The end is found within 0.1 s, although inaudible sound determines it under a compressible film.
     """
     how = {"noise": 0.18, "hum": 0.16, "start": 3.1, "end": 10.9, "high_pass": 60.0, "seed": 31}
-    found = judge(decline, [listened(decline, [0, 0.63, 0], **how)], correct=False)
+    found = judge_sounds(decline, [listened(decline, [0, 0.63, 0], **how)], correct=False)
     assert (found.line, found.verdict) == ("precession", "air")
     end = found.fit.value(0)
     assert end.low <= 10.9 <= end.high
@@ -155,9 +155,9 @@ def test_a_double_that_is_louder_does_not_hide_the_precession(decline):
 def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorders_have(decline):
     """A high-pass has a phase like other shares; a free corner would leave a factor of two."""
     how = {"noise": 0.45, "start": 3.7, "end": 9.45, "high_pass": 60.0, "seed": 17}
-    air = judge(decline, [listened(decline, [7.6e-5, 1.26, 0], **how)], correct=False).values()[
-        "air"
-    ]
+    air = judge_sounds(
+        decline, [listened(decline, [7.6e-5, 1.26, 0], **how)], correct=False
+    ).values()["air"]
     assert air.low <= 1.26 <= air.high
     assert air.high - air.low < 0.3
 
@@ -168,8 +168,8 @@ def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorder
 )
 def test_the_last_two_seconds_are_enough(decline, shares, verdict):
     samples = recording(decline, shares, noise=0.2, rate=RATE, end=12.0, duration=12.3, seed=2)
-    sound = heard(Recording(samples=samples[int(10.3 * RATE) :], sample_rate=RATE), "short")
-    found = judge(decline, [sound], correct=False)
+    sound = detect_run(Recording(samples=samples[int(10.3 * RATE) :], sample_rate=RATE), "short")
+    found = judge_sounds(decline, [sound], correct=False)
     assert found.verdict == verdict
     assert found.fit.value(0).value == pytest.approx(1.7, abs=0.01)
 
@@ -180,7 +180,9 @@ def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decline):
     other = Decline(scene)
     other.powers[1] *= (other.beta / 0.05) ** 0.1
     for seed, shares in enumerate(([5e-5, 1.0, 0], [1e-4, 1.0, 0], [3e-5, 1.0, 0])):
-        judged = judge(decline, [listened(other, shares, noise=0.2, seed=seed)], correct=False)
+        judged = judge_sounds(
+            decline, [listened(other, shares, noise=0.2, seed=seed)], correct=False
+        )
         rolling = with_model_error(judged).values()["rolling"]
         assert rolling.low <= shares[0] <= rolling.high
         assert judged.values()["rolling"].low > shares[0]
@@ -199,7 +201,7 @@ def test_a_rate_that_rises_linearly_is_no_disk_of_the_scene(decline):
     sweep = chirp(t, 20, 15, 200) * (t < 14.5)
     noise = 0.01 * np.random.default_rng(0).standard_normal(len(t))
     with pytest.raises(RecordingError, match="no disk"):
-        heard(Recording(samples=sweep + noise, sample_rate=RATE), "sweep")
+        detect_run(Recording(samples=sweep + noise, sample_rate=RATE), "sweep")
 
 
 def test_a_scene_without_air_says_that_air_was_not_considered(decline, scene, tmp_path):
@@ -223,8 +225,8 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
     """The speech is as loud as the disk and lasts six times as long."""
     run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=10.0, duration=10.5, seed=3)
     samples = np.concatenate([run.std() * speech(30, 1), run, run.std() * speech(30, 2)])
-    sound = heard(Recording(samples=samples, sample_rate=RATE), "made")
-    found = judge(decline, [sound], correct=False)
+    sound = detect_run(Recording(samples=samples, sample_rate=RATE), "made")
+    found = judge_sounds(decline, [sound], correct=False)
     end = found.fit.value(0)
     values = found.values()
     assert end.low <= 40.0 <= end.high
@@ -287,10 +289,10 @@ def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
     """In ten minutes of sound, the voice before and after the run is as loud as the run."""
     talk = voice(600, 5) + 0.01 * np.random.default_rng(0).standard_normal(600 * RATE)
     with pytest.raises(RecordingError, match="no disk"):
-        heard(Recording(samples=talk, sample_rate=RATE), "talk")
+        detect_run(Recording(samples=talk, sample_rate=RATE), "talk")
     run = recording(decline, [1e-4, 1.0, 0], noise=0.2, rate=RATE, end=14.0, duration=15.0, seed=3)
     talk[333 * RATE : 348 * RATE] = run / run.std()
-    sound = heard(Recording(samples=talk, sample_rate=RATE), "run")
+    sound = detect_run(Recording(samples=talk, sample_rate=RATE), "run")
     assert sound.end == pytest.approx(347.0, abs=0.1)
 
 
@@ -298,7 +300,7 @@ def test_a_long_file_of_speech_is_refused_and_a_run_in_it_is_found(decline):
 def test_what_cannot_be_told_is_not_told(decline):
     """In 3 s of strong noise, a decline due to air is never attributed to rolling alone."""
     sounds = [listened(decline, [0, 1.0, 0], noise=2.5, start=9.0, seed=seed) for seed in range(4)]
-    verdicts = {judge(decline, [sound], correct=False).verdict for sound in sounds}
+    verdicts = {judge_sounds(decline, [sound], correct=False).verdict for sound in sounds}
     assert "cannot tell" in verdicts
     assert "rolling" not in verdicts
 
@@ -306,8 +308,10 @@ def test_what_cannot_be_told_is_not_told(decline):
 def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_on_a_wavy_table(
     decline,
 ):
-    found = judge(decline, [listened(decline, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False)
-    assert not radius_shows(found)
+    found = judge_sounds(
+        decline, [listened(decline, [1e-4, 0, 0], noise=0.3, seed=1)], correct=False
+    )
+    assert not is_radius_determined(found)
     assert found.verdict == "rolling"
     assert verdict_of(Decline(load_scene("wavy")), found.fit) == "cannot tell"
 
@@ -316,7 +320,7 @@ def test_a_radius_that_the_shares_take_up_is_said_to_be_so_and_no_verdict_told_o
     ("name", "what"), [("light-plate", "acts back"), ("wavy", "wavy"), ("thorne", "")]
 )
 def test_what_no_decline_has_is_told(name, what):
-    found = left_out(load_scene(name))
+    found = neglected_parts(load_scene(name))
     assert [what in sentence for sentence in found] == [True] * bool(what)
 
 
@@ -370,7 +374,7 @@ def test_what_cannot_be_fitted_is_one_line_and_nothing_is_written(decline, tmp_p
     monkeypatch.chdir(tmp_path)
     for word, path in bad_takes(tmp_path, decline).items():
         with pytest.raises(RecordingError, match=word) as error:
-            heard(source(path), str(path))
+            detect_run(source_of_file(path), str(path))
         assert "\n" not in str(error.value)
     answer = CliRunner().invoke(main, ["fit", str(tmp_path / "noise.wav")])
     assert (answer.exit_code, answer.stdout) == (2, "")
@@ -389,8 +393,8 @@ def test_a_folder_of_takes_and_an_export_of_phyphox_are_read(tmp_path):
         archive.writestr("Raw data.csv", "\n".join(rows))
     write(tmp_path / "a.wav", x, 48000)
     (tmp_path / "notes.txt").write_text("not a take")
-    assert [path.name for path in takes([tmp_path])] == ["a.wav", "b.zip"]
-    read = source(tmp_path / "b.zip")
+    assert [path.name for path in recording_files([tmp_path])] == ["a.wav", "b.zip"]
+    read = source_of_file(tmp_path / "b.zip")
     assert read.sample_rate == 48000
     assert read.samples[:4000] == pytest.approx(x[:4000], abs=1e-5)
 
@@ -462,7 +466,7 @@ def test_intervals_hold_the_truth_as_often_as_they_say(decline):
             "seed": seed,
             "end": random.uniform(9, 12),
         }
-        found = judge(decline, [listened(decline, shares, **how)], correct=False)
+        found = judge_sounds(decline, [listened(decline, shares, **how)], correct=False)
         truth = {"rolling": shares[0], "air": shares[1]}
         inside += [v.low <= truth[name] <= v.high for name, v in found.values().items()]
         inside.append(found.fit.value(0).low <= how["end"] <= found.fit.value(0).high)

@@ -19,7 +19,7 @@ from paths import ROOT
 from scipy.signal import butter, sosfilt
 
 from sonify import load_scene, solve
-from sonify.fitting.line_selection import heard as sound_to_fit
+from sonify.fitting.line_selection import detect_run as sound_to_fit
 from sonify.hearing.audio_source import SoundFile, excerpt
 from sonify.hearing.recording import RecordingError
 from sonify.hearing.settling.detector import SettlingRun, settling_runs

@@ -9,7 +9,7 @@ from sonify.hearing.recording import RecordingError
 from sonify.runtime.workers import WorkerDiedError, WorkerProcess
 
 
-def each(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
+def in_worker_processes(function: Callable, tasks: list[tuple], count: int) -> Iterator[Any]:
     """Yield `function(*task)` for every task in order, computed by `count` worker processes.
 
     Exceptions of the function are raised here.
