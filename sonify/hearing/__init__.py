@@ -1,1 +1,2 @@
-"""SOUND -> WHAT IS HEARD: levels, spectrograms, the rising tone and the carriers of any sound."""
+"""SOUND -> ANALYSIS: levels, spectrograms, rising tone, spectral lines and settling disks of any
+sound."""

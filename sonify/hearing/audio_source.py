@@ -1,5 +1,5 @@
-"""FILE or RENDERED SOUND -> SOURCE: samples that can be read again and again, from any place on,
-block by block."""
+"""FILE or RENDERED SOUND -> SOURCE: samples that can be read repeatedly, from any position, in
+blocks."""
 
 import re
 from collections.abc import Iterator
@@ -16,21 +16,21 @@ import soundfile
 from sonify.hearing.mp3 import read_mp3
 
 PROMISED = re.compile(r"(?:data|SSND|Data Size) *: *(\d+) \(should be (\d+)\)")
-"""What libsndfile notes of WAV, AIFF and AU files whose length is not that of their header
+"""Message of libsndfile about WAV, AIFF and AU files whose length differs from their header
 [bytes]."""
 UNKNOWN = 0x7FFF0000
-"""So long is a file said to be whose length was not known when its header was written [bytes]."""
+"""Length in the header of a file whose length was unknown when it was written [bytes]."""
 BLOCK = 1 << 16
-"""Samples read from a file at once."""
+"""Number of samples read from a file at a time."""
 SMALL_BLOCK = 1 << 10
-"""Samples read at once where the end of what can be decoded is sought."""
+"""Number of samples read at a time to find the last sample that can be decoded."""
 
 
 class Source(Protocol):
-    """What can be heard: `frames` samples at `sample_rate` [Hz].
+    """An audio source with `frames` samples at `sample_rate` [Hz].
 
-    Every call of `blocks` begins anew, and nothing of the source changes by it; whoever has heard
-    enough stops reading."""
+    Each call of `blocks` is independent; a caller may stop reading at any time.
+    """
 
     @property
     def sample_rate(self) -> int: ...
@@ -39,15 +39,14 @@ class Source(Protocol):
     def frames(self) -> int: ...
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, channels): the samples from number `start` on to the last, in pieces of any
-        length."""
+        """Yield the samples from number `start` on in blocks (k, channels) of any length."""
         ...
 
 
 @dataclass(frozen=True)
 class Truncation:
-    """How much sound a file that was cut off holds, and how much its header announces [s], None if
-    it does not."""
+    """Length of a truncated file, and the length that its header announces [s]; None if it does
+    not."""
 
     held: float
     announced: float | None
@@ -63,10 +62,10 @@ class Truncation:
 
 @dataclass(frozen=True)
 class SoundFile:
-    """The source in a file of any format that libsndfile reads. Raises soundfile.LibsndfileError
-    for any other.
+    """A source in a file of any format that libsndfile reads.
 
-    Of a file that was cut off it has the samples that can be decoded, and no others.
+    Of a truncated file only the samples that can be decoded are part of it. Raises
+    soundfile.LibsndfileError for other files.
     """
 
     path: str | Path
@@ -76,8 +75,7 @@ class SoundFile:
         return read_mp3(self.path) if Path(self.path).suffix.lower() == ".mp3" else None
 
     def open(self) -> soundfile.SoundFile:
-        """Return the file, open. An MP3 file whose header is absent or wrong gets one that is
-        right."""
+        """Return the open file; an MP3 file with a missing or wrong header gets a correct one."""
         mp3 = self._mp3
         wrong = mp3 is not None and mp3.frames != mp3.announced
         return soundfile.SoundFile(BytesIO(mp3.content) if wrong else self.path)
@@ -89,7 +87,7 @@ class SoundFile:
 
     @property
     def sample_rate(self) -> int:
-        """Samples a second [Hz]."""
+        """Samples per second [Hz]."""
         return self._header[0]
 
     @cached_property
@@ -106,7 +104,7 @@ class SoundFile:
         return held
 
     def _decodes(self, last):
-        """Whether there is a sample of this number."""
+        """Return True if the sample with this number can be decoded."""
         with self.open() as file:
             try:
                 file.seek(last)
@@ -116,7 +114,7 @@ class SoundFile:
 
     @cached_property
     def truncation(self) -> Truncation | None:
-        """How much of the file is there, None if it is whole as far as its format tells."""
+        """The truncation of the file; None if it is complete as far as its format shows."""
         rate, announced, kind, notes = self._header
         held = self.frames / rate
         if self._mp3 is not None:
@@ -135,7 +133,7 @@ class SoundFile:
         return Truncation(held, held * said / found) if 0 < found < said < UNKNOWN else None
 
     def blocks(self, start: int = 0) -> Iterator[np.ndarray]:
-        """Yield (k, channels), float32: the samples from number `start` on."""
+        """Yield the samples from number `start` on in blocks (k, channels), float32."""
         left = self.frames - start
         with self.open() as file:
             file.seek(min(start, self.frames))
@@ -148,8 +146,7 @@ class SoundFile:
 
 
 def ends_with_its_stream(path: str | Path, longest_page: int = 65_307) -> bool:
-    """Return whether the last page of an Ogg file is whole and marked as the end of its stream (RFC
-    3533)."""
+    """Return True if the last page of an Ogg file is complete and marked as the end (RFC 3533)."""
     with Path(path).open("rb") as file:
         size = file.seek(0, SEEK_END)
         file.seek(max(size - 2 * longest_page, 0))
@@ -163,7 +160,7 @@ def ends_with_its_stream(path: str | Path, longest_page: int = 65_307) -> bool:
 
 
 def source_of(sound: Source | str | Path) -> Source:
-    """Return a source as it is, and that in a file for a path."""
+    """Return a source unchanged, or the source in the file of a path."""
     return SoundFile(sound) if isinstance(sound, (str, Path)) else sound
 
 
@@ -196,7 +193,7 @@ class Excerpt:
 
 
 def excerpt(source: Source, begin: float, end: float) -> Source:
-    """Return the part of a source between two times [s], or the source itself if that is all."""
+    """Return the part of a source between two times [s]; the source itself if that is all of it."""
     rate = source.sample_rate
     first = min(max(round(begin * rate), 0), source.frames)
     last = source.frames if end * rate >= source.frames else max(round(end * rate), first)
@@ -216,8 +213,11 @@ def stretch(source: Source, start: int, stop: int) -> np.ndarray:
 
 
 def pieces(source: Source, step: int, overlap: int = 0, start: int = 0) -> Iterator[np.ndarray]:
-    """Yield (step + overlap, channels): the samples from `start` on in pieces that begin `step`
-    apart, zeros after the last sample. Memory is that of one piece and one block."""
+    """Yield the samples from `start` on in overlapping pieces (step + overlap, channels).
+
+    The pieces begin `step` apart; zeros follow the last sample. The memory is that of one piece and
+    one block.
+    """
     held = np.zeros((0, 1))
     for block in source.blocks(start):
         held = np.concatenate([held, block]) if len(held) else block
@@ -230,6 +230,6 @@ def pieces(source: Source, step: int, overlap: int = 0, start: int = 0) -> Itera
 
 
 def truncation_of(sound: Source | str | Path) -> Truncation | None:
-    """Return the `truncation` of a sound file, None of any other source."""
+    """Return the `truncation` of a sound file; None for any other source."""
     source = source_of(sound)
     return source.truncation if isinstance(source, SoundFile) else None

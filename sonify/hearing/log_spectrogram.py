@@ -1,5 +1,4 @@
-"""SOUND -> LOG MAP: levels over time and the logarithm of frequency, in windows that suit a tone
-that rises as 1/(t_end - t)."""
+"""SOUND -> LOG MAP: levels over time and log frequency, for a tone that rises as 1/(t_end - t)."""
 
 from dataclasses import dataclass
 
@@ -13,7 +12,7 @@ from sonify.hearing.mains_hum import without_hum
 HOP = 0.005
 """Spacing of the frames [s]."""
 STEPS_PER_OCTAVE = 48
-"""Of the logarithmic frequency axis."""
+"""Number of bins per octave."""
 BANDS = (
     (8.0, 40.0, 0.5),
     (40.0, 120.0, 0.2),
@@ -21,26 +20,27 @@ BANDS = (
     (400.0, 1500.0, 0.025),
     (1500.0, 8000.0, 0.01),
 )
-"""From, to [Hz], and the window there [s]: a tone that goes as 1/(t_end - t) stays within a line of
-it."""
+"""Lower and upper frequency of each band [Hz] and its window [s]; a tone that rises as 1/(t_end -
+t) stays within one line of the window."""
 HUM_FROM = 0.025
-"""From the band with this window downwards hums are taken away first."""
+"""Hum is removed in bands with at least this window [s]."""
 OCTAVE = STEPS_PER_OCTAVE + 1
-"""Bins from half an octave below to half an octave above."""
+"""Number of bins from half an octave below to half an octave above."""
 DEEPEST_DB, LEAST_DB, MOST_DB = 60.0, -6.0, 20.0
-"""What is so far below the loudest at its frequency is as good as silence; bounds of what a frame
-contributes [dB]."""
+"""Level below the loudest at the same frequency that counts as silence; bounds of the contrast of a
+frame [dB]."""
 GROUP = 1024
-"""So many frames are transformed at once."""
+"""Number of frames transformed at a time."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class LogMap:
-    """Level (t, f) [dB] at `time` (t,) [s] and `frequency` (f,) [Hz], even in logarithm, and how
-    far it stands out.
+    """Level (t, f) [dB] at `time` (t,) [s] and `frequency` (f,) [Hz], evenly spaced in the
+    logarithm.
 
-    `contrast` (t, f) [dB] is from the median over time and from half an octave to either side,
-    between LEAST_DB and MOST_DB, so that no frame decides alone."""
+    `contrast` (t, f) [dB] is the level above its median over time and over an octave, limited to
+    LEAST_DB and MOST_DB, so that no single frame dominates.
+    """
 
     time: np.ndarray
     frequency: np.ndarray
@@ -48,15 +48,14 @@ class LogMap:
     contrast: np.ndarray
 
     def read(self, t, frequency) -> np.ndarray:
-        """Return the contrast at times t and frequencies (any shape); outside it is 0."""
+        """Return the contrast at times t and frequencies of any shape; it is 0 outside the map."""
         row = (t - self.time[0]) / HOP
         column = np.log2(frequency / self.frequency[0]) * STEPS_PER_OCTAVE
         return map_coordinates(self.contrast, [row, column], order=1, mode="constant", cval=0.0)
 
 
 def log_map(samples: np.ndarray, rate: float) -> LogMap:
-    """Return the map of samples (n,), with a window for every band that suits a tone rising as
-    1/(t_end - t)."""
+    """Return the map of samples (n,), with a window for each band."""
     time = np.arange(0, len(samples) / rate, HOP)
     frequency = BANDS[0][0] * 2 ** (
         np.arange(0, np.log2(BANDS[-1][1] / BANDS[0][0]), 1 / STEPS_PER_OCTAVE)
@@ -87,7 +86,7 @@ def _contrast(level):
 
 
 def _levels(samples, rate, time, frequency, window):
-    """Levels (t, f) [dB] at frequencies (f,) through Hann windows around times (t,)."""
+    """Return levels (t, f) [dB] at frequencies (f,) in Hann windows around times (t,)."""
     size = 2 * max(int(window * rate / 2), 8) + 1
     turning = (
         np.exp(-2j * np.pi / rate * np.outer(np.arange(size), frequency))

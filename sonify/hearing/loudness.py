@@ -1,4 +1,4 @@
-"""PRESSURE -> WHAT CAN BE HEARD: A-weighting, the threshold of hearing and loudness."""
+"""PRESSURE -> AUDIBILITY: A-weighting, the threshold of hearing, loudness and roughness."""
 
 from dataclasses import dataclass
 from importlib.util import find_spec
@@ -25,25 +25,28 @@ THRESHOLD_DB = np.array(list(ISO_226.values()))
 HANN_BANDWIDTH = 1.5
 """Width in bins over which a Hann window spreads the power of a sine."""
 WINDOW, COLUMNS = 0.4, 600
-"""Window [s]: long enough to tell the bands at 20 and 25 Hz apart; greatest number of windows."""
+"""Length of the windows [s], which resolves the bands at 20 and 25 Hz, and their largest number."""
 
 ROUGH_LAST, ROUGH_WINDOW, ROUGH_RATE = 2.0, 0.2, 48000
-"""So much of the end is judged for roughness [s], in windows [s], at the sample rate of the model
-[Hz]."""
+"""Length of the end that is analysed for roughness [s], its windows [s], and the sample rate of the
+model [Hz]."""
 ROUGHNESS_MISSING = (
     'The roughness of the sound: it needs mosqito, python -m pip install -e ".[roughness]".'
 )
 
 
 class MissingExtraError(Exception):
-    """What is asked for needs an optional extra that is not installed; the message says which."""
+    """A computation needs an optional extra that is not installed; the message names it."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Audibility:
-    """Over `time` (t,) [s]: A-weighted level `a_weighted` (t,) [dB re 20 uPa], and by how many dB
-    the third-octave band that stands out most is above the threshold of hearing, `above_threshold`
-    (t,), below 0 where nothing is heard."""
+    """Audibility at times `time` (t,) [s].
+
+    `a_weighted` (t,) is the A-weighted level [dB re 20 uPa]. `above_threshold` (t,) is the largest
+    level of a third-octave band above the threshold of hearing [dB]; it is negative if the sound is
+    inaudible.
+    """
 
     time: np.ndarray
     a_weighted: np.ndarray
@@ -51,8 +54,10 @@ class Audibility:
 
 
 def a_weighting_db(frequency) -> np.ndarray:
-    """Return the A-weighting [dB] at frequencies [Hz]; IEC 61672-1, annex E, with its four poles, 0
-    dB at 1 kHz."""
+    """Return the A-weighting [dB] at frequencies [Hz].
+
+    It is given by the four poles of IEC 61672-1, annex E, with 0 dB at 1 kHz.
+    """
     f2 = np.square(np.asarray(frequency, float))
     a = 20.598997**2
     b = 107.65265**2
@@ -63,8 +68,8 @@ def a_weighting_db(frequency) -> np.ndarray:
 
 
 def audibility(pressure: Source | str | Path) -> Audibility:
-    """Return how audible a pressure [Pa] is, window by window. Tones below 20 Hz have no threshold
-    here."""
+    """Return the audibility of a pressure [Pa] in successive windows; tones below 20 Hz do not
+    count."""
     seen = spectrogram(pressure, WINDOW, COLUMNS)
     weighted = 10 ** (a_weighting_db(seen.frequency) / 10) @ seen.power
     return Audibility(
@@ -75,8 +80,8 @@ def audibility(pressure: Source | str | Path) -> Audibility:
 
 
 def band_levels(seen: Spectrogram) -> np.ndarray:
-    """Return the levels (29, t) [dB re 20 uPa] of a spectrogram of pascal in the third-octave bands
-    of ISO_226."""
+    """Return the third-octave levels (29, t) [dB re 20 uPa] of a spectrogram in pascal, bands of
+    ISO_226."""
     edges = 1000 * 10 ** ((np.arange(30) - 17.5) / 10)  # base 10, IEC 61260
     low = np.searchsorted(seen.frequency, edges[:-1])
     high = np.searchsorted(seen.frequency, edges[1:])
@@ -92,11 +97,11 @@ def level_db(mean_square) -> np.ndarray:
 
 
 def loudness_lufs(sound: Source | str | Path) -> float:
-    """Return the integrated loudness [LUFS] of a source or file, ITU-R BS.1770 by pyloudnorm; -inf
-    for silence.
+    """Return the integrated loudness [LUFS] of a source or file by ITU-R BS.1770 (pyloudnorm).
 
-    At most the last ten minutes count. Raises ValueError for less than 0.4 s, the length of a
-    gating block."""
+    It is -inf for silence. Only the last ten minutes count. Raises ValueError for less than 0.4 s,
+    the length of a gating block.
+    """
     from pyloudnorm import Meter
 
     source = source_of(sound)
@@ -110,17 +115,18 @@ def loudness_lufs(sound: Source | str | Path) -> float:
 
 
 def unheard() -> list[str]:
-    """Return what cannot be judged because an optional extra is not installed, as sentences."""
+    """Return sentences on the analyses that need an optional extra that is not installed."""
     return [] if find_spec("mosqito") else [ROUGHNESS_MISSING]
 
 
 def roughness(pressure: Source | str | Path, end: float) -> tuple[np.ndarray, np.ndarray]:
-    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa], ROUGH_LAST seconds up to
-    `end` [s].
+    """Return times (w,) [s] and roughness (w,) [asper] of a pressure [Pa], over the ROUGH_LAST
+    before `end` [s].
 
-    By the model of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and 60 dB,
-    fully modulated at 70 Hz. Raises MissingExtraError where mosqito is not installed, ValueError
-    where less than a window is left."""
+    The model is that of Daniel & Weber (1997) in windows of 0.2 s; 1 asper is a tone of 1 kHz and
+    60 dB, fully modulated at 70 Hz. Raises MissingExtraError if mosqito is not installed, and
+    ValueError if less than one window is left.
+    """
     try:
         from mosqito.sq_metrics import roughness_dw
     except ImportError:

@@ -1,5 +1,4 @@
-"""SOUND -> SOUND WITHOUT HUM: steady tones, such as those of the mains, are measured and taken
-away."""
+"""SOUND -> SOUND WITHOUT HUM: measure steady tones, such as mains hum, and subtract them."""
 
 import numpy as np
 from numpy.lib.stride_tricks import sliding_window_view
@@ -8,15 +7,17 @@ from scipy.ndimage import median_filter
 from scipy.signal import find_peaks
 
 WINDOW, BELOW, STANDS_OUT_DB, NEIGHBOURS = 1.0, 1500.0, 15.0, 41
-"""A tone below this [Hz] is a hum where its median over time, in windows of so many seconds, is so
-far above that of so many bins around it. A tone that rises or falls is in none of them for half of
-the time."""
+"""Window of the spectrum [s]; highest frequency of a hum [Hz]; its least level above its neighbours
+[dB]; number of neighbouring bins. The level is a median over time, so that a rising tone is in no
+bin for half of the time."""
 
 
 def without_hum(samples: np.ndarray, rate: float) -> np.ndarray:
-    """Return samples (n,) without their steady tones: each is taken away with the amplitude and
-    phase that it has in Hann windows, and between their centres on the straight line. Less than
-    four windows stay as they are."""
+    """Return samples (n,) without their steady tones.
+
+    Each tone is subtracted with its amplitude and phase in Hann windows, interpolated linearly
+    between their centres. Sounds of less than four windows are returned unchanged.
+    """
     size = int(WINDOW * rate)
     if len(samples) < 4 * size:
         return samples
@@ -32,14 +33,14 @@ def without_hum(samples: np.ndarray, rate: float) -> np.ndarray:
 
 
 def vertex(below, top, above):
-    """Return where between bins (-0.5 to 0.5) the parabola through a peak and its neighbours is
-    highest."""
+    """Return the position (-0.5 to 0.5 bins) of the maximum of the parabola through a peak and its
+    neighbours."""
     return (below - above) / (2 * (below - 2 * top + above))
 
 
 def _steady(frames, bins):
-    """Places of the lowest `bins` [bins, between them too] that stand out in the median over frames
-    (t, n)."""
+    """Return the positions [bins, fractional] of tones among the lowest `bins` of the median over
+    frames (t, n)."""
     usual = 10 * np.log10(np.median(np.abs(rfft(frames)[:, :bins]) ** 2, axis=0) + 1e-30)
     peaks = find_peaks(usual - median_filter(usual, NEIGHBOURS), height=STANDS_OUT_DB)[0]
     return peaks + vertex(*(usual[peaks + i] for i in (-1, 0, 1)))

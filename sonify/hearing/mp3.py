@@ -1,9 +1,9 @@
-"""MP3 FILE -> FRAMES: how many there are, how many its header announces, and a copy that announces
-those there are.
+"""MP3 FILE -> FRAMES: their number, the number in the header, and a copy with a correct header.
 
-libsndfile takes the length from the header (Xing, Info), or guesses it from the first frame where
-there is none. The frames of the file itself are counted here. Source: ISO 11172-3 and 13818-3,
-section 2.4; the header of Xing and LAME."""
+libsndfile takes the length from the header (Xing, Info), or estimates it from the first frame. This
+module counts the frames of the file. Source: ISO 11172-3 and 13818-3, section 2.4; the header of
+Xing and LAME.
+"""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,14 +14,14 @@ KILOBITS = {
     1: (0, 32, 40, 48, 56, 64, 80, 96, 112, 128, 160, 192, 224, 256, 320),
     2: (0, 8, 16, 24, 32, 40, 48, 56, 64, 80, 96, 112, 128, 144, 160),
 }
-"""Bit rates [kbit/s] of layer III by the number of the standard, MPEG-1 or 2."""
+"""Bit rates of layer III [kbit/s] by the standard, MPEG-1 or 2."""
 SAMPLE_RATES = {3: (44100, 48000, 32000), 2: (22050, 24000, 16000), 0: (11025, 12000, 8000)}
 """Sample rates [Hz] by the version bits of a frame: MPEG-1, 2 and 2.5."""
 
 
 class FrameHeader(NamedTuple):
-    """The first four bytes of a frame of layer III: its length [bytes], samples, sample rate [Hz]
-    and side data [bytes]."""
+    """Header of a frame of layer III: its length [bytes], samples, sample rate [Hz] and side data
+    [bytes]."""
 
     length: int
     samples: int
@@ -30,16 +30,16 @@ class FrameHeader(NamedTuple):
 
     @property
     def kind(self) -> tuple[int, int]:
-        """What all frames of a file have in common."""
+        """Properties that all frames of a file share."""
         return self.samples, self.sample_rate
 
 
 @dataclass(frozen=True)
 class Mp3:
-    """The complete frames in a file, how many its header announces (None if it does not), and the
-    samples in each.
+    """The complete frames in a file, the number in its header (None without one), and the samples
+    per frame.
 
-    `content` are bytes that hold the same frames and announce as many.
+    `content` is a copy of the file whose header holds the true number.
     """
 
     frames: int
@@ -49,12 +49,12 @@ class Mp3:
 
     @property
     def cut(self) -> bool:
-        """Whether frames are missing; some encoders count their header as a frame."""
+        """True if frames are missing; some encoders count the header as a frame."""
         return self.announced is not None and self.frames < self.announced - 1
 
 
 def read_mp3(path: str | Path) -> Mp3 | None:
-    """Return the frames of a file, None if it is no MP3 file. Raises OSError."""
+    """Return the frames of a file; None if it is not an MP3 file. Raises OSError."""
     data = Path(path).read_bytes()
     first = _after_tag(data)
     header = frame_header(data, first)
@@ -78,7 +78,7 @@ def read_mp3(path: str | Path) -> Mp3 | None:
 
 
 def frame_header(data: bytes, at: int) -> FrameHeader | None:
-    """Return the header of the frame that begins there, None where none does."""
+    """Return the header of the frame that begins at a position; None if there is none."""
     if at < 0 or at + 4 > len(data):
         return None
     word = unpack_from(">I", data, at)[0]
@@ -100,7 +100,7 @@ def frame_header(data: bytes, at: int) -> FrameHeader | None:
 
 
 def _after_tag(data):
-    """Where the first frame begins, after a tag of ID3 version 2."""
+    """Return the position of the first frame, after an ID3 version 2 tag."""
     if data[:3] != b"ID3" or len(data) < 10:
         return 0
     a, b, c, d = data[6:10]
@@ -108,7 +108,7 @@ def _after_tag(data):
 
 
 def _information(data, first, header):
-    """Where in the first frame the header of Xing or LAME is, None if it has none."""
+    """Return the position of the Xing or LAME header in the first frame; None without one."""
     place = first + 4 + header.side
     return (
         place if data[place : place + 4] in (b"Xing", b"Info") and place + 12 <= len(data) else None
@@ -116,8 +116,7 @@ def _information(data, first, header):
 
 
 def _count(data, begin, kind):
-    """How many complete frames of a kind there are from `begin` on, and where the last of them
-    ends."""
+    """Return the number of complete frames of a kind from `begin` on, and the end of the last one."""
     frames = 0
     at = end = begin
     while at < len(data):
@@ -135,15 +134,15 @@ def _count(data, begin, kind):
 
 
 def _information_frame(start, header, frames):
-    """A frame without sound that announces so many, with the first bytes of another."""
+    """Return a frame without sound that holds a number of frames, with the first bytes of another."""
     word = unpack_from(">I", start)[0] | 1 << 16  # without a check sum
     frame = pack(">I", word) + bytes(header.side) + b"Xing" + pack(">II", 1, frames)
     return frame.ljust(header.length, b"\0")
 
 
 def _announcing(data, place, flags, frames, length):
-    """The same bytes, whose header at `place` announces so many frames and bytes, and no silence
-    after the last."""
+    """Return the bytes with the number of frames and bytes in the header at `place`, and no final
+    silence."""
     changed = bytearray(data)
     at = place + 8
     if flags & 1:

@@ -1,5 +1,4 @@
-"""SOUND -> CARRIER: the band of noise that stands out, stretch after stretch, told by nothing but
-the samples."""
+"""SOUND -> NOISE BAND: the band of noise that stands out in each interval, from the samples alone."""
 
 from typing import NamedTuple
 
@@ -10,23 +9,25 @@ from sonify.hearing.audio_source import Source
 from sonify.hearing.spectrogram import spectrogram
 
 WINDOW, BAND = 0.04, (700.0, 20e3)
-"""Window [s]; where a carrier is sought [Hz]."""
+"""Window of the spectrogram [s], and frequency range of the band [Hz]."""
 QUARTER = 25
-"""Percentile of the stretches whose level at a frequency is what always sounds there."""
+"""Percentile over the intervals that estimates the constant background."""
 STEPS = 48
-"""Steps an octave of the spectrum in which the highest peak is taken."""
+"""Number of steps per octave of the smoothed spectrum."""
 LINE = 5
-"""What is narrower than half of so many steps is a line, and no band."""
+"""A peak narrower than half of this number of steps is a spectral line, not a band."""
 NEAR = 0.1
-"""Half of what is left out around a line, relative: that of a mode which the air detunes is
-broad."""
+"""Half width of the range left out around a line, relative; a mode in air is broad."""
 FAINTEST_DB = 10.0
-"""A carrier stands out by as much above the median of the stretch."""
+"""Least level of a noise band above the median of the interval [dB]."""
 
 
 class NoiseBand(NamedTuple):
-    """Of each stretch (s,): its middle [s], the frequency of the band [Hz], NaN if none stands out,
-    and its level above the median of the stretch [dB], 0 at the ends of BAND."""
+    """Noise band in intervals (s,): their middle [s] and the frequency of the band [Hz].
+
+    The frequency is NaN if no band stands out. The level is that above the median of the interval
+    [dB], and 0 at the ends of BAND.
+    """
 
     time: np.ndarray
     frequency: np.ndarray
@@ -34,12 +35,12 @@ class NoiseBand(NamedTuple):
 
 
 def noise_band(sound: Source, start: float, stop: float, length: float, lines=()) -> NoiseBand:
-    """Return the band of noise that rises or falls, in stretches of `length` [s] from `start` to
-    `stop` [s], if any.
+    """Return the noise band in intervals of `length` [s] from `start` to `stop` [s].
 
-    Around known steady `lines` [Hz] nothing is looked at. The highest peak is sought without lines,
-    as modes are, and without what sounds in most stretches alike; a loud line within a third of the
-    band still draws its frequency there."""
+    The neighbourhoods of known steady `lines` [Hz] are left out. Steady background and lines are
+    removed before the highest peak is sought. A loud line within a third of the band still shifts
+    its frequency.
+    """
     edges = np.arange(start, stop - length * (1 - 1e-9), length)
     if not len(edges):
         return NoiseBand(*np.zeros((3, 0)))
@@ -68,8 +69,10 @@ def noise_band(sound: Source, start: float, stop: float, length: float, lines=()
 
 
 def middle(frequency, power, near: float) -> float:
-    """Return the mean frequency [Hz], by power, of what is above a third of the highest within a
-    third of `near`."""
+    """Return the power-weighted mean frequency [Hz] of the band within a third of `near`.
+
+    It covers the bins with more than a third of the highest power.
+    """
     here = np.abs(frequency / near - 1) < 1 / 3
     here &= power > power[here].max() / 3
     return float(np.average(frequency[here], weights=power[here]))

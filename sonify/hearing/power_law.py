@@ -1,43 +1,42 @@
-"""PEAKS -> POWER LAW: the curve f = a (t_end - t)^-p that most peaks of a spectrogram are near, and
-its errors.
+"""PEAKS -> POWER LAW: robust fit of f = a (t_end - t)^-p to most peaks of a spectrogram, with
+errors.
 
-A curve is (end [s], exponent, log2 of a). Peaks (3, n) are times [s], rising, log2 frequencies and
-levels [dB] of the lines in each frame of a spectrogram; those of other tones and of noise are far
-from the curve and do not count."""
+A curve is (end [s], exponent, log2 of a). Peaks (3, n) are ascending times [s], log2 frequencies
+and levels [dB] of the lines in each frame. Peaks of other tones and of noise are far from the curve
+and have no weight.
+"""
 
 import numpy as np
 
 from sonify.hearing.log_spectrogram import HOP
 
 TIME_LEFT = (0.02, 8.0)
-"""The stretch before the end in which the tone is sought [s]."""
+"""Range of the time left in which the tone is fitted [s]."""
 WIDE, NARROW = (0.3, 0.2, 0.12, 0.08, 0.05, 0.04), (0.05, 0.04, 0.03, 0.03, 0.03)
-"""How far from the curve a peak counts [octaves], step by step: at last far less than from one line
-to the next."""
+"""Largest distance of a peak from the curve in successive steps, wide and narrow [octaves]."""
 ENDS, EXPONENTS, MOST_RIVALS = np.arange(-0.1, 0.4, 0.01), np.arange(-0.1, 0.101, 0.01), 20
-"""All these ends [s] and exponents around a first fit are tried, and so many of the best are fitted
-anew: where the sound passes from one line to another, such as from the nutation to the precession,
-a curve between them is found first."""
+"""Ends [s] and exponents that are tried around a first fit, and the number of best ones that are
+refitted. If the sound passes from one line to another, the first fit may lie between them."""
 BESIDE = 0.4
-"""So far from the curve a line is still told as one of the tone [octaves]: the nutation is 0.3
-below the precession."""
+"""Largest distance of a line of the same tone from the curve [octaves]; the nutation lies 0.3 below
+the precession."""
 BINS, RIVAL = 32, 0.85
-"""Bins of an octave when peaks are counted, a power of two; a rival has at least so large a share
-of the most peaks."""
+"""Number of bins per octave for counting peaks, a power of two; and least share of the largest
+count for a rival curve."""
 BLOCKS, RESOLUTION = 12, (0.0005, 0.001, 0.0)
-"""Parts of the ridge for the jackknife; errors of end [s] and exponent that no sound is without: a
-tenth of a hop, and the bend of the tone within a window."""
+"""Number of parts of the ridge for the jackknife; least errors of end [s] and exponent, from the
+hop and the bend of the tone within a window."""
 SHARE = 0.5
-"""An octave with so large a share of the peaks of the richest one is the tone, and that its
-harmonic."""
+"""The lowest octave with at least this share of the largest number of peaks is the tone."""
 
 
 def best_curve(peaks: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the curve (3,) that most peaks (3, n) are near, sought from guesses (g, 3), and its
-    standard errors (3,).
+    """Return the curve (3,) closest to most peaks (3, n), from guesses (g, 3), and its standard
+    errors (3,).
 
-    The tone may have harmonics one and two octaves apart. Where another curve has nearly as many
-    peaks, its distance counts as an error."""
+    The tone may have harmonics one and two octaves above. If another curve has nearly as many
+    peaks, its distance is part of the error.
+    """
     first = max(
         (_fit(peaks, guess, WIDE) for guess in guesses), key=lambda curve: octaves(peaks, curve)
     )
@@ -50,14 +49,12 @@ def best_curve(peaks: np.ndarray, guesses: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def octaves(peaks: np.ndarray, curve: np.ndarray) -> float:
-    """Return over how many octaves of the time left there are peaks on the curve, harmonics counted
-    by themselves."""
+    """Return the octaves of the time left that have peaks on the curve, separately for harmonics."""
     return _normal(peaks, curve, NARROW[-1])[2]
 
 
 def ridge(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
-    """Return the strongest peak (3, r) of every frame that has one beside the curve, be it on
-    another line."""
+    """Return the strongest peak (3, r) near the curve in each frame, possibly of another line."""
     inside = peaks[:, _inside(peaks, curve[0])]
     beside = inside[:, np.abs(_residual(inside, curve)) < BESIDE]
     beside = beside[:, np.lexsort((-beside[2], beside[0]))]
@@ -65,7 +62,7 @@ def ridge(peaks: np.ndarray, curve: np.ndarray) -> np.ndarray:
 
 
 def _inside(peaks, end):
-    """Where among peaks are those in the TIME_LEFT before an end [s]."""
+    """Return which peaks are in TIME_LEFT before an end [s]."""
     since = peaks[0] - end
     return slice(
         np.searchsorted(since, -TIME_LEFT[1], "right"), np.searchsorted(since, -TIME_LEFT[0])
@@ -73,13 +70,13 @@ def _inside(peaks, end):
 
 
 def _residual(peaks, curve):
-    """How far peaks in TIME_LEFT are above a curve (n,) [octaves]."""
+    """Return the distances (n,) of the peaks in TIME_LEFT above a curve [octaves]."""
     return peaks[1] - curve[2] + curve[1] * np.log2(curve[0] - peaks[0])
 
 
 def _fit(peaks, curve, widths):
-    """Gauss-Newton's steps, never longer than 0.1 s and 0.2 of the exponent, while the bounds
-    narrow."""
+    """Return the curve after Gauss-Newton steps of at most 0.1 s and 0.2 in the exponent, with
+    shrinking bounds."""
     for width in widths:
         matrix, right, _ = _normal(peaks, curve, width)
         step = np.linalg.lstsq(matrix, right)[0]
@@ -88,11 +85,13 @@ def _fit(peaks, curve, widths):
 
 
 def _normal(peaks, curve, width):
-    """The normal equations (3, 3), (3,) of a robust linear fit about a curve, and the octaves of
-    the time left it has.
+    """Return the normal equations (3, 3), (3,) of a robust linear fit about a curve, and its
+    octaves.
 
-    The residual is log2 f - log2 a + p log2(t_end - t), to the nearest of three octaves. Tukey's
-    biweight is 0 from `width` on. Every octave of the time left counts the same."""
+    The residual is log2 f - log2 a + p log2(t_end - t), to the nearest of three octaves. The
+    weights are Tukey's biweight, zero from `width` on. Every octave of the time left has the same
+    total weight.
+    """
     peaks = peaks[:, _inside(peaks, curve[0])]
     residual = _residual(peaks, curve)
     residual -= np.clip(np.round(residual), -1, 1)
@@ -105,7 +104,7 @@ def _normal(peaks, curve, width):
 
 
 def _around(peaks, curve):
-    """The MOST_RIVALS curves around one that have the most peaks, whatever their octave."""
+    """Return the MOST_RIVALS curves near one that have the most peaks, in any octave."""
     end = curve[0] + ENDS
     exponent = np.maximum(curve[1] + EXPONENTS, 0.02)
     count, scale = _count(peaks, end, exponent)
@@ -115,8 +114,8 @@ def _around(peaks, curve):
 
 
 def _count(peaks, end, exponent):
-    """How many peaks (e, p) the richest curve of every end and exponent has, and its log2 scale (e,
-    p) in an octave."""
+    """Return the number of peaks (e, p) of the best curve for each end and exponent, and its log2
+    scale (e, p)."""
     count, scale = np.empty((2, len(end), len(exponent)))
     rows = BINS * np.arange(len(exponent))[:, None]
     for i in range(len(end)):
@@ -132,8 +131,8 @@ def _count(peaks, end, exponent):
 
 
 def _jackknife(peaks, curve):
-    """Variances (3,) by leaving out, one at a time, parts of the ridge that are even in the
-    logarithm of the time left: what is near in time is not independent."""
+    """Return variances (3,) from leaving out parts of the ridge, which are even in the log time
+    left."""
     left = np.clip(curve[0] - peaks[0], *TIME_LEFT)
     part = np.floor(BLOCKS * np.log(left / TIME_LEFT[0]) / np.log(TIME_LEFT[1] / TIME_LEFT[0]))
     moved = np.array(
@@ -143,8 +142,7 @@ def _jackknife(peaks, curve):
 
 
 def _lowest(peaks, curve):
-    """The curve in the lowest of its octaves that has its share of the peaks: what repeats, not its
-    harmonic."""
+    """Return the curve in the lowest octave that has its share of the peaks: the fundamental."""
     moved = [curve + np.array((0, 0, k)) for k in (-2, -1, 0, 1)]
     peaks = peaks[:, _inside(peaks, curve[0])]
     count = np.array(

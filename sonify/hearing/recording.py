@@ -1,5 +1,4 @@
-"""RECORDING -> WHAT IT TELLS: the rising tone, the repetition of its envelope and the carriers of
-any sound."""
+"""RECORDING -> ANALYSIS: rising tone, settling disks, spectral lines and noise bands of any sound."""
 
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -22,27 +21,27 @@ from sonify.hearing.spectral_lines import Carrier, carriers
 from sonify.scene_errors import InputError
 
 LONGEST, AFTER = 120.0, 6.0
-"""Of a longer recording only so much is listened to, up to so long after a disk comes to rest in
-it, or else after its loudest second [s]."""
+"""Greatest length of the analysed part of a recording [s], and its part after the end of a run or
+after the loudest second [s]."""
 SHORTEST, SLOWEST = 0.2, 1000
-"""A recording that is shorter [s], or of fewer samples a second, tells nothing."""
+"""Least length [s] and sample rate [Hz] of a recording."""
 ENVELOPE_FROM, ENVELOPE_RATE = 700.0, 2000
-"""The envelope is that of the sound above this frequency [Hz], at this sample rate [Hz]."""
+"""Lower frequency limit of the envelope [Hz], and its sample rate [Hz]."""
 FOREIGN = {".3gp", ".aac", ".amr", ".m4a", ".m4v", ".mkv", ".mov", ".mp4", ".webm", ".wma"}
-"""Endings of what telephones and cameras record, which libsndfile does not read."""
+"""Suffixes of files from phones and cameras that libsndfile cannot read."""
 
 
 class RecordingError(InputError):
-    """The recording cannot be judged; the message is one line."""
+    """A recording cannot be analysed; the message is one line."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Heard:
-    """What a sound tells by itself. `start` [s] is where in the file the part that was listened to
-    begins.
+    """Analysis of a sound alone. `start` [s] is the beginning of the analysed part in the file.
 
-    `duration` [s] is that of the sound that is there. Of a file that was cut off `truncation` says
-    so, and `missing` [s] is how much more its header announces."""
+    `duration` [s] is the length of the sound. For a truncated file, `truncation` is set, and
+    `missing` [s] is the missing length according to the header.
+    """
 
     duration: float
     sample_rate: int
@@ -54,19 +53,18 @@ class Heard:
 
     @property
     def lines(self) -> list[Carrier]:
-        """The carriers that are no band of noise."""
+        """The spectral lines, without bands of noise."""
         return [carrier for carrier in self.carriers if not carrier.reach]
 
 
 def listen(
     sound: Source | str | Path, end: float | None = None, tones: bool = True, begin: float = 0.0
 ) -> Heard:
-    """Return what a source, or a file of any rate, channels and format that libsndfile reads,
-    tells.
+    """Return the analysis of a source, or of a file of any rate and format that libsndfile reads.
 
-    Of a long sound, the part before its `end` [s] is listened to. The rising tone is sought if
-    `tones`. The sound begins at the time `begin` [s] of its file, and times in the result are those
-    of the file. Memory does not grow with its length. Raises RecordingError.
+    Of a long sound, the part before its `end` [s] is analysed. The rising tone is sought if
+    `tones`. The source begins at the time `begin` [s] of its file, and times in the result are
+    those of the file. The memory does not depend on the length. Raises RecordingError.
     """
     samples, rate, start, duration = read(sound, end)
     truncation = truncation_of(sound)
@@ -87,12 +85,13 @@ def listen(
 
 
 def read(sound: Source | str | Path, end: float | None = None):
-    """Return samples (n,) of the loudest channel, rate [Hz], where they begin and the length of the
-    sound [s].
+    """Return samples (n,) of the loudest channel, rate [Hz], their beginning [s] and the length of
+    the sound [s].
 
-    Of a long sound, it is the part before its `end` [s], or about its loudest second. Raises
-    RecordingError for what is no sound file, is too short, too slow, silent, or holds samples that
-    are not finite."""
+    Of a long sound, this is the part before its `end` [s], or around the loudest second. Raises
+    RecordingError if the file is no sound file, too short, silent, of too low a rate, or holds
+    samples that are not finite.
+    """
     source = source_of(sound)
     name = str(getattr(source, "path", "the sound"))
     try:
@@ -118,7 +117,7 @@ def read(sound: Source | str | Path, end: float | None = None):
 
 
 def envelope(samples, rate) -> tuple[np.ndarray, float]:
-    """Return the square of the sound above ENVELOPE_FROM, less its mean, and its sample rate
+    """Return the square of the sound above ENVELOPE_FROM without its mean, and its sample rate
     [Hz]."""
     high = sosfiltfilt(butter(4, ENVELOPE_FROM, "highpass", fs=rate, output="sos"), samples)
     down = max(rate // ENVELOPE_RATE, 1)
@@ -127,8 +126,7 @@ def envelope(samples, rate) -> tuple[np.ndarray, float]:
 
 
 def _part(source, end):
-    """First frame to listen to and the one after the last: all, or LONGEST up to AFTER the end or
-    the loudest second."""
+    """Return the first frame of the analysed part and the one after the last."""
     rate = source.sample_rate
     most = int(LONGEST * source.sample_rate)
     if source.frames <= most:
@@ -142,8 +140,7 @@ def _part(source, end):
 
 
 def _reason(path, error):
-    """Why a file cannot be read: what the system says of it, what helps, or what libsndfile
-    says."""
+    """Return the reason why a file cannot be read, and what may help."""
     try:
         open(path, "rb").close()
     except OSError as refusal:

@@ -84,7 +84,7 @@ def decaying_lines(samples: np.ndarray, rate: float, most: int = 12) -> list[Dec
 
 
 def _lines_of_band(samples, rate, middle):
-    """Amplitudes and lines within HALF_BAND of a frequency [Hz]."""
+    """Return amplitudes and lines within HALF_BAND of a frequency [Hz]."""
     down = max(int(rate / (4 * HALF_BAND)), 1)
     taps = 6 * down + 1
     time = np.arange(len(samples)) / rate
@@ -115,8 +115,11 @@ def _lines_of_band(samples, rate, middle):
 
 
 def _modulated(signal, interval, middle):
-    """Amplitude and line of a signal (n,) that is no sum of a few decaying lines, as of a coin that
-    turns as it rings: its level falls on a straight line from 40 ms on, over at most 35 dB."""
+    """Return amplitude and decay of a signal (n,) that is not a sum of a few decaying lines.
+
+    An example is a coin that turns while it rings. Its level is fitted by a straight line from 40
+    ms on, over at most 35 dB.
+    """
     hop = max(round(0.02 / interval), 1)
     power = np.square(np.abs(signal[: len(signal) // hop * hop])).reshape(-1, hop).mean(axis=1)
     level = 10 * np.log10(power + 1e-300)[1:]
@@ -136,8 +139,8 @@ def _modulated(signal, interval, middle):
 
 
 def _poles(signal):
-    """The poles of decaying exponentials in a complex signal (n,), their number from its singular
-    values."""
+    """Return the poles of decaying exponentials in a complex signal (n,); singular values give
+    their number."""
     rows = max(len(signal) // 2, 2)
     vectors, values, _ = svd(
         hankel(signal[:rows], signal[rows - 1 :]), full_matrices=False, lapack_driver="gesvd"
@@ -150,8 +153,8 @@ def _poles(signal):
 
 
 def _amplitudes(signal, poles, interval):
-    """Amplitudes of poles in a signal (n,), standard errors of their decay rates [1/s], and the
-    share of the power that they explain."""
+    """Return amplitudes of poles in a signal (n,), standard errors of their decay rates [1/s] and
+    their share of the power."""
     number = np.arange(len(signal))
     columns = poles ** number[:, None]
     amplitudes = np.linalg.lstsq(columns, signal)[0]

@@ -1,5 +1,4 @@
-"""SOUND -> RISING TONE: finds f(t) = a (t_end - t)^-p in a sound that is known by nothing but its
-samples."""
+"""SOUND -> RISING TONE: find f(t) = a (t_end - t)^-p in a sound without other knowledge."""
 
 from dataclasses import dataclass
 
@@ -11,25 +10,25 @@ from sonify.hearing.power_law import TIME_LEFT, best_curve, octaves, ridge
 
 EXPONENTS = np.arange(0.15, 1.66, 0.05)
 EARLIEST, EVERY = 60, 6
-"""The first end that is tried, and from one to the next [frames]."""
+"""First end that is tried, and the spacing of the ends [frames]."""
 LOWEST = 4
-"""So many octaves below the lowest bin may the tone begin: it is heard later on."""
+"""Octaves below the lowest bin at which the tone may begin; its later part is visible."""
 STAND_OUT_DB = 6.0
-"""A peak counts where it is so far above what is usual at its frequency."""
+"""Least level of a peak above the usual level at its frequency [dB]."""
 FAINTEST_DB, LEAST_OCTAVES, LEAST_SPAN = 4.0, 3.0, 0.5
-"""A tone stands out by this on the mean (noise alone gives about 2.5 dB), is seen over so many
-octaves of the time left (tones that do not rise give up to 3), and rises by so many."""
+"""Least mean level of a tone [dB] (noise alone gives about 2.5 dB); least number of octaves of the
+time left with peaks (steady tones have up to 3); least rise [octaves]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class RisingTone:
-    """A tone f(t) = a (t_end - t)^-p: its end [s], exponent p, their standard errors, and the ridge
-    itself.
+    """A tone f(t) = a (t_end - t)^-p: its end [s], exponent p, their standard errors, and its
+    ridge.
 
-    `time`, `frequency`, `level` (r,) [s, Hz, dB above what is usual around it] are the strongest
-    line of every frame that shows one beside the curve: early on it may be another than the one
-    that obeys the law. `strength` [dB] is the mean level along the fitted curve, which has peaks
-    over so many `octaves` of the time left."""
+    `time`, `frequency` and `level` (r,) [s, Hz, dB above the usual level] are the strongest line
+    near the curve in each frame; early on this may be another line. `strength` [dB] is the mean
+    level along the fitted curve, which has peaks over `octaves` of the time left.
+    """
 
     end: float
     end_error: float
@@ -51,35 +50,33 @@ class RisingTone:
         return self.scale * (self.end - np.asarray(t)) ** -self.exponent
 
     def stands_out(self, share: float = 1.0) -> bool:
-        """Return whether noise and tones that do not rise give less than such a share of it."""
+        """Return True if the tone exceeds a share of the thresholds, which noise and steady tones
+        do not reach."""
         rise = self.exponent * np.ptp(np.log2(self.end - self.time)) if len(self.time) else 0.0
         clear = self.strength >= share * FAINTEST_DB and self.octaves >= share * LEAST_OCTAVES
         return bool(clear and rise >= LEAST_SPAN)
 
     @property
     def factor(self) -> float:
-        """By how much the pitch rises over the ridge: median of its last tenth over that of its
-        first."""
+        """Ratio of the median pitch in the last tenth of the ridge to that in the first."""
         tenth = max(len(self.frequency) // 10, 1)
         return float(np.median(self.frequency[-tenth:]) / np.median(self.frequency[:tenth]))
 
 
 def rising_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
-    """Return the strongest rising tone in samples (n,) at `rate` [Hz], or None where nothing stands
-    out.
+    """Return the strongest rising tone in samples (n,) at `rate` [Hz]; None if none stands out.
 
-    Of its octaves it is the lowest that stands out: what repeats, not its strongest harmonic.
-
-    Every end, exponent and pitch is tried on points that are even in the logarithm of the time
-    left; the best of every exponent are refined by a robust fit to the peaks.
-    tests/hearing/test_listen.py gives its errors, in noise, in hum, in a room, and where the sound
-    passes from one line to another."""
+    Among its octaves, the lowest one that stands out is the fundamental. All ends, exponents and
+    pitches are tried at points evenly spaced in the log time left; the best one of each exponent is
+    refined by a robust fit. tests/hearing/test_listen.py measures the errors in noise, hum and a
+    room, and for sounds that pass from one line to another.
+    """
     tone = clearest_tone(samples, rate)
     return tone if tone is not None and tone.stands_out() else None
 
 
 def clearest_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
-    """Return the same, also where it does not stand out; None for silence."""
+    """Return the strongest tone even if it does not stand out; None for silence."""
     if not np.any(samples):
         return None
     seen = log_map(samples / np.abs(samples).max(), rate)
@@ -103,7 +100,7 @@ def clearest_tone(samples: np.ndarray, rate: float) -> RisingTone | None:
 
 
 def _peaks(seen):
-    """Times, log2 frequencies and levels (3, n) of every line of every frame that stands out."""
+    """Return times, log2 frequencies and levels (3, n) of all lines that stand out in a frame."""
     below = seen.level[:, :-2]
     top = seen.level[:, 1:-1]
     above = seen.level[:, 2:]
@@ -120,8 +117,10 @@ def _left():
 
 
 def _search(seen):
-    """For every exponent the (end, exponent, log2 scale) whose curve has the highest mean level,
-    every other bin being tried as its beginning."""
+    """Return the curve (end, exponent, log2 scale) with the highest mean level for each exponent.
+
+    Every other bin is tried as the beginning.
+    """
     left = _left()
     last = len(seen.time)
     back = np.round(left / HOP).astype(int)
@@ -144,9 +143,11 @@ def _search(seen):
 
 
 def _best(grid, frames, curve, ends):
-    """Where (end, beginning) the mean level on a curve (l,) is highest, its points being at
-    `frames` (l,) for the first of the `ends`; `grid` (2, EVERY, bins / 2, frames / EVERY) has
-    beside each other what is added for one after the other of them."""
+    """Return the (end, beginning) with the highest mean level along a curve (l,).
+
+    Its points are at `frames` (l,) for the first of the `ends`. `grid` (2, EVERY, bins / 2, frames
+    / EVERY) is ordered for contiguous sums.
+    """
     score = np.zeros((grid.shape[2], ends), np.int16)
     for frame, down in zip(frames.tolist(), curve.tolist(), strict=True):
         row = frame % EVERY

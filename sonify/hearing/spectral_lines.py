@@ -1,5 +1,4 @@
-"""SOUND -> CARRIERS: peaks of the spectrum that last, how far and how fast each of them moves, and
-its sidebands."""
+"""SOUND -> SPECTRAL LINES: lasting peaks and bands of noise, their drift and their sidebands."""
 
 from dataclasses import dataclass, replace
 from itertools import compress, pairwise
@@ -13,55 +12,54 @@ from scipy.signal import ShortTimeFFT
 from sonify.hearing.mains_hum import vertex
 
 WINDOW, LOWEST = 0.5, 300.0
-"""Window in which carriers are told apart [s], and where they begin [Hz]."""
+"""Window of the spectrogram [s], and lowest frequency of a line [Hz]."""
 STANDS_OUT_DB, MOST, BANDS = 15.0, 12, 32
-"""A peak stands out by as much; carriers at most."""
+"""Least level of a peak above its neighbours [dB]; largest number of lines; number of bands."""
 BESIDE_LINE = np.arange(10, 61)
-"""Distance of the bins whose median a peak stands out from, on either side."""
+"""Distances of the bins on either side whose median is the background of a peak."""
 REACH, LAST, GAP = 30.0, 5, 2
-"""A carrier is so many cents from the middle of its LAST frames at most; so many frames may not
-show it."""
+"""Largest distance of a peak from the median of the LAST frames of its track [cents], and largest
+GAP in a track [frames]."""
 BAND, WIDE = 30.0, 15.0
-"""What is so many cents from a stronger carrier is part of it, or so many times as far as this goes
-from frame to frame, which is far in a band of noise."""
+"""A peak within BAND cents of a stronger line belongs to it, or within WIDE times its change from
+frame to frame, which is large in a band of noise."""
 GRID, BROAD, FRAMES = 5.0, 120.0, 5
-"""Bands of noise are sought on a grid of so many cents, in medians over so many and means of so
-many frames;"""
+"""Bands of noise are sought on a grid of GRID cents, in medians over BROAD cents and means over
+FRAMES frames."""
 AROUND, COARSE = 1200.0, 10
-"""above the median over so many cents, taken on so many times the grid."""
+"""Range of the background of a band [cents], and its coarser grid in units of GRID."""
 FAINTEST, HALF, AHEAD = 5.0, 3.0, 60.0
-"""A band stands out by as much [dB], goes down to so much less [dB], and is so far [cents] from the
-middle of its LAST frames at most."""
+"""Least level of a band [dB], drop that limits it [dB], and largest distance from the median of its
+last frames [cents]."""
 LINE, BROADEST = 75.0, 400.0
-"""A line looks like a band that reaches so far [cents] at most; what reaches farther than the other
-is no band."""
+"""Largest half width of a band that may be a line [cents], and of any band [cents]."""
 FEWEST, SHARE = 8, 0.2
-"""Frames that show a carrier: so many, or so large a share of them all and at least five."""
+"""Least number of frames of a line, or least share of all frames with at least five."""
 PARTS, LEAST_PART = 8, 3
-"""Parts of a carrier for the jackknife, of so many frames at least: neighbours share half of what
-they hear."""
+"""Number of parts of a line for the jackknife, and least number of frames in a part; neighbouring
+frames overlap."""
 PLACE = 0.02
-"""Error of the place of a peak between the bins of the spectrum, over their spacing, that no line
-is without; that of a band is GRID."""
+"""Least error of the position of a peak, in bins; for a band it is GRID."""
 SURE = 2.0
-"""A carrier rises or falls if its drift is so many times its error."""
+"""A line rises or falls if its drift exceeds this multiple of its error."""
 APART, FINE, BESIDE = (6.0, 300.0), 2, (6, 80)
-"""Sidebands are so far from their centre [Hz], which is known to a part of a bin; other centres, in
-such parts."""
+"""Range of the distance of sidebands from their centre [Hz]; resolution of the centre in parts of a
+bin; offsets of the other centres that are tried, in such parts."""
 DISTANCES, COURSE, ORDER = 5, 0.5, 3
-"""A centre has sidebands at so many distances, one bin apart, at least, which change from frame to
-frame by less than this share of what they change by in all; what is left among them is one too, of
-up to this order."""
+"""Least number of sideband pairs of a centre; largest ratio of the change between frames to the
+total change; largest order of a sideband."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Carrier:
-    """A tone or narrow band from `begin` to `end` [s]: its `frequency` in the middle and the
-    standard `error` [Hz], its `drift` and `drift_error` [cents/s], its `spread` about the drift
-    [cents], how far it stands out (`level` [dB]), and how far from it its sidebands are [Hz], in
-    the middle and between which `rates`. Where a carrier is not `heard` itself, all this is that of
-    the middle of its sidebands. A band of noise has a `reach` [cents] to the farther side, where it
-    has half of its power; a line has none."""
+    """A spectral line or narrow band from `begin` to `end` [s].
+
+    `frequency` is that in the middle with the standard `error` [Hz], `drift` and `drift_error` are
+    in cents/s, `spread` about the drift in cents, and `level` above the background in dB. Sidebands
+    are at the distance `rate` [Hz] in the middle, within the range `rates`. If the line is not
+    `heard` itself, these values are those of the middle of its sidebands. A band of noise has a
+    `reach` [cents] to its farther half-power frequency; a line has none.
+    """
 
     frequency: float
     error: float
@@ -78,7 +76,7 @@ class Carrier:
 
     @property
     def course(self) -> str:
-        """What it does: rises, falls or is steady, as far as its errors tell."""
+        """ "rises", "falls" or "is steady", as far as the errors show."""
         if abs(self.drift) < SURE * self.drift_error:
             return "steady"
         return "rises" if self.drift > 0 else "falls"
@@ -86,8 +84,7 @@ class Carrier:
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """A peak that was followed: frames (k,), frequencies (k,) [Hz] and levels (k,) [dB]; how far it
-    reaches [cents]."""
+    """A tracked peak: frames (k,), frequencies (k,) [Hz], levels (k,) [dB], and half width [cents]."""
 
     frame: np.ndarray
     frequency: np.ndarray
@@ -96,8 +93,11 @@ class Track:
 
 
 def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
-    """Return the carriers in samples (n,) at `rate` [Hz] from the time `start` [s] on, the most
-    outstanding first; at most MOST."""
+    """Return the lines in samples (n,) at `rate` [Hz] from the time `start` [s] on, by decreasing
+    level.
+
+    There are at most MOST.
+    """
     size = int(WINDOW * rate)
     if len(samples) < 4 * size:
         return []
@@ -119,9 +119,11 @@ def carriers(samples, rate: float, start: float = 0.0) -> list[Carrier]:
 
 
 def _with_sidebands(found, centre, apart, spacing):
-    """Carriers with a centre whose sidebands are so far apart (k,) [Hz]: those at its frequency
-    have them if they are heard for most of that time, or else it itself; weaker ones that are among
-    its sidebands are more of these."""
+    """Return the lines, combined with centres whose sidebands are at distances (k,) [Hz].
+
+    A line at the frequency of a centre gets its sidebands if it lasts for most of that time;
+    otherwise the centre is a line of its own. Weaker lines among the sidebands are removed.
+    """
     low, middle, high = np.percentile(apart, [5, 50, 95]).tolist()
     sides = {"sidebands": (middle,), "rates": (low, high)}
     there = [
@@ -142,8 +144,7 @@ def _with_sidebands(found, centre, apart, spacing):
 
 
 def _among(one, centre, reach):
-    """Whether a carrier is weaker than a centre, not as far from it as the `reach` [Hz], and there
-    for as long."""
+    """Return True if a line is weaker than a centre, within its `reach` [Hz], and present as long."""
     within = (
         abs(one.frequency - centre.frequency) < reach
         and _common(one, centre) > (one.end - one.begin) / 2
@@ -152,13 +153,13 @@ def _among(one, centre, reach):
 
 
 def _common(one, other):
-    """For how long both are there [s]; negative if they are not."""
+    """Return the time in which both are present [s]; negative if they do not overlap."""
     return min(one.end, other.end) - max(one.begin, other.begin)
 
 
 def _floor(level, count):
-    """The median level (t, f) in so many neighbouring bands of each frame, on straight lines
-    between their middles, not more than 90 dB below its highest."""
+    """Return the background (t, f): the median over neighbouring bands, at most 90 dB below the
+    maximum."""
     edges = np.linspace(0, level.shape[1], count + 1).astype(int)
     floor = np.column_stack([np.median(level[:, a:b], axis=1) for a, b in pairwise(edges)])
     floor = np.maximum(floor, level.max(axis=1, keepdims=True) - 90)
@@ -169,8 +170,8 @@ def _floor(level, count):
 
 
 def _peaks(level, spacing):
-    """Frames, frequencies [Hz] and levels above the floor [dB] (3, n) of all peaks of levels (t, f)
-    that stand out."""
+    """Return frames, frequencies [Hz] and levels above the background [dB] (3, n) of all peaks of
+    levels (t, f)."""
     frame, place, height = _tops(level - _floor(level, BANDS), STANDS_OUT_DB)
     top = np.round(place).astype(int)
     sides = [
@@ -184,8 +185,8 @@ def _peaks(level, spacing):
 
 
 def _tops(level, least):
-    """Frames, places between the columns, and heights (n,) of all peaks above the `least` in levels
-    (t, f)."""
+    """Return frames, fractional columns and heights (n,) of all peaks above `least` in levels (t,
+    f)."""
     low = level[:, :-2]
     top = level[:, 1:-1]
     high = level[:, 2:]
@@ -197,8 +198,11 @@ def _tops(level, least):
 
 
 def _with_bands(tracks, level, spacing):
-    """Tracks of lines, and those of bands of noise in levels (t, f); what does not stand out of a
-    band is part of it, or of the line that looks like one."""
+    """Return tracks of lines and of bands of noise in levels (t, f).
+
+    A line that does not stand out of a band is part of it; a band that resembles a line is part of
+    the line.
+    """
     for band in _bands(level, spacing):
         line = band.reach < LINE
         inside = [
@@ -217,7 +221,7 @@ def _with_bands(tracks, level, spacing):
 
 
 def _bands(level, spacing):
-    """The tracks of bands of noise in levels (t, f)."""
+    """Return the tracks of bands of noise in levels (t, f)."""
     octaves = np.log2(0.9 * level.shape[1] * spacing / LOWEST)
     size = int(BROAD / GRID) + 1
     frequency = LOWEST * 2 ** (np.arange(0, 1200 * octaves, GRID) / 1200)
@@ -237,14 +241,12 @@ def _bands(level, spacing):
 
 
 def _medians(level, size):
-    """The medians over so many columns about each of levels (t, f): row by row, for which SciPy has
-    a faster way."""
+    """Return running medians over a number of columns of levels (t, f)."""
     return np.array([median_filter(row, size) for row in level])
 
 
 def _middled(band, mean, grid):
-    """A band with the middle by power of what is in it as its frequency, in levels (t, f) and their
-    mean over some frames, which reaches as far from there as the median over its frames."""
+    """Return a band with its power-weighted mean frequency and its median half width."""
     tops = np.round(1200 / GRID * np.log2(band.frequency / LOWEST)).astype(int)
     middles = []
     sides = []
@@ -260,13 +262,13 @@ def _middled(band, mean, grid):
 
 
 def _within(track, band, reach):
-    """Whether a track is within the reach [cents] of a band for most of its frames."""
+    """Return True if a track is within the reach [cents] of a band in most of its frames."""
     middle = np.interp(track.frame, band.frame, band.frequency, np.nan, np.nan)
     return np.sum(np.abs(1200 * np.log2(track.frequency / middle)) < reach) > len(track.frame) / 2
 
 
 def _straight(track):
-    """A track in as few parts as are straight, by halves: those of a straight one go on alike."""
+    """Return a track split by halves into straight parts."""
     half = len(track.frame) // 2
     parts = [
         replace(track, frame=track.frame[i], frequency=track.frequency[i], level=track.level[i])
@@ -278,13 +280,15 @@ def _straight(track):
 
 
 def _alike(one, other):
-    """Whether two carriers drift alike, as far as their errors tell."""
+    """Return True if the drifts of two lines agree within their errors."""
     return abs(one.drift - other.drift) < SURE * np.hypot(one.drift_error, other.drift_error)
 
 
 def _tracks(peaks, count, reach=REACH):
-    """The tracks of peaks (3, n) through frames, from the most outstanding peak on; each takes the
-    band around it and goes on within a reach [cents]."""
+    """Return the tracks of peaks (3, n), from the most outstanding peak on.
+
+    Each track takes the band around it and continues within a reach [cents].
+    """
     frame = peaks[0].astype(int)
     cents = 1200 * np.log2(peaks[1])
     level = peaks[2]
@@ -310,8 +314,10 @@ def _tracks(peaks, count, reach=REACH):
 
 
 def _followed(seed, frames, inside, cents, level, left, reach):
-    """The peaks that continue a seed in frames, one after the other, until GAP of them show none:
-    the highest that is near the middle of the last ones."""
+    """Return the peaks that continue a seed in successive frames until GAP of them have none.
+
+    In each frame it is the highest peak near the median of the last ones.
+    """
     found = [seed]
     missed = 0
     for i in frames:
@@ -326,8 +332,7 @@ def _followed(seed, frames, inside, cents, level, left, reach):
 
 
 def _carrier(track, start, hop, spacing):
-    """The carrier of a track: a straight line through its cents, with errors by leaving out part
-    after part."""
+    """Return the line of a track: a straight line through its cents, with jackknife errors."""
     t = start + (track.frame + 1) * hop
     middle = (t[0] + t[-1]) / 2
     cents = 1200 * np.log2(track.frequency / np.median(track.frequency))
@@ -355,8 +360,7 @@ def _carrier(track, start, hop, spacing):
 
 
 def _line(t, cents):
-    """Height and slope of the straight line through cents (k,) at times t (k,) [s], without what is
-    far from it."""
+    """Return height and slope of a robust straight line through cents (k,) at times t (k,) [s]."""
     keep = np.ones(len(t), bool)
     for _ in range(3):
         slope, height = np.polyfit(t[keep], cents[keep], 1)
@@ -366,11 +370,12 @@ def _line(t, cents):
 
 
 def _sidebands(peaks, spacing):
-    """Which of peaks (3, n) are sidebands (n,), and for every centre, heard or silent, the track of
-    its middles and the half distances (k,) [Hz] of its strongest pairs.
+    """Return which of peaks (3, n) are sidebands, and the track of each centre with its half
+    distances.
 
-    About a centre peaks mirror each other at more distances than about any place BESIDE, and these
-    follow one course: two carriers of their own keep their distance, or their middle moves."""
+    Peaks mirror each other about a centre at more distances than about places BESIDE it, and the
+    distances change smoothly; the middle of two unrelated lines would move.
+    """
     pairs = _pairs(peaks)
     aside = np.zeros(peaks.shape[1], bool)
     found = []
@@ -395,15 +400,16 @@ def _sidebands(peaks, spacing):
 
 
 def _one_course(apart):
-    """Whether distances (k,) change less from frame to frame than by COURSE of what they change by
-    in all."""
+    """Return True if distances (k,) change smoothly from frame to frame."""
     return np.median(np.abs(np.diff(apart))) < COURSE * np.median(np.abs(apart - np.median(apart)))
 
 
 def _distances(middle, half):
-    """At how many distances pairs with such middles and half distances (n,) [bins] mirror each
-    other about each place (p,), FINE to a bin, and at how many at most about the places BESIDE
-    it."""
+    """Return the number of distances at which pairs mirror each other about each place (p,).
+
+    Also returns the largest number about places BESIDE it. Middles and half distances (n,) are in
+    bins.
+    """
     place = np.round(FINE * middle).astype(int)
     seen = np.unique(place * 1000 + half.astype(int)) // 1000
     count = np.bincount(seen, minlength=place.max(initial=0) + BESIDE[1] + 1)
@@ -413,7 +419,7 @@ def _distances(middle, half):
 
 
 def _pairs(peaks):
-    """The numbers (2, n) of all pairs of peaks (3, m) of one frame that are so far APART."""
+    """Return the indices (2, n) of all pairs of peaks (3, m) of a frame within the range APART."""
     found = [np.zeros((2, 0), int)]
     for step in range(1, peaks.shape[1]):
         frame, apart = peaks[:2, step:] - peaks[:2, :-step]

@@ -1,4 +1,4 @@
-"""SOUND -> SPECTROGRAM: levels over time and frequency, block by block in a sound of any length."""
+"""SOUND -> SPECTROGRAM: levels over time and frequency, in blocks, for sounds of any length."""
 
 from dataclasses import dataclass
 from itertools import islice
@@ -11,27 +11,26 @@ from numpy.lib.stride_tricks import sliding_window_view
 from sonify.hearing.audio_source import BLOCK, Source, pieces, source_of
 
 MOST_COLUMNS = 1600
-"""A longer sound is looked at in as many places, with gaps between them."""
+"""Largest number of columns; longer sounds are sampled with gaps."""
 RATES, WINDOW_RATES = (5.0, 1000.0), 0.2
-"""The band of the contact rates [Hz], and the window it is seen through [s]."""
+"""Frequency range of the contact rates [Hz], and their window [s]."""
 WINDOW_MODES = 0.02
-"""The window for the band of the modes [s]."""
+"""Window for the range of the modes [s]."""
 REFERENCE_PRESSURE = 20e-6
-"""0 dB of sound pressure level [Pa]."""
+"""Pressure of 0 dB sound pressure level [Pa]."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Spectrogram:
     """`power` (f, t): mean square of a sine at `frequency` (f,) [Hz] in a window around `time` (t,)
-    [s], units squared."""
+    [s]."""
 
     time: np.ndarray
     frequency: np.ndarray
     power: np.ndarray
 
     def level_db(self, reference: float) -> np.ndarray:
-        """Return the level (f, t) [dB] of the root mean square over `reference`; -200 where there
-        is nothing."""
+        """Return the level (f, t) [dB] of the rms re `reference`; -200 for zero."""
         return 10 * np.log10(np.maximum(self.power / np.float32(reference**2), np.float32(1e-20)))
 
     def band(self, low: float, high: float) -> "Spectrogram":
@@ -40,7 +39,7 @@ class Spectrogram:
         return Spectrogram(time=self.time, frequency=self.frequency[keep], power=self.power[keep])
 
     def during(self, begin: float, end: float) -> "Spectrogram":
-        """Return the part from begin to end [s], and one window more on each side."""
+        """Return the part from begin to end [s], plus one window on each side."""
         part = slice(
             max(np.searchsorted(self.time, begin) - 1, 0), np.searchsorted(self.time, end) + 1
         )
@@ -52,12 +51,12 @@ class Spectrogram:
 def spectrogram(
     sound: Source | str | Path, window: float, columns: int = MOST_COLUMNS, span=(0.0, inf)
 ) -> Spectrogram:
-    """Return the spectrogram of a source or file with Hann windows of `window` [s], the mean power
-    of its channels.
+    """Return the spectrogram of a source or file with Hann windows of `window` [s].
 
-    Windows overlap by three quarters, in a long sound by less: there are at most `columns`. Only
-    the part within `span` [s] is looked at. A part shorter than the window is padded with silence.
-    Memory does not grow with the length."""
+    It is the mean power of the channels. Windows overlap by three quarters, or less in a long
+    sound, which has at most `columns`. Only the part within `span` [s] is analysed. A part shorter
+    than the window is padded with silence. The memory does not depend on the length.
+    """
     source = source_of(sound)
     rate = source.sample_rate
     size = max(int(window * source.sample_rate), 16)
@@ -78,11 +77,11 @@ def spectrogram(
 
 
 def _power(samples, shape, hop):
-    """Mean squares (t, f) of sines, means of the channels (n, c), in windows of a `shape` that
-    begin `hop` apart.
+    """Return mean squares (t, f) of sines, averaged over the channels (n, c), in windows `hop`
+    apart.
 
-    Samples in single precision are transformed in it: what is 130 dB below the loudest is lost, and
-    half the time."""
+    Single precision halves the time; levels 130 dB below the loudest are lost.
+    """
     from scipy.fft import rfft  # loads slowly, and who draws a spectrogram has no need of it
 
     seen = rfft(sliding_window_view(samples, len(shape), axis=0)[::hop] * shape)
