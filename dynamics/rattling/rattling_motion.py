@@ -187,7 +187,7 @@ class RattlingMotion(CompliantMotion):
         """Return displacement, velocity and acceleration (k, 3, m) of the modes of unit modal mass
         at times t (k,) [s].
         """
-        place = self._place(t) * FORCES_PER_ROW
+        place = self._row_positions(t) * FORCES_PER_ROW
         value = interpolate_rows(self.ringing, place, False)
         slope = interpolate_rows(self.ringing, place, True) / self.dt
         return np.stack([value[:, ::2], value[:, 1::2], slope[:, 1::2]], axis=1)

@@ -29,6 +29,7 @@ CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
             "vibrations break the contact",
             "vibrations do not break the contact",
         ),
+        "disk_rattles": ("the disk rattles on the table", "the disk hardly leaves the table"),
         "contact_is_lost": ("the disk leaves the table", "the disk never leaves the table"),
         "contact_kept": ("the disk never leaves the table", "the disk leaves the table"),
     },

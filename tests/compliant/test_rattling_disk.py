@@ -31,8 +31,10 @@ from dynamics.rattling.unevenness import (
     static_depth,
 )
 from dynamics.steady_motion import steady_precession
+from modal import eigenmodes
 from sonify import SceneError, load_scene
 from sonify.claims.rattling import fitted_exponent
+from sonify.sound.sources.rattling import RimVibration, mode_shares
 
 RADIUS = 12.875e-3
 CIRCUMFERENCE = 2 * pi * RADIUS
@@ -208,6 +210,33 @@ def test_an_upright_disk_ends_with_a_name():
     scene = coin(1e-6, 1.0, 0.5, 0, 1.2)
     spinning = scene.replace("release.omega=[-30.0, 0.0, 0.0]")
     assert solve_rattling_motion(spinning).outcome in {Outcome.UPRIGHT, Outcome.LIFTED_OFF}
+
+
+def test_the_modes_that_sound_are_those_of_the_motion():
+    """Each mode of the sound follows the mode of the rim with its order, parity and frequency; its
+    acceleration is the derivative of its velocity, also between two samples.
+    """
+    scene = coin(1e-6, 1.0, 0.5, 1, 0.1, "contact.body=elastic", "numerics.time_limit=0.02")
+    modes = eigenmodes(scene, below=19e3)
+    motion = solve_rattling_motion(scene)
+    rim = motion.model.rim
+    share = mode_shares(rim, modes)
+    assert np.abs(share).sum(axis=0).tolist() == [1.0] * len(modes)
+    assert share.T @ np.sqrt(rim.squared) / (2 * pi) == pytest.approx(
+        np.sign(share.sum(axis=0)) * modes.frequency, rel=0.01
+    )
+    vibration = RimVibration(motion, modes)
+    t = np.linspace(0.005, 0.015, 50)
+    step = 1e-6
+    before, here, after = (vibration.vibration(t + shift) for shift in (-step, 0, step))
+    slope = (after[:, 1] - before[:, 1]) / (2 * step)
+    assert here[:, 2] == pytest.approx(slope, abs=0.05 * np.abs(here[:, 2]).max())
+    for i, mode in enumerate(modes.order):
+        parity = modes.parity[i] == "odd"
+        shape = modes.rim_shape[i, :, 2]
+        wave = np.cos(mode * modes.rim_angle - parity * pi / 2)
+        place = int(np.argmax(np.abs(share[:, i])))
+        assert np.sign(shape @ wave) == np.sign(share[place, i] * rim.axial[place])
 
 
 @pytest.mark.slow
