@@ -19,6 +19,7 @@ from dynamics.compliant.law.tabulated import LawTable, SeriesLawTable
 from dynamics.compliant.model_inputs import law_table
 from dynamics.compliant.model_selection import CONTACT_LOSS_RMS
 from dynamics.film.activation import decide_film
+from dynamics.rattling.rattling_motion import RattlingMotion
 from sonify.claims.finding import Finding, Measured, finding, median_with_margin, register_judge
 from sonify.hearing.noise_band import NoiseBand, middle, noise_band
 from sonify.hearing.recording import Heard
@@ -487,9 +488,9 @@ def carrier_line(
     scene: Scene, motion: Motion, delay: float
 ) -> tuple[np.ndarray, np.ndarray] | None:
     """Return times (k,) [s], delayed by `delay` [s], and the resonance of an elastic contact (k,)
-    [Hz]; None for a rigid contact.
+    [Hz]; None for a rigid contact, and for several contacts at once.
     """
-    if scene.contact.law == "rigid":
+    if scene.contact.law == "rigid" or isinstance(motion, RattlingMotion):
         return None
     t = (
         last_elliptic_inclination(motion)

@@ -33,6 +33,9 @@ CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
         "contact_is_lost": ("the disk leaves the table", "the disk never leaves the table"),
         "contact_kept": ("the disk never leaves the table", "the disk leaves the table"),
     },
+    "end": {
+        "impacts_end_it": ("impacts bring it to rest", "impacts do not bring it to rest"),
+    },
 }
 """Subject -> key of a finding -> clauses if it holds and if not; the first finding counts."""
 

@@ -81,6 +81,13 @@ def _source(by_key):
 
 
 def _contact(by_key):
+    rattles = by_key.get("disk_rattles")
+    if rattles is not None and rattles.holds:
+        knocks = rattles.details["impacts_per_second"]
+        return (
+            f"The disk flies from crest to crest of the uneven table, and every landing is a small "
+            f"knock, {knocks:.0f} a second."
+        )
     lost = by_key.get("contact_is_lost")
     kept = by_key.get("contact_kept")
     if lost is not None and lost.holds is not None:

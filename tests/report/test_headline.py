@@ -5,7 +5,8 @@ Source: the findings of a run. Oracle: findings made by hand, for each verdict.
 
 import pytest
 
-from sonify.claims.finding import JUDGES, Finding
+from sonify.claims.finding import Finding
+from sonify.claims.provenance import registered_judges
 from sonify.report.headline import CLAUSES, headline
 
 
@@ -16,7 +17,7 @@ def found(key, value, margin=0.0):
 
 
 def test_every_key_is_a_finding():
-    assert {key for words in CLAUSES.values() for key in words} <= JUDGES.keys()
+    assert {key for words in CLAUSES.values() for key in words} <= registered_judges().keys()
 
 
 @pytest.mark.parametrize(
