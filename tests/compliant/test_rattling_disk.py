@@ -11,6 +11,7 @@ from math import pi, radians, sin, sqrt
 
 import numpy as np
 import pytest
+from scipy.signal import welch
 
 from dynamics.disk import GRAVITY
 from dynamics.motion import Outcome
@@ -32,7 +33,7 @@ from dynamics.rattling.unevenness import (
 )
 from dynamics.steady_motion import steady_precession
 from modal import eigenmodes
-from sonify import SceneError, load_scene
+from sonify import SceneError, load_scene, solve
 from sonify.claims.rattling import fitted_exponent
 from sonify.sound.sources.rattling import RimVibration, mode_shares
 
@@ -312,3 +313,29 @@ def test_half_the_step_and_twice_the_points_give_the_same_loss():
             rates.append(0.1 / motion.t[-1])
         means.append(np.mean(rates))
     assert means[1:] == pytest.approx([means[0], means[0]], rel=0.04)
+
+
+@pytest.mark.slow
+def test_the_shipped_coin_turns_and_sounds_like_a_recorded_one():
+    """Rates and band levels of the take coin-clink, read from its waveform; means of three seeds."""
+    rates = []
+    levels = []
+    for seed in range(3):
+        found = solve(load_scene("coin-stone").replace(f"roughness.seed={seed}"))
+        end = found.motion.t[-1]
+        left = np.array([0.785, 0.465, 0.165])
+        before, after = (found.motion.precession(end - left + shift) for shift in (-0.02, 0.02))
+        rates.append((after - before) / 0.04 / (2 * pi))
+        rate = found.sound.pressure.sample_rate
+        samples = np.concatenate([block[:, 0] for block in found.sound.pressure.blocks()])
+        begin = int(0.3 * rate)
+        frequency, power = welch(samples[begin : int((end - 0.05) * rate)], rate, nperseg=8192)
+        line = frequency[np.argmax(power * (frequency > 10e3) * (frequency < 11.2e3))]
+        assert line == pytest.approx(found.modes.frequency[0], rel=4e-3)
+        reference = power[(frequency > 10.2e3) & (frequency < 11e3)].sum()
+        bands = [(500, 2e3), (2e3, 5e3), (5e3, 9.5e3), (11.5e3, 17e3), (17.3e3, 18.4e3)]
+        bands.append((18.5e3, 21e3))
+        inside = [power[(frequency >= low) & (frequency < high)].sum() for low, high in bands]
+        levels.append(10 * np.log10(np.array(inside) / reference))
+    assert np.mean(rates, axis=0) == pytest.approx([25.5, 33.4, 56.0], rel=0.08)
+    assert np.mean(levels, axis=0) == pytest.approx([-26, -21, -11, -14, -1, -24], abs=6)

@@ -24,6 +24,9 @@ from sonify.sound.force import CALM_STRIDE, LOW_PASS_HALF_WIDTH, ContactForce
 from sonify.sound.sources.contact_vibration import VibratingDisk
 from sonify.sound.sources.protocol import Source, delay_output
 
+RATTLE_CROSSOVER = 200.0
+"""Frequency above which a rattling disk pumps the air out of the gap under it [Hz]; the precession
+is slower."""
 MIN_PROFILE_RATE = 96e3  # 1/s
 """Least sample rate of the height profiles; the contact ellipse smooths faster variations."""
 
@@ -278,7 +281,9 @@ def contact_sources(scene, motion, listener, rigid, elastic, *below) -> list[Sou
     if scene.contact.law == "rigid":
         return [rigid, elastic]
     if isinstance(motion, RattlingMotion):
-        return [rigid, elastic]
+        rate = scene.audio.sample_rate
+        open_disk = VibratingDisk(scene, listener) if scene.air.pressure else rigid
+        return [SolvedContactVibration(rigid, elastic, open_disk, RATTLE_CROSSOVER, rate)]
     vibrating = VibratingDisk(scene, listener) if decide_film(scene).film else rigid
     if isinstance(motion, RigidMotion):
         return [rigid, elastic, ContactVibration(scene, motion, vibrating, elastic, *below)]
