@@ -132,13 +132,14 @@ def _with_given_table(
     modes: Any,
 ) -> Motion:
     """Solve the motion on a table with these modes, or on a rigid table if `modes` is None."""
-    if scene.numerics.contact == "many":
+    kind = contact_model(scene)
+    if kind == "many":
         from dynamics.rattling.rattling_motion import solve_rattling_motion
 
         if loads is not None:
-            raise ValueError("loads: numerics.contact = 'many' does not support a law of your own")
+            raise ValueError("loads: a disk that rattles does not support a law of your own")
         return solve_rattling_motion(scene, watch)
-    if is_compliant(scene):
+    if kind == "full":
         from dynamics.compliant.compliant_motion import solve_compliant_motion
 
         if loads is not None:
@@ -236,11 +237,16 @@ def compile_in_background(scene: MotionScene, loads: OwnLaw | None = None) -> No
 
 def is_compliant(scene: MotionScene) -> bool:
     """Return True if the scene has an elastic contact that is solved in full."""
+    return contact_model(scene) in ("full", "many")
+
+
+def contact_model(scene: MotionScene) -> str:
+    """Return the kind of the contact model of a scene."""
     if scene.contact.law == "rigid":
-        return False
+        return "rigid"
     from dynamics.compliant.model_selection import choose_contact_model
 
-    return choose_contact_model(scene).kind in ("full", "many")  # type: ignore[arg-type]
+    return choose_contact_model(scene).kind  # type: ignore[arg-type]
 
 
 def system_of(scene: MotionScene, loads: OwnLaw | None) -> RollingDisk:

@@ -133,7 +133,7 @@ def solve(
         )
         if isinstance(motion, RattlingMotion):
             several: list[str] = []
-            findings += rattling_findings(scene, motion)  # of a motion without a film
+            findings += rattling_findings(scene, motion, modes, sound)
         else:
             on_contact, several = contact_findings(scene, motion, sound, heard)
             findings += air_findings(scene, motion, sound) + on_contact

@@ -93,7 +93,8 @@ class Scene(MotionScene):
                 raise ValueError(
                     f"friction.{key} = {arm:g}: must not exceed disk.radius = {self.disk.radius:g}"
                 )
-        if self.contact.restitution is not None or self.numerics.contact == "many":
+        grain = self.roughness is not None and self.roughness.grain
+        if self.contact.restitution is not None or grain or self.numerics.contact == "many":
             from dynamics.compliant.model_inputs import check_rattling
 
             check_rattling(self)

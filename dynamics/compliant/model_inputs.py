@@ -80,33 +80,32 @@ def check_rattling(scene) -> None:
         raise ValueError(
             f"contact.restitution = {scene.contact.restitution:g}: needs numerics.contact = 'many'"
         )
-    if not many:
-        return
+    grain = scene.roughness is not None and scene.roughness.grain
+    if grain and scene.numerics.contact not in ("many", "auto"):
+        raise ValueError("roughness.grain = true: needs numerics.contact = 'many'")
+    obstacle = rattling_obstacle(scene)
+    if obstacle and (many or grain):
+        raise ValueError(f"numerics.contact = 'many': {obstacle}")
+
+
+def rattling_obstacle(scene) -> str:
+    """Return why a scene cannot have contact anywhere on the rim; "" if it can."""
     if scene.contact.law == "rigid":
-        raise ValueError("numerics.contact = 'many': needs contact.law = 'elastic'")
+        return "needs contact.law = 'elastic'"
     if scene.surface.action == "motion":
-        raise ValueError("numerics.contact = 'many': needs surface.action = 'sound'")
-    if scene.air.film == "acts":
-        raise ValueError("numerics.contact = 'many': has no air film; take air.film = 'none'")
+        return "needs surface.action = 'sound'"
     others = [
         name
         for name, value in vars(scene.dissipation).items()
         if name not in ("contour_moment", "power_exponent", "air_density") and value
     ]
     if others:
-        raise ValueError(
-            f"numerics.contact = 'many': dissipation.{others[0]} does not act on it; only "
-            f"contour_moment does"
-        )
+        return f"dissipation.{others[0]} does not act on it; only contour_moment does"
     heights = scene.roughness
-    if heights is not None and (heights.profile or heights.profile_edge):
-        raise ValueError("numerics.contact = 'many': needs roughness.rms in place of a profile")
     greatest = scene.disk.thickness / 10
-    if heights is not None and (heights.rms or 0.0) > greatest:
-        raise ValueError(
-            f"roughness.rms = {heights.rms:g}: must be at most a tenth of disk.thickness, "
-            f"{greatest:g} m"
-        )
+    if heights is not None and max(heights.rms or 0.0, heights.edge_rms) > greatest:
+        return f"roughness.rms must be at most a tenth of disk.thickness, {greatest:g} m"
+    return ""
 
 
 def check_contact(scene) -> None:

@@ -9,10 +9,17 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from dynamics.compliant.law.linear_response import predicted_power, predicted_rms
-from dynamics.compliant.model_inputs import final_contact_inclination, is_two_way, law_table
+from dynamics.compliant.model_inputs import (
+    contact_law,
+    final_contact_inclination,
+    is_two_way,
+    law_table,
+    rattling_obstacle,
+)
 from dynamics.equations import disk_constants
 from dynamics.film.activation import airborne_inclination, non_contact_loads
 from dynamics.quasi_steady import steady_power
+from dynamics.rattling.unevenness import unevenness
 from dynamics.regime import FLOAT_FORMULAS, Branch
 from dynamics.rolling import RollingDisk, initial_state
 from dynamics.steady_motion import steady_precession
@@ -20,6 +27,9 @@ from dynamics.switching import ImpossibleContactError
 
 CONTACT_LOSS_RMS = 0.3
 """Rms of N'/weight above which a Gaussian vibration loses contact."""
+MAX_ROLLING_CURVATURE = 0.25
+"""Rms curvature of the unevenness, over that of the tilted rim, above which no rolling motion
+exists: contact is lost from 0.25 to 0.5 on."""
 MAX_FRICTION_USE = 0.8
 """Share of the static friction at the release above which the nutation is assumed to cause slip."""
 MIN_ROUGHNESS_SHARE = 0.05
@@ -59,6 +69,16 @@ def choose_contact_model(scene) -> ModelChoice:
         return ModelChoice("full", "imperfection: the rim follows the waves of the table")
     if scene.contact.law == "rigid":
         return ModelChoice("rigid", "contact.law = 'rigid'")
+    kappa, rattles_at = greatest_curvature(scene)
+    uneven = kappa > MAX_ROLLING_CURVATURE
+    if uneven:
+        bumpy = (
+            f"the curvature of the heights is {kappa:.2g} times that of the rim at "
+            f"{rattles_at:.2g} rad, where no rolling motion exists"
+        )
+        obstacle = rattling_obstacle(scene)
+        if scene.numerics.contact == "auto" and not obstacle:
+            return ModelChoice("many", bumpy)
     beta, share = predicted_vibration(scene)
     above = share > CONTACT_LOSS_RMS
     predicted = float(share.max(initial=0.0))
@@ -82,7 +102,25 @@ def choose_contact_model(scene) -> ModelChoice:
         less = f", less than {CONTACT_LOSS_RMS:g}" * bool(predicted)
         kind = "filter"
         reason = f"{expected}{less}, and no slip is expected"
+    if uneven:
+        reason += f"; WARNING: {bumpy}" + f" (contact anywhere: {obstacle})" * bool(obstacle)
     return ModelChoice(kind, reason, predicted, below)
+
+
+def greatest_curvature(scene) -> tuple[float, float]:
+    """Return the greatest rms curvature of the unevenness over that of the rim, and its inclination
+    [rad].
+
+    The inclinations extend from the release to the end, or to the inclination at which the air
+    carries the disk.
+    """
+    if scene.roughness is None:
+        return 0.0, 0.0
+    law = contact_law(scene)
+    inclinations = settling_inclinations(scene)
+    found = [unevenness(scene.disk, law, scene.roughness, beta).curvature for beta in inclinations]
+    greatest = int(np.argmax(found))
+    return found[greatest], float(inclinations[greatest])
 
 
 def predicted_vibration(scene) -> tuple[np.ndarray, np.ndarray]:
@@ -135,11 +173,16 @@ def steady_motions(scene) -> tuple[np.ndarray, np.ndarray]:
     [m/s].
     """
     disk = scene.disk
-    first = radians(scene.release.inclination_deg)
-    last = max(final_contact_inclination(scene), min(airborne_inclination(scene), first / 2))
-    beta = np.geomspace(first, last, PREDICTION_POINTS)
+    beta = settling_inclinations(scene)
     rate = np.array([steady_rate(disk, b) for b in beta])
     return beta, disk.radius * rate * (np.cos(beta) - disk.aspect * np.sin(beta))
+
+
+def settling_inclinations(scene) -> np.ndarray:
+    """Return inclinations (PREDICTION_POINTS,) [rad] from the release to the predicted end."""
+    first = radians(scene.release.inclination_deg)
+    last = max(final_contact_inclination(scene), min(airborne_inclination(scene), first / 2))
+    return np.geomspace(first, last, PREDICTION_POINTS)
 
 
 def steady_rate(disk, beta: float) -> float:

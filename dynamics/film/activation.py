@@ -54,8 +54,6 @@ def decide_film(scene) -> FilmDecision:
     Raises ValueError if the film is requested but impossible.
     """
     air = scene.air
-    if scene.numerics.contact == "many":
-        return FilmDecision(None, "numerics.contact = 'many': a rattling disk is solved without it")
     if air.film == "none":
         return FilmDecision(None, "air.film = 'none'")
     disk = scene.disk

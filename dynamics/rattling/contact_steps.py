@@ -13,6 +13,8 @@ import numpy as np
 from numba import njit
 
 from dynamics.numba_kernels import outermost
+from dynamics.rattling import film_force
+from dynamics.rattling.film_force import AirFilm, film_capacity, film_pressure
 
 kernel = njit(error_model="numpy")
 
@@ -45,13 +47,19 @@ OPEN_SINCE = 9
 """Time at which the contact was last lost [s]; negative while there is contact."""
 GREATEST_GAP = 10
 """Greatest height of the lowest point of the rim above the table since the contact was lost [m]."""
-RECORD_SIZE = 11
+FILM_LOSS = 11
+"""Energy lost to the air film [J]."""
+AIR_ENERGY = 12
+"""Energy of the compressed air in the film [J]."""
+FLIGHT_LIFT = 13
+"""Impulse of the film's pressure since the contact was lost [N s]."""
+RECORD_SIZE = 14
 TORQUE = 3
 """First of the three torques about the centre in a sum of contact forces."""
 LOAD_SIZE = 6
-ELASTIC, DASHPOT, FRICTION, RESISTANCE = range(4)
-"""Rows of an array (4, 6) of the force [N] and the torque about the centre [N m] of springs,
-dashpots, friction and resisting moment."""
+ELASTIC, DASHPOT, FRICTION, RESISTANCE, FILM = range(5)
+"""Rows of an array (5, 6) of the force [N] and the torque about the centre [N m] of springs,
+dashpots, friction, resisting moment and air film."""
 CREEP_COEFFICIENT = 4.5
 """Kalker's coefficient of the longitudinal creep of a circle, near that of a long ellipse."""
 SLIP_LIMIT = 0.25
@@ -59,7 +67,12 @@ SLIP_LIMIT = 0.25
 faster."""
 MIN_UPRIGHT = 0.05
 """Cosine of the inclination below which the disk stands upright."""
-CONTINUES, LIES_FLAT, STANDS_UPRIGHT, JUMPS = range(4)
+MIN_AIRBORNE_TIME = 2e-3
+"""Shortest loss of contact [s] after which the air film may carry the disk."""
+MIN_AIRBORNE_LIFT = 0.5
+"""Mean pressure of the film in a loss of contact, over the weight, from which it carries the
+disk."""
+CONTINUES, LIES_FLAT, STANDS_UPRIGHT, JUMPS, FLOATS = range(5)
 """Reasons for which the steps end."""
 
 
@@ -82,6 +95,11 @@ class RattlingDisk(NamedTuple):
         Coefficient of sliding friction.
     contour_moment : float
         Moment that resists the rolling of the contact under the weight [N m].
+    arms : (3,) tuple of float
+        Resisting moments against the rotation about a_1, a_2 and the vertical, over the normal
+        force [m].
+    film : AirFilm
+        The air film under the disk.
     """
 
     radius: float
@@ -95,6 +113,8 @@ class RattlingDisk(NamedTuple):
     damping_ratio: float
     friction: float
     contour_moment: float
+    arms: tuple[float, float, float]
+    film: AirFilm
 
 
 class Edge(NamedTuple):
@@ -212,7 +232,7 @@ class MotionState(NamedTuple):
         Position, velocity, axis, mark and angular momentum.
     modes : (m, 2) array
         Displacement [kg^1/2 m] and velocity of each mode.
-    record : (11,) array
+    record : (14,) array
         Sums since the start.
     """
 
@@ -253,7 +273,7 @@ class Contacts(NamedTuple):
 
     Attributes
     ----------
-    load : (4, 6) array
+    load : (5, 6) array
         Force and torque by origin.
     pull : (2, m) array
         Force of springs and dashpots on each mode.
@@ -461,11 +481,12 @@ def add_sample(motion, share, row):
 
 
 @kernel
-def add_resistance(disk, weight, motion, rim, velocity, energy, load):
-    """Add the torque of the springs' change with the inclination, and the resisting moment.
+def add_resistance(disk, weight, motion, rim, velocity, energy, step, load):
+    """Add the torque of the springs' change with the inclination, and the resisting moments.
 
-    The springs stiffen as the fourth root of the inclination. The moment M resists the rolling of
-    the contact at the rate w_3/sin(beta), in proportion to the normal force.
+    The springs stiffen as the fourth root of the inclination. The contour moment resists the
+    rolling of the contact at the rate w_3/sin(beta). All moments are proportional to the normal
+    force; those of the arms stop no rotation faster than within a step.
     """
     axis_x = motion.disk[AXIS]
     axis_y = motion.disk[AXIS + 1]
@@ -479,6 +500,34 @@ def add_resistance(disk, weight, motion, rim, velocity, energy, load):
     load[RESISTANCE, TORQUE] = -moment * axis_x * rim.upright
     load[RESISTANCE, TORQUE + 1] = -moment * axis_y * rim.upright
     load[RESISTANCE, TORQUE + 2] = moment * rim.sine**2
+    d1 = axis_x / rim.sine
+    d2 = axis_y / rim.sine
+    directions = ((d2, -d1, 0.0), (d1, d2, 0.0), (0.0, 0.0, 1.0))
+    for arm, direction in zip(disk.arms, directions):  # noqa: B905 - unknown to Numba
+        rate = 0.0
+        for i in range(3):
+            rate += velocity[3 + i] * direction[i]
+        most = abs(rate) * disk.diametral_inertia / step
+        resistance = min(arm * max(normal, 0.0), most) * np.sign(rate)
+        for i in range(3):
+            load[RESISTANCE, TORQUE + i] -= resistance * direction[i]
+
+
+@kernel
+def add_film(disk, motion, rim, velocity, step, load, pressure):
+    """Add the forces of the air film; return the work [J] of its compressed air.
+
+    `pressure` (3, 3) is memory for its loads.
+    """
+    axis = motion.disk[AXIS : AXIS + 3]
+    stored = motion.record[AIR_ENERGY]
+    work = film_pressure(disk.film, disk, axis, rim.sine, velocity, stored, step, pressure)
+    x, y, z = pressure[film_force.FORCE]
+    arm_x, arm_y, arm_z = pressure[film_force.ARM]
+    add_force(load[FILM], x, y, z, arm_x, arm_y, arm_z)
+    for i in range(3):
+        load[FILM, TORQUE + i] += pressure[film_force.TORQUE, i]
+    return work
 
 
 @kernel
@@ -490,7 +539,7 @@ def write_change(disk, motion, contacts, h, out):
     for i in range(3):
         out[i] = 0.0
         out[TORQUE + i] = 0.0
-        for origin in range(4):
+        for origin in range(load.shape[0]):
             out[i] += h / disk.mass * load[origin, i]
             out[TORQUE + i] += h / disk.diametral_inertia * load[origin, TORQUE + i]
             axial += h * load[origin, TORQUE + i] * axis[i]
@@ -515,8 +564,9 @@ def kick(disk, motion, contacts, before, change, h):
         record[CONTACT_LOSS] -= h * load[DASHPOT, i] * mean
         record[SLIP_LOSS] -= h * load[FRICTION, i] * mean
         record[MOMENT_LOSS] -= h * load[RESISTANCE, i] * mean
+        record[FILM_LOSS] -= h * load[FILM, i] * mean
     for i in range(3):
-        for origin in range(4):
+        for origin in range(load.shape[0]):
             state[VELOCITY + i] += h / disk.mass * load[origin, i]
             state[MOMENTUM + i] += h * load[origin, TORQUE + i]
             record[IMPULSE + i] += h * load[origin, i]
@@ -539,6 +589,15 @@ def write_propagator(edge, h, out):
         out[j, 1] = fade * s / w
         out[j, 2] = -fade * s * (w * w + d * d) / w
         out[j, 3] = fade * (c - d / w * s)
+
+
+@kernel
+def floats(record, now, weight):
+    """Return True if the air film carries the disk since the contact was lost."""
+    lasts = now - record[OPEN_SINCE]
+    if record[OPEN_SINCE] < 0 or lasts < MIN_AIRBORNE_TIME:
+        return False
+    return record[FLIGHT_LIFT] > MIN_AIRBORNE_LIFT * weight * lasts
 
 
 @outermost
@@ -565,7 +624,7 @@ def step_rattling_disk(
         State of the disk and of its modes, and the sums since the start, updated in place.
     begin : float
         Time [s] of the first step.
-    samples : (n, 26 + 2 m) array
+    samples : (n, 29 + 2 m) array
         Receives state, record and edge.
     flights : (f, 3) array
         Receives begin [s], duration [s] and height [m] of each loss of contact that ended; f is at
@@ -581,7 +640,7 @@ def step_rattling_disk(
     write_propagator(edge, step / 2, propagator)
     count = edge.heights.size
     contacts = Contacts(
-        np.zeros((4, LOAD_SIZE)), np.zeros((2, mode_count)), np.zeros(count), np.zeros(count)
+        np.zeros((5, LOAD_SIZE)), np.zeros((2, mode_count)), np.zeros(count), np.zeros(count)
     )
     mark_2 = np.empty(3)
     before = np.empty(LOAD_SIZE + mode_count)
@@ -590,6 +649,8 @@ def step_rattling_disk(
     record = motion.record
     highest = edge.highest[0]
     weight = disk.mass * gravity
+    pressure = np.zeros((3, 3))
+    has_film = disk.film.turning > 0
     losses = 0
     for sample in range(samples.shape[0]):
         for repeat in range(1, per_sample + 1):
@@ -609,8 +670,15 @@ def step_rattling_disk(
                     mean[i] = before[i] + change[i] / 2
                 clear(contacts)
                 press_rim(disk, edge, motion, rim, mean, change, step, contacts)
-                add_resistance(disk, weight, motion, rim, mean, record[STORED], contacts.load)
+                add_resistance(disk, weight, motion, rim, mean, record[STORED], step, contacts.load)
             touches = contacts.load[ELASTIC, 2] > 0
+            if has_film:
+                work = add_film(disk, motion, rim, before, step, contacts.load, pressure)
+                left = max(record[AIR_ENERGY] - work, 0.0)
+                rate = np.hypot(before[3], before[4]) / rim.sine
+                kept = min(left, film_capacity(disk.film, rim.sine, rate))
+                record[FILM_LOSS] += record[AIR_ENERGY] - kept
+                record[AIR_ENERGY] = kept
             if touches and contacts.load[ELASTIC, 2] + contacts.load[DASHPOT, 2] > 1e-6 * weight:
                 if record[OPEN_SINCE] >= 0:
                     flights[losses, 0] = record[OPEN_SINCE]
@@ -622,13 +690,15 @@ def step_rattling_disk(
                 if record[OPEN_SINCE] < 0:
                     record[OPEN_SINCE] = now
                     record[GREATEST_GAP] = 0.0
+                    record[FLIGHT_LIFT] = 0.0
                 record[OPEN_TIME] += step
+                record[FLIGHT_LIFT] += step * contacts.load[FILM, 2]
                 record[GREATEST_GAP] = max(record[GREATEST_GAP], rim.height - rim.tilt)
             if repeat == per_sample:
                 for i in range(samples.shape[1]):
                     samples[sample, i] = 0.0
                 add_sample(motion, 0.5, samples[sample])
-            if touches:
+            if touches or has_film:
                 write_change(disk, motion, contacts, step, change)
                 kick(disk, motion, contacts, before, change, step)
             if repeat == per_sample:
@@ -640,4 +710,6 @@ def step_rattling_disk(
                 return sample, losses, STANDS_UPRIGHT
             if record[OPEN_SINCE] >= 0 and record[GREATEST_GAP] > max(rim.tilt, 10 * highest):
                 return sample, losses, JUMPS
+            if floats(record, now, weight):
+                return sample, losses, FLOATS
     return samples.shape[0], losses, CONTINUES

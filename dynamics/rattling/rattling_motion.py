@@ -19,9 +19,12 @@ from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
 from dynamics.compliant.stepping.row_store import interpolate_rows
 from dynamics.disk import GRAVITY, Disk
+from dynamics.film.activation import decide_film
+from dynamics.film.wedge import Film
 from dynamics.motion import CAUSES, Outcome
 from dynamics.rattling import contact_steps as layout
 from dynamics.rattling.contact_steps import Edge, MotionState, RattlingDisk, step_rattling_disk
+from dynamics.rattling.film_force import AirFilm
 from dynamics.rattling.unevenness import (
     curvature_number,
     damping_ratio,
@@ -44,6 +47,7 @@ OUTCOME_OF_END = {
     layout.LIES_FLAT: Outcome.SETTLED,
     layout.STANDS_UPRIGHT: Outcome.UPRIGHT,
     layout.JUMPS: Outcome.LIFTED_OFF,
+    layout.FLOATS: Outcome.AIRBORNE,
 }
 """Outcome of a motion for each reason of `step_rattling_disk`."""
 
@@ -63,6 +67,8 @@ class RattlingModel(NamedTuple):
         Heights [m] of the rim's profile.
     rim : RimModes
         Modes of the free disk that move the rim.
+    film : Film or None
+        Air film under the disk.
     rate : float
         Time steps per second.
     """
@@ -72,6 +78,7 @@ class RattlingModel(NamedTuple):
     amplitudes: np.ndarray
     heights: np.ndarray
     rim: RimModes
+    film: Film | None
     rate: float
 
     @property
@@ -114,7 +121,7 @@ class RattlingModel(NamedTuple):
         )
 
 
-@dataclass(frozen=True, kw_only=True, eq=False)
+@dataclass(frozen=True, kw_only=True, eq=False, repr=False)
 class RattlingMotion(CompliantMotion):
     """A motion with contact anywhere on the rim.
 
@@ -136,16 +143,6 @@ class RattlingMotion(CompliantMotion):
     def disk(self) -> Disk:
         """The disk."""
         return self.model.disk
-
-    @property
-    def film(self) -> None:
-        """The model has no air film."""
-        return None
-
-    @property
-    def loads(self) -> None:
-        """The model has no loads apart from the contact."""
-        return None
 
     @property
     def moves_table(self) -> bool:
@@ -202,6 +199,7 @@ def rattling_model(scene) -> RattlingModel:
     """Return the model of a scene. Raises ValueError if no wave of the unevenness fits the rim."""
     disk = scene.disk
     law = contact_law(scene)
+    film = decide_film(scene).film
     diametral, axial = inertias(disk)
     restitution = scene.contact.restitution
     # A resonance with the loss factor eta has the damping ratio eta/2.
@@ -218,6 +216,12 @@ def rattling_model(scene) -> RattlingModel:
         damping_ratio=ratio,
         friction=scene.friction.mu_dynamic,
         contour_moment=scene.dissipation.contour_moment,
+        arms=(
+            scene.friction.arm_nutation,
+            scene.friction.arm_rolling,
+            scene.friction.arm_pivoting,
+        ),
+        film=film_constants(disk, film),
     )
     model = RattlingModel(
         disk=disk,
@@ -225,9 +229,18 @@ def rattling_model(scene) -> RattlingModel:
         amplitudes=rim_amplitudes(scene.roughness, disk.radius),
         heights=rim_heights(scene.roughness, scene.imperfection, disk.radius),
         rim=moving_rim_modes(edge_flexibility(scene), scene.material.loss_factor),
+        film=film,
         rate=0.0,
     )
     return model._replace(rate=_step_rate(scene, model))
+
+
+def film_constants(disk: Disk, film: Film | None) -> AirFilm:
+    """Return the constants of a film in SI units, zero without a film."""
+    chi = disk.time_unit
+    energy = disk.mass * disk.radius**2 / chi**2
+    units = energy * chi, energy * chi, chi**2, chi, energy, 1.0
+    return AirFilm(*np.multiply(film or np.zeros(len(units)), units).tolist())  # type: ignore[arg-type]
 
 
 def _step_rate(scene, model):
@@ -346,13 +359,17 @@ def simulate_rattling(
     count = (len(samples) - 1) // FORCES_PER_ROW * FORCES_PER_ROW + 1
     if count < 2 * FORCES_PER_ROW:
         raise ImpossibleContactError("the disk lies flat or leaves the table at once")
+    if record[layout.OPEN_SINCE] >= 0:
+        since = record[layout.OPEN_SINCE]
+        flights.append(np.array([[since, begin + 1 / FORCE_RATE - since, 0.0]]))
+        flights[-1][0, 2] = record[layout.GREATEST_GAP]
     lost = np.concatenate(flights)
     lost[:, 0] -= 1 / FORCE_RATE  # the first sample is the start of the motion
     return _motion_of_samples(model, samples[:count], lost, OUTCOME_OF_END[reason], gravity)
 
 
 def _motion_of_samples(model, samples, flights, outcome, gravity):
-    """Return the motion of samples (n, 26 + 2 m) at FORCE_RATE."""
+    """Return the motion of samples (n, 29 + 2 m) at FORCE_RATE."""
     state = samples[:, : layout.STATE_SIZE]
     record = samples[:, layout.STATE_SIZE : layout.STATE_SIZE + layout.RECORD_SIZE]
     ringing = samples[:, layout.STATE_SIZE + layout.RECORD_SIZE :]
@@ -362,8 +379,10 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     lost[:, CAUSES.index("slip")] = record[:, layout.SLIP_LOSS]
     lost[:, CAUSES.index("moments")] = record[:, layout.MOMENT_LOSS]
     lost[:, CAUSES.index("body")] = record[:, layout.BODY_LOSS]
+    lost[:, CAUSES.index("film")] = record[:, layout.FILM_LOSS]
     internal = modal_energy(model, ringing)
-    energy = rigid_energy(model, state, gravity) + record[:, layout.STORED] + internal
+    stored = record[:, layout.STORED] + record[:, layout.AIR_ENERGY]
+    energy = rigid_energy(model, state, gravity) + stored + internal
     rows = np.column_stack([columns, energy, lost, np.zeros(len(state)), internal])
     impulse = record[:, layout.IMPULSE : layout.IMPULSE + 3]
     step = np.diff(impulse, axis=0)
@@ -373,13 +392,15 @@ def _motion_of_samples(model, samples, flights, outcome, gravity):
     own = np.zeros_like(impulse)
     own[1:] = np.cumsum(np.column_stack([along, across, step[:, 2]]), axis=0)
     end = (len(samples) - 1) / FORCE_RATE
+    losses = flights[flights[:, 0] < end]
+    losses[:, 1] = np.minimum(losses[:, 1], end - losses[:, 0])
     return RattlingMotion(
         model=model,
         dt=1 / FORCE_RATE,
         impulses=own,
         rows=rows[::FORCES_PER_ROW],
         slides=np.zeros((0, 2)),
-        contact_losses=ContactLosses(flights[flights[:, 0] + flights[:, 1] < end]),
+        contact_losses=ContactLosses(losses),
         excess=0.0,
         outcome=outcome,
         ringing=np.ascontiguousarray(ringing),

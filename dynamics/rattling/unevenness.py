@@ -4,16 +4,24 @@ In the last seconds of its motion a disk hardly turns about its axis, so that th
 edge and table meet again and again: their heights act as one profile of the rim.
 """
 
-from math import exp, log, pi, sqrt
+from functools import lru_cache
+from math import ceil, exp, log, pi, sqrt
+from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
+from dynamics.compliant.law.hertz_mindlin import ContactLaw
+from dynamics.compliant.law.profile_files import profile_columns
 from dynamics.compliant.law.sections import Imperfection, Roughness
+from dynamics.disk import Disk
 
 LOWEST_ORDER = 2
 """Waves round the rim of the first order are a tilt of the table."""
 POINTS_PER_WAVE = 13
 """Points of the rim per shortest wave."""
+MIN_GRAIN_PERIODS = 16
+"""Period of a ruled table over its longest wave or the diameter of the disk."""
 MIN_RIM_POINTS = 4096
 """Smallest number of points of the rim; they resolve the contact of a coin."""
 
@@ -21,11 +29,34 @@ MIN_RIM_POINTS = 4096
 def rim_amplitudes(roughness: Roughness | None, radius: float) -> np.ndarray:
     """Return the complex amplitudes (n,) [m] of the heights round the rim, by order from 0 on.
 
-    The height at an angle a is the real part of the sum of amplitude[n] exp(i n a). The squared
-    amplitudes of table and edge vary as n^-p with the exponent p of the roughness. The phases are
-    random, and the root mean square is exact. Raises ValueError if no wave fits the rim.
+    The height at an angle a is the real part of the sum of amplitude[n] exp(i n a). Raises
+    ValueError if no wave fits the rim, or if a measured profile is shorter than one turn.
     """
     if roughness is None:
+        return np.zeros(LOWEST_ORDER, complex)
+    measured = roughness.profile is not None
+    rms = 0.0 if measured or roughness.grain else roughness.rms or 0.0
+    parts = [spectral_amplitudes(roughness, np.hypot(rms, roughness.edge_rms), radius)]
+    if measured:
+        parts.append(measured_amplitudes(roughness.profile, radius))
+    elif roughness.grain:
+        parts.append(grain_amplitudes(roughness, radius))
+    if roughness.profile_edge is not None:
+        parts.append(measured_amplitudes(roughness.profile_edge, radius))
+    total = np.zeros(max(map(len, parts)), complex)
+    for part in parts:
+        total[: len(part)] += part
+    total[:LOWEST_ORDER] = 0.0
+    return total
+
+
+def spectral_amplitudes(roughness: Roughness, rms: float, radius: float) -> np.ndarray:
+    """Return the amplitudes (n,) [m] of random heights with this root mean square [m].
+
+    The squared amplitudes vary as n^-p with the exponent p of the roughness. The phases are random,
+    and the root mean square is exact.
+    """
+    if rms == 0.0:
         return np.zeros(LOWEST_ORDER, complex)
     rim = 2 * pi * radius
     first = max(int(np.ceil(rim / roughness.longest)), LOWEST_ORDER)
@@ -37,10 +68,58 @@ def rim_amplitudes(roughness: Roughness | None, radius: float) -> np.ndarray:
         )
     order = np.arange(first, last + 1)
     size = order ** (-roughness.exponent / 2)
-    mean_square = (roughness.rms or 0.0) ** 2 + roughness.edge_rms**2
-    size *= sqrt(2 * mean_square / np.sum(size**2))
+    size *= sqrt(2) * rms / sqrt(np.sum(size**2))
     phase = np.random.default_rng(roughness.seed).uniform(0, 2 * pi, len(order))
     return np.concatenate([np.zeros(first), size * np.exp(1j * phase)])
+
+
+def grain_amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
+    """Return the amplitudes (n,) [m] along the circle of the contact on a ruled table.
+
+    Its height depends on x = R cos(a) only. The waves along x have the spectrum of the roughness.
+    """
+    period = MIN_GRAIN_PERIODS * max(roughness.longest, 2 * radius)
+    along = np.arange(ceil(period / roughness.longest), int(period / roughness.shortest) + 1)
+    size = along ** (-roughness.exponent / 2)
+    size *= sqrt(2) * (roughness.rms or 0.0) / sqrt(np.sum(size**2))
+    phase = np.random.default_rng(roughness.seed).uniform(0, 2 * pi, len(along))
+    count = rim_point_count(int(2 * pi * radius / roughness.shortest))
+    x = radius * np.cos(2 * pi * np.arange(count) / count)
+    heights = np.zeros(count)
+    for number, amplitude, shift in zip(along, size, phase, strict=True):
+        heights += amplitude * np.cos(2 * pi * number / period * x + shift)
+    return amplitudes_of(heights, int(2 * pi * radius / roughness.shortest))
+
+
+def measured_amplitudes(file: str, radius: float) -> np.ndarray:
+    """Return the amplitudes (n,) [m] of the first turn of a measured profile.
+
+    The straight line between its ends is subtracted, which closes the turn. Raises ValueError if
+    the profile is shorter than one turn.
+    """
+    length, height = profile_columns(Path(file))
+    length = length - length[0]
+    rim = 2 * pi * radius
+    if length[-1] < rim:
+        raise ValueError(
+            f"{file}: is {length[-1]:g} m long, and must be at least one turn of the rim, {rim:g} m"
+        )
+    last = int(rim / (2 * np.diff(length).min()))
+    count = rim_point_count(last)
+    path = rim * np.arange(count) / count
+    start, end = np.interp([0.0, rim], length, height)
+    return amplitudes_of(np.interp(path, length, height) - (end - start) * path / rim, last)
+
+
+def amplitudes_of(heights: np.ndarray, last: int) -> np.ndarray:
+    """Return the complex amplitudes (last + 1,) [m] of heights (p,) [m] at equidistant angles."""
+    return np.fft.rfft(heights)[: last + 1] * 2 / len(heights)
+
+
+def rim_point_count(last: int) -> int:
+    """Return the number of points of the rim for waves up to the order `last`: a power of two."""
+    needed = max(MIN_RIM_POINTS, POINTS_PER_WAVE * (last + 1))
+    return 2 ** int(np.ceil(np.log2(needed)))
 
 
 def rim_heights(
@@ -52,8 +131,7 @@ def rim_heights(
         missing = max(imperfection.order + 1 - len(amplitudes), 0)
         amplitudes = np.pad(amplitudes, (0, missing))
         amplitudes[imperfection.order] += imperfection.amplitude
-    needed = max(MIN_RIM_POINTS, POINTS_PER_WAVE * len(amplitudes))
-    count = 2 ** int(np.ceil(np.log2(needed)))
+    count = rim_point_count(len(amplitudes) - 1)
     waves = np.zeros(count // 2 + 1, complex)
     waves[: len(amplitudes)] = amplitudes
     return np.fft.irfft(waves, count) * count / 2
@@ -82,6 +160,42 @@ def curvature_number(amplitudes, radius: float, inclination: float, depth: float
     felt = order < sqrt(radius * inclination / (2 * depth))
     curvature = ((order**2 - 1) * np.abs(amplitudes))[felt]
     return sqrt(np.sum(curvature**2) / 2) / (radius * inclination)
+
+
+class Unevenness(NamedTuple):
+    """Unevenness of table and edge relative to the tilted rim and to its contact.
+
+    Attributes
+    ----------
+    curvature : float
+        kappa, as `curvature_number` returns it.
+    depths : float
+        Root mean square of the heights over the depth of the static contact.
+    """
+
+    curvature: float
+    depths: float
+
+
+@lru_cache(32)
+def _amplitudes(roughness: Roughness, radius: float) -> np.ndarray:
+    return rim_amplitudes(roughness, radius)
+
+
+def unevenness(
+    disk: Disk, law: ContactLaw, roughness: Roughness | None, inclination: float
+) -> Unevenness:
+    """Return how uneven table and edge are for a disk at an inclination [rad].
+
+    Raises ValueError if no wave fits the rim.
+    """
+    if roughness is None:
+        return Unevenness(0.0, 0.0)
+    amplitudes = _amplitudes(roughness, disk.radius)
+    depth = static_depth(disk.weight, law.modulus, disk.radius, law.fillet, inclination)
+    rms = sqrt(np.sum(np.abs(amplitudes) ** 2) / 2)
+    kappa = curvature_number(amplitudes, disk.radius, inclination, depth)
+    return Unevenness(kappa, rms / depth)
 
 
 def damping_ratio(restitution: float) -> float:

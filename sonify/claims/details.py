@@ -60,6 +60,11 @@ DETAIL_SENTENCES: dict[str, Callable[[Mapping[str, float]], str]] = {
     "at 99 %".format_map,
     "rates_are_alike": "{nutations_per_turn:.2f} nutations per turn".format_map,
     "table_rings_at_the_halt": "{before_end:.3g} s before the end".format_map,
+    "vibration_opens_contact": (
+        "in the first {until:.2g} s the contact is open for {open_share:.1%} of the time, without "
+        "the modes for {open_share_without_modes:.1%}, without roughness for "
+        "{open_share_without_roughness:.1%}".format_map
+    ),
     "waves_make_the_halt": shares_in_words,
     "what_ends": shares_in_words,
 }

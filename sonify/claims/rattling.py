@@ -1,13 +1,19 @@
-"""RATTLING DISK -> FINDINGS: losses of contact, impacts, and the law of the precession rate."""
+"""RATTLING DISK -> FINDINGS: losses of contact and their cause, impacts, and what is heard."""
+
+from dataclasses import replace
 
 import numpy as np
+from scipy.signal import welch
 
-from dynamics.rattling.rattling_motion import RattlingMotion
+from dynamics import Outcome
+from dynamics.rattling.rattling_motion import RattlingMotion, solve_rattling_motion
 from dynamics.rattling.unevenness import rate_exponent
+from modal import Modes
 from sonify.claims.contact import micro_flights
 from sonify.claims.finding import Finding, Measured, finding, register_judge
 from sonify.claims.literature import energy_taken
 from sonify.scene import Scene
+from sonify.sound.pressure import Sound
 
 MIN_RATTLING_SHARE = 0.2
 """Share of time without contact from which a disk is said to rattle."""
@@ -15,16 +21,32 @@ EXPONENT_TOLERANCE = 0.05
 """Largest difference between the exponents of the precession rate in theory and in a motion."""
 FIT_SAMPLES = 400
 """Number of instants to which the law of the precession rate is fitted."""
+MAX_COMPARED_TIME = 0.4
+"""Longest time [s] for which a motion is solved again without modes or roughness."""
+SMOOTH_RMS = 1e-12
+"""Root mean square of heights [m] that no contact feels."""
+MODE_BAND = 0.03
+"""Largest relative distance of the sound of a mode from its frequency."""
+MIN_HEARD_FREQUENCY = 100.0
+"""Lowest frequency [Hz] of the sound that is divided among the modes."""
+WELCH_LENGTH = 8192
+"""Samples of one section of the estimated spectrum."""
 
 
-def rattling_findings(scene: Scene, motion: RattlingMotion) -> list[Finding]:
-    """Return the findings on a motion with contact anywhere on the rim."""
+def rattling_findings(
+    scene: Scene, motion: RattlingMotion, modes: Modes, sound: Sound
+) -> list[Finding]:
+    """Return the findings on a motion with contact anywhere on the rim, and on its sound."""
     found = [disk_rattles(motion)]
     if motion.contact_losses:
         found.append(micro_flights(motion))
+        if scene.roughness is not None:
+            found.append(vibration_opens_contact(scene, motion))
     found.append(impacts_end_it(motion))
-    if scene.roughness is not None and motion.outcome.name == "SETTLED":
+    if scene.roughness is not None and motion.outcome in (Outcome.SETTLED, Outcome.AIRBORNE):
         found.append(rate_follows_unevenness(scene.roughness.exponent, motion))
+    if len(modes) and np.any(modes.frequency < sound.sample_rate / 2):
+        found.append(free_modes_are_heard(sound, modes))
     return found
 
 
@@ -48,6 +70,78 @@ def disk_rattles(motion: RattlingMotion):
         "rms_over_depth": motion.model.roughness_rms / motion.model.depth(motion.state[0, 1]),
     }
     return Measured(motion.open_share, margin, details)
+
+
+@register_judge(needs=("scene", "motion", "contact law"))
+def vibration_opens_contact(scene: Scene, motion: RattlingMotion) -> Finding:
+    """The share of the open time that vanishes without the modes of the disk.
+
+    The motion is solved again from the release without these modes, and without roughness. The
+    margin takes the flights as independent events.
+    """
+    until = min(float(motion.t[-1]), MAX_COMPARED_TIME)
+    limit = f"numerics.time_limit={until}"
+    with_all, margin = open_share_until(motion, until)
+    rigid = solve_rattling_motion(scene.replace(limit, "contact.body=rigid"))
+    without_modes, own_margin = open_share_until(rigid, until)
+    smooth = scene.roughness and replace(
+        scene.roughness, rms=SMOOTH_RMS, rms_edge=0.0, profile=None, profile_edge=None
+    )
+    even = solve_rattling_motion(scene.replace(limit).part(roughness=smooth))
+    without_roughness, _ = open_share_until(even, until)
+    opens = "vibration" if without_modes < with_all / 2 else "unevenness"
+    return Finding(
+        key="vibration_opens_contact",
+        claim="Vibration of the disk breaks the contact",
+        value=1 - without_modes / with_all if with_all else 0.0,
+        unit="of the open time, which vanishes without the modes of the disk",
+        at_least=0.5,
+        margin=float(np.hypot(margin, own_margin) / with_all) if with_all else 0.0,
+        details={
+            "open_share": with_all,
+            "open_share_without_modes": without_modes,
+            "open_share_without_roughness": without_roughness,
+            "until": until,
+        },
+        cause=opens if without_roughness < with_all / 2 else "neither",
+        needs=("scene", "motion", "contact law"),
+        source="section 8: vibrations that the contact force excites break the contact",
+    )
+
+
+def open_share_until(motion: RattlingMotion, until: float) -> tuple[float, float]:
+    """Return the share of the time up to `until` [s] without contact, and its margin."""
+    begin, lasts = motion.contact_losses.array[:, :2].T
+    inside = np.clip(np.minimum(begin + lasts, until) - begin, 0.0, None)
+    return float(inside.sum() / until), float(2 * np.sqrt(np.sum(inside**2)) / until)
+
+
+@register_judge(needs=("sound", "modes"))
+def free_modes_are_heard(sound: Sound, modes: Modes) -> Finding:
+    """The share of the sound power near the frequencies of the modes.
+
+    The margin is the change with bands of half and of twice the width.
+    """
+    pressure = np.concatenate([block[:, 0] for block in sound.pressure.blocks()])
+    length = min(WELCH_LENGTH, len(pressure))
+    frequency, power = welch(pressure, sound.sample_rate, nperseg=length)
+    audible = frequency > MIN_HEARD_FREQUENCY
+    shares = []
+    for width in (MODE_BAND / 2, MODE_BAND, 2 * MODE_BAND):
+        distance = np.abs(frequency[:, None] / modes.frequency - 1).min(axis=1)
+        near = audible & (distance < width)
+        shares.append(float(power[near].sum() / power[audible].sum()))
+    return Finding(
+        key="free_modes_are_heard",
+        claim="What is heard are the modes of the disk",
+        value=shares[1],
+        unit=f"of the sound power above {MIN_HEARD_FREQUENCY:g} Hz, within "
+        f"{MODE_BAND:.0%} of the frequencies of the modes",
+        at_least=0.5,
+        margin=max(shares) - min(shares),
+        needs=("sound", "modes"),
+        source="recorded coins: their lines while rolling are those of the free coin within 0.3 %",
+    )
 
 
 @finding(

@@ -6,7 +6,7 @@ from math import radians
 
 import numpy as np
 
-from dynamics.compliant.model_inputs import law_table
+from dynamics.compliant.model_inputs import contact_law, law_table
 from dynamics.compliant.model_selection import (
     choose_contact_model,
     roughness_energy_share,
@@ -14,7 +14,7 @@ from dynamics.compliant.model_selection import (
 )
 from dynamics.disk import GRAVITY
 from dynamics.film.activation import decide_film
-from dynamics.rattling.rattling_motion import rattling_model
+from dynamics.rattling.unevenness import unevenness
 from sonify.plan import sentences
 from sonify.plan.plan import Decision, Plan
 from sonify.plan.predictions import Prediction
@@ -36,10 +36,10 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
     chosen = choose_contact_model(scene)
     film = decide_film(scene).film is not None
     reason = chosen.reason
-    if chosen.kind == "many":
-        reason += uneven_curvature(scene)
     if chosen.kind == "filter":
         reason = f"{chosen.reason}; {sentences.FILTER_ERROR}"
+    if chosen.kind != "rigid" and scene.roughness is not None:
+        reason += uneven_curvature(scene)
     contact = Decision(subject="contact of the edge", choice=chosen.kind, reason=reason)
     modelled = [*sentences.CONTACT_MODELLED[chosen.kind]]
     neglected = [*sentences.CONTACT_NEGLECTED[chosen.kind]]
@@ -53,7 +53,10 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
             modelled.append(sentences.ROUGHNESS_LOSS_MODELLED[scene.roughness.loss])
         if chosen.kind == "full" and film:
             neglected.append(sentences.OPEN_FILM_NEGLECTED)
-        if film:
+        if film and chosen.kind == "many":
+            modelled.append(sentences.RATTLING_FILM_MODELLED)
+            neglected.append(sentences.RATTLING_FILM_NEGLECTED)
+        elif film:
             modelled.append(sentences.HEIGHT_SOUND_MODELLED)
             neglected.append(sentences.FILM_ACTION_NEGLECTED)
         else:
@@ -71,16 +74,14 @@ def with_contact(plan: Plan, scene: Scene) -> Plan:
 
 def uneven_curvature(scene: Scene) -> str:
     """Return how uneven table and edge are at the release and near the end, in words."""
-    if scene.roughness is None or scene.roughness.rms is None:
-        return ""
-    model = rattling_model(scene)
+    law = contact_law(scene)
     release = radians(scene.release.inclination_deg)
     late = release / 10
+    first, last = (unevenness(scene.disk, law, scene.roughness, beta) for beta in (release, late))
     return (
-        f"; the curvature of the heights is {model.curvature_number(release):.2g} times that of "
-        f"the rim at {release:.2g} rad and {model.curvature_number(late):.2g} times at {late:.2g} "
-        f"rad (contact is lost from 0.25 to 0.5 on), and their rms is "
-        f"{model.roughness_rms / model.depth(release):.2g} times the depth of the contact"
+        f"; the rms of the heights is {first.depths:.2g} times the depth of the contact, and "
+        f"their curvature is {first.curvature:.2g} times that of the rim at {release:.2g} rad and "
+        f"{last.curvature:.2g} times at {late:.2g} rad (contact is lost from 0.25 to 0.5 on)"
     )
 
 

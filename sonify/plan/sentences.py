@@ -74,6 +74,15 @@ CONTACT_MODELLED = {
         "the rim.",
     ),
 }
+RATTLING_FILM_MODELLED = (
+    "The air film acts as under a disk on its contact, which holds while hops are low compared "
+    "with the mean gap: the last stretch, where the rim is raised by less than ten times the "
+    "heights of the table, is outside its law."
+)
+RATTLING_FILM_NEGLECTED = (
+    "The action of the film on the modes of the disk before the end; the sound that heave and tilt "
+    "of the rigid disk press out of the film."
+)
 FILTER_ERROR = "its level is within 10 % of the full model for rolling, and up to 1.9 times too low for sliding"
 ROUGHNESS_LOSS_MODELLED = {
     "own": "Roughness dissipates energy in addition to the friction of the scene (roughness.loss = "
@@ -167,10 +176,7 @@ CONTACT_NEGLECTED = {
         "while the disk slides.",
     ),
     "full": (),
-    "many": (
-        "The resisting moments of nutation, rolling and spin, the air film, and the change of the "
-        "profile while the edge slips round the table.",
-    ),
+    "many": ("The change of the profile while the edge slips round the table.",),
 }
 ROUGHNESS_LOSS_NEGLECTED = (
     "The loss to roughness in addition to friction, {share:.1%} of the energy: the motion is that of "

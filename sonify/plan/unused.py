@@ -41,12 +41,9 @@ def has_no_film(scene: Scene) -> bool:
     return scene.air.pressure == 0.0 or scene.disk.shape != "solid"
 
 
-def rattles(scene: Scene) -> bool:
+def is_rattling(scene: Scene) -> bool:
     """Return True if the contact may be anywhere on the rim."""
-    return scene.numerics.contact == "many"
-
-
-ARM_KEYS = ("arm_nutation", "arm_rolling", "arm_pivoting")
+    return choose_contact_model(scene).kind == "many"
 
 
 def has_own_constants(scene: Scene) -> bool:
@@ -69,11 +66,11 @@ def section_keys(section: str, keys: tuple[str, ...]) -> tuple[str, ...]:
 RULES = (
     Rule(
         ("friction.mu_dynamic",),
-        lambda scene: scene.friction.mu_static == inf and not rattles(scene),
+        lambda scene: scene.friction.mu_static == inf and not is_rattling(scene),
     ),
     Rule(
-        (*section_keys("friction", ("mu_static", *ARM_KEYS)), "roughness.loss"),
-        rattles,
+        ("friction.mu_static", "roughness.loss"),
+        is_rattling,
     ),
     Rule(("contact.loss_factor",), lambda scene: scene.contact.restitution is not None),
     Rule(("material.name",), has_own_constants),

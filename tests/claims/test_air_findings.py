@@ -97,7 +97,7 @@ def falling_film_share(motion, air):
             ("numerics.time_limit=3",),
             9.9e-6,
         ),  # the dip of the nutation in the contact force is 0.229
-        ("coin", ("numerics.time_limit=1", "air.film=acts"), None),  # hops on its contact
+        ("coin-polished", ("numerics.time_limit=1", "air.film=acts"), None),  # hops on its contact
         ("thorne", ("numerics.time_limit=3",), None),
     ],
 )

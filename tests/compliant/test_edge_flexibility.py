@@ -31,7 +31,7 @@ def ringing(scene, beta):
 
 
 @pytest.mark.parametrize(
-    ("name", "angles"), [("granite", INCLINATIONS), ("coin", INCLINATIONS[:3])]
+    ("name", "angles"), [("granite", INCLINATIONS), ("coin-polished", INCLINATIONS[:3])]
 )
 def test_the_filter_rings_as_the_elastic_disk_does(name, angles):
     """The series is exact without losses; its error is of second order in the loss factor."""
@@ -48,7 +48,8 @@ def test_the_filter_rings_as_the_elastic_disk_does(name, angles):
 
 
 @pytest.mark.parametrize(
-    ("name", "angles", "off"), [("granite", INCLINATIONS, 0.01), ("coin", INCLINATIONS[1:3], 0.02)]
+    ("name", "angles", "off"),
+    [("granite", INCLINATIONS, 0.01), ("coin-polished", INCLINATIONS[1:3], 0.02)],
 )
 def test_the_springs_of_the_full_motion_have_the_carrier_but_for_what_couples_them(
     name, angles, off

@@ -66,7 +66,7 @@ def test_another_law_is_given_back_and_contour_friction_does_not_fit(name, tmp_p
 
 
 def test_a_coin_that_hops_is_given_back_in_wide_intervals(tmp_path):
-    scene, fits = fitted("coin", tmp_path)
+    scene, fits = fitted("coin-polished", tmp_path)
     values = fits.values()
     assert held(
         values["rolling"],

@@ -257,7 +257,7 @@ def test_a_missing_section_is_named(published, section):
 
 
 def test_a_name_is_a_scene_wherever_one_is_run(tmp_path):
-    assert check_solvable_scene("coin", "draft") == load_scene("coin").replace(
+    assert check_solvable_scene("coin-polished", "draft") == load_scene("coin-polished").replace(
         "numerics.accuracy=draft"
     )
     with pytest.raises(SceneError, match="no such scene"):

@@ -26,7 +26,7 @@ from sonify.sound.sources.tabletop import contact_place
 
 SCENES = {
     "published": ("numerics.accuracy=draft", "numerics.time_limit=3.0"),
-    "coin": ("numerics.accuracy=draft", "numerics.time_limit=0.2"),
+    "coin-polished": ("numerics.accuracy=draft", "numerics.time_limit=0.2"),
     "hoop": ("numerics.accuracy=draft", "numerics.time_limit=1.0"),
     "glass-plate": ("numerics.accuracy=draft", "numerics.time_limit=0.3", "surface.action=sound"),
 }
@@ -184,7 +184,7 @@ def test_the_polygon_is_close_to_the_rim_of_any_disk():
 
 
 def test_a_model_as_text_is_the_same(tmp_path):
-    scene = load_scene("published").replace(*SCENES["coin"])
+    scene = load_scene("published").replace(*SCENES["coin-polished"])
     loaded = [
         GLTF2().load(str(export_motion(scene, "gltf", tmp_path / name, rate=120.0)))
         for name in ("a.glb", "a.gltf")

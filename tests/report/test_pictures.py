@@ -77,7 +77,7 @@ def test_the_figures_of_the_paper_are_drawn_for_its_scene_alone(drawn, short):
     labels = [panel.get_xlabel() for panel in below]
     assert labels.count("time τ = t/χ, χ = 0.06917 s") == 5
     assert labels.count("x/R") == 1
-    for name, own in (("published", True), ("coin", False)):
+    for name, own in (("published", True), ("coin-polished", False)):
         found = SimpleNamespace(motion=short, scene=load_scene(name))
         assert (pictures._motion(found)["paper"] is not None) is own
 

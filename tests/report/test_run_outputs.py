@@ -493,7 +493,7 @@ def test_modes_out_of_tune_that_change_a_verdict_leave_it_undecided():
         "support.kind=patch",
     )
     body = "disk.radius=0.011625", "disk.thickness=0.00233", "disk.mass=0.0075"
-    scene = load_scene("coin").replace(*body, *arms, *others)
+    scene = load_scene("coin-polished").replace(*body, *arms, *others)
     motion = simulate(scene)
     (plan, modes) = plan_with_modes(scene)
     sharp = replace(modes, frequency=1.003 * modes.frequency)

@@ -109,7 +109,9 @@ def jumps(frequency):
 def test_where_the_contact_hops_the_nutation_is_drawn_while_there_is_one():
     """The nutation arm of this coin damps the nutation within half a second; the coin then hops,
     and its normal force is noise."""
-    coin = load_scene("coin").replace("friction.arm_nutation=1e-4", "numerics.time_limit=3")
+    coin = load_scene("coin-polished").replace(
+        "friction.arm_nutation=1e-4", "numerics.time_limit=3"
+    )
     motion = solve_motion(coin)
     assert len(motion.contact_losses) > 100
     time, precession, nutation = drawn_rates(motion)

@@ -25,7 +25,7 @@ CHAOTIC = {
 }  # fmt: skip
 """Findings on the last, chaotic milliseconds or on rounding; they are excluded from the comparison.
 """
-RATTLING = ("coin-stone",)
+RATTLING = ("coin",)
 """Scenes whose whole motion is chaotic: only the verdicts of the claims on it are compared."""
 LEAST_CHANGE = {"carriers_are_steady": 0.2}
 """Changes [in the unit of the finding] below which a value is zero: rounding decides it."""

@@ -115,12 +115,12 @@ def sound_of_scene(name):
     brief = {
         "published": "numerics.time_limit=20.0",
         "hoop": "numerics.time_limit=1.5",
-        "coin": "numerics.time_limit=0.45",
+        "coin-polished": "numerics.time_limit=0.45",
     }
     return solve(load_scene(name).replace("numerics.accuracy=draft", brief[name])).sound
 
 
-@pytest.mark.parametrize("name", ["published", "hoop", "coin"])
+@pytest.mark.parametrize("name", ["published", "hoop", "coin-polished"])
 def test_the_file_of_a_scene_has_the_loudness_and_the_peak(name, tmp_path):
     sound = sound_of_scene(name)
     write_sound(sound, tmp_path)

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.fft import irfft, rfft
 
+from dynamics.compliant.law.profile_files import profile_columns
 from dynamics.compliant.law.sections import MAX_PROFILE_CELLS
 from dynamics.numba_kernels import kernel, outermost
 
@@ -131,7 +132,7 @@ def profile_from_csv(file, period: float | None = None) -> Profile:
     For an edge, `period` is its circumference [m]: the length is stretched to a whole number of
     periods. Raises ValueError if the file is not a valid profile.
     """
-    length, height = _columns(Path(file))
+    length, height = profile_columns(Path(file))
     height = height - np.polynomial.Polynomial.fit(length, height, 1)(length)
     span = length[-1] - length[0]
     n = max(8, int(np.ceil(span / np.diff(length).min() * (1 - 1e-9))))
@@ -143,28 +144,3 @@ def profile_from_csv(file, period: float | None = None) -> Profile:
     even = np.interp(np.linspace(length[0], length[-1], n + 1), length, height)
     double = 2 * span if period is None else period / max(1, round(period / (2 * span)))
     return spline_profile(rfft(np.append(even, even[-2:0:-1])), double)
-
-
-def _columns(file):
-    """Return lengths and heights of a CSV file. Raises ValueError if they are not valid."""
-    rows = file.read_text("utf-8-sig").replace(";", ",").splitlines()
-    first = next((i for i, row in enumerate(rows) if _is_number(row.split(",")[0])), len(rows))
-    try:
-        if first == len(rows):
-            raise ValueError("no numbers")
-        length, height = np.loadtxt(rows[first:], delimiter=",", ndmin=2, usecols=(0, 1)).T
-    except ValueError as error:
-        raise ValueError(f"{file}: must have rows of length, height in metres ({error})") from None
-    if len(length) < 8 or not np.isfinite(height).all() or not (np.diff(length) > 0).all():
-        raise ValueError(
-            f"{file}: must have at least 8 rows of increasing length and finite height"
-        )
-    return length, height
-
-
-def _is_number(text):
-    """Return True if the text is a finite number."""
-    try:
-        return np.isfinite(float(text))
-    except ValueError:
-        return False

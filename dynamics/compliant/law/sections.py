@@ -92,6 +92,8 @@ class Roughness:
     a friction that was measured on such a surface. """
     seed: Annotated[int, Ge(0), Le(10**9)] = 0
     """Seed of the random heights; equal seeds give equal heights."""
+    grain: bool = False
+    """Whether the table is ruled: its height varies along x only; needs a disk that rattles."""
     profile: str | None = None
     """Path of a CSV file with lengths and heights [m] measured on the table, in place of rms."""
     profile_edge: str | None = None
