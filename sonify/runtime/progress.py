@@ -93,11 +93,11 @@ def duration_in_words(seconds: float) -> str:
     """Return a duration in a suitable unit: "0.8 s", "12 min", "3.4 h", "2.1 days"."""
     for size, unit in ((DAY, "days"), (HOUR, "h"), (MINUTE, "min")):
         if seconds >= 1.5 * size:
-            return f"{_two_digits(seconds / size)} {unit}"
-    return f"{_two_digits(seconds)} s"
+            return f"{two_significant_digits(seconds / size)} {unit}"
+    return f"{two_significant_digits(seconds)} s"
 
 
-def _two_digits(number):
+def two_significant_digits(number):
     """Format a number with two significant digits, or more if its integer part needs them."""
     return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
 
