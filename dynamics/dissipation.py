@@ -6,7 +6,6 @@ This moment has the power P in every motion. In quasi-steady motion the energy t
 """
 
 from collections.abc import Iterable
-from copy import copy
 from dataclasses import dataclass
 from functools import reduce
 from itertools import chain, repeat
@@ -216,13 +215,13 @@ class OwnLaw:
         Returns
         -------
         OwnLaw
-            A copy of the law. It is made without `__post_init__`, which may accept floats only.
+            A new law. `__post_init__` is skipped, because it may accept floats only.
         """
-        law = copy(self)
         remaining = iter(parameters)
+        law = object.__new__(type(self))
         for name, value in vars(self).items():
-            if value is None or isinstance(value, float):
-                object.__setattr__(law, name, next(remaining))
+            is_parameter = value is None or isinstance(value, float)
+            vars(law)[name] = next(remaining) if is_parameter else value
         return law
 
 

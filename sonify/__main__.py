@@ -237,12 +237,12 @@ def run(scene, out, accuracy, assignments, animation, dynamics):
 @TO_OPTION
 def listen(recording, out, scene, begin, end):
     """Detect disks and coins that come to rest, and spectral lines, in the sound file RECORDING."""
-    from sonify.report.recording import tell
+    from sonify.report.recording import write_recording_report
 
     def warn(line):
         click.echo(line, err=True)
 
-    for line in tell(recording, out, scene, warn, (begin, end)):
+    for line in write_recording_report(recording, out, scene, warn, (begin, end)):
         click.echo(line)
 
 

@@ -9,7 +9,7 @@ import click
 from rich.console import Console as RichConsole
 from rich.progress import BarColumn, Progress, TaskID, TextColumn
 
-from sonify.plan.plan import missing_after_end
+from sonify.plan.plan import omissions_after_end
 from sonify.runtime.progress import StageProgress, Stages
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ class Console(Stages, AbstractContextManager):
             click.echo(
                 f"{f.answer:9}  {f.claim}: {f.measured} {unit_and_details(f)} ({f.expectation})"
             )
-        for line in missing_after_end(result.motion):
+        for line in omissions_after_end(result.motion):
             click.echo(f"note    {line}")
 
     def _repeat(self, show, period):

@@ -6,7 +6,7 @@ import platform
 from pathlib import Path
 
 from benchmarks.timed_runs import Record, most_accurate
-from sonify.report.write import git_output, version_of
+from sonify.report.write import run_git, version_of
 from sonify.runtime.files import atomic_write
 
 PACKAGES = (
@@ -97,7 +97,7 @@ def environment() -> list[str]:
     packages = ", ".join(f"{package} {version_of(package)}" for package in PACKAGES)
     cores = f"{os.cpu_count()} cores, one process"
     machine = f"{_processor()}, {cores}, {platform.system()}, Python {platform.python_version()}"
-    return [machine, packages, f"commit {git_output('describe', '--always', '--dirty')}"]
+    return [machine, packages, f"commit {run_git('describe', '--always', '--dirty')}"]
 
 
 def known_environment(path: Path) -> list[str]:

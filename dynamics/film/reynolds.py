@@ -18,12 +18,6 @@ from skfem import Basis, ElementQuad2, MeshQuad
 
 from dynamics.air import HEAT_RATIO
 
-NEWTON_TOLERANCE = 1e-9
-"""Relative tolerance of Newton's method for the compressible film."""
-MAX_NEWTON_STEPS = 30
-"""Maximum number of Newton steps for the compressible film."""
-MAX_HALVINGS = 6
-"""Number of step lengths tried in one Newton step; each is half the previous one."""
 MIN_DRIVING_PRESSURE = 0.01
 """Pressure that drives the flow where the solution is zero, divided by the ambient pressure.
 
@@ -246,21 +240,24 @@ class FilmMesh:
             f"the compressible film does not converge at Lam = {Lam:g}, falling = {falling:g}"
         )
 
-    def _newton(self, P, Lam, falling, near):
-        """Return the pressure (n,) by damped Newton steps, or None if they do not converge."""
+    def _newton(self, P, Lam, falling, near, tolerance=1e-9, max_steps=30, max_step_lengths=6):
+        """Return the pressure (n,) by damped Newton steps, or None if they do not converge.
+
+        Each step tries up to `max_step_lengths` lengths; each is half the previous one.
+        """
         inner = self._inner
         rest = self._nodal_residual(P, Lam, falling, near)[self._inner]
-        for _ in range(MAX_NEWTON_STEPS):
+        for _ in range(max_steps):
             factors = splu(self._residual_jacobian(P, Lam, falling, near))
             step = factors.solve(-rest)
-            for part in 0.5 ** np.arange(MAX_HALVINGS):
+            for part in 0.5 ** np.arange(max_step_lengths):
                 ahead = P.copy()
                 ahead[inner] += part * step
                 rest = self._nodal_residual(ahead, Lam, falling, near)[inner]
                 if np.abs(factors.solve(rest)).max() <= (1 - part / 4) * np.abs(step).max():
                     break
             P = ahead
-            if np.abs(step).max() < NEWTON_TOLERANCE * P.max():
+            if np.abs(step).max() < tolerance * P.max():
                 return P
         return None
 

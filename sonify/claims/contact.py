@@ -30,7 +30,7 @@ from sonify.sound.sources.contact_vibration import VibratingDisk
 
 VIBRATION_TIMES = 96
 """Number of instants at which the vibration of a motion is predicted."""
-SOFTENING_TIMES = 12
+LOAD_FACTOR_TIMES = 12
 """Number of instants at which the effective load factor of the contact is computed."""
 SPECTRUM_FREQUENCIES = 800
 """Number of points of the plotted resonance, which oscillates with the nutation early on."""
@@ -42,12 +42,12 @@ FORCE_SAMPLE_RATE = 96e3
 """Sample rate of the spectrum of a solved contact force [1/s]."""
 WELCH_SEGMENT = 4096
 """Length of the segments of this spectrum [samples]."""
-MIN_AIR_SHIFT = 1.1
+MIN_RADIATION_FREQUENCY_RATIO = 1.1
 """Ratio of measured to contact-force frequency above which the air sets the noise band."""
 
-MAX_PEAK_CHANGE = 5.0
+MAX_STEADY_LINE_SPREAD = 5.0
 """Greatest spread of a steady spectral line [cents]."""
-MIN_LOSS_DURATION = 0.2
+MIN_STEADY_LINE_DURATION = 0.2
 """Least duration of a steady spectral line, as a share of the sound."""
 RECORDED_RISING_PEAK = (1840.0, 2280.0)
 """Recorded limits of the rising peak of the toy on granite [Hz]."""
@@ -127,7 +127,7 @@ def softening(scene: Scene, motion: Motion, t) -> np.ndarray:
     """
     if scene.roughness is None or not motion.solves_contact:
         return np.ones(len(t))
-    some = np.linspace(t[0], t[-1], SOFTENING_TIMES)
+    some = np.linspace(t[0], t[-1], LOAD_FACTOR_TIMES)
     inclination, load, speed, _ = nominal_motion(motion, some)
     return np.interp(
         t,
@@ -171,11 +171,11 @@ def contact_findings(
     if scene.roughness is None:
         return broken, marked
     lasting = (
-        [c for c in known.lines if c.end - c.begin > MIN_LOSS_DURATION * known.duration]
+        [c for c in known.lines if c.end - c.begin > MIN_STEADY_LINE_DURATION * known.duration]
         if known
         else []
     )
-    lines = [c.frequency for c in lasting if c.spread < MAX_PEAK_CHANGE]
+    lines = [c.frequency for c in lasting if c.spread < MAX_STEADY_LINE_SPREAD]
     heard = carrier_heard(sound, motion, expected, lines)
     found = (
         carrier_findings(scene, motion, expected, heard)
@@ -318,7 +318,7 @@ def carrier_is_contact(found: RadiatedBands):
     "the force of the contact, and what a disk over its film radiates; the carrier from the sound "
     "alone",
     needs=("motion", "contact law", "sound"),
-    at_least=MIN_AIR_SHIFT,
+    at_least=MIN_RADIATION_FREQUENCY_RATIO,
 )
 def air_moves_carrier(found: RadiatedBands):
     """The median of the measured frequency of the noise band over that of the contact force."""

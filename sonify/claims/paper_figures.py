@@ -7,12 +7,12 @@ import numpy as np
 from dynamics import Motion
 from dynamics.observables import nutations_per_turn, precession_rate
 from sonify.claims.finding import Finding
-from sonify.claims.rigid_motion import FORCING_FREQUENCY_NAMED
+from sonify.claims.rigid_motion import PAPER_FORCING_FREQUENCY
 from sonify.scene import Scene, load_scene
 
 PAPER_SECTIONS = ("disk", "friction", "dissipation", "release", "surface", "contact", "air")
 """Sections of a scene that determine the motion of the paper."""
-SHOWN_FINDINGS = (
+PAPER_FIGURE_FINDINGS = (
     "energy_falls",
     "sliding_costs_more",
     "contact_kept",
@@ -32,7 +32,7 @@ def is_paper_scene(scene: Scene) -> bool:
 
 def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
     """Return the numbers of section 7 and of the figures as findings, followed by the given
-    findings that are in SHOWN_FINDINGS.
+    findings that are in PAPER_FIGURE_FINDINGS.
     """
     disk = motion.disk
     rate = np.abs(precession_rate(motion.at(motion.t[-1] * np.array([0.0, 0.5, 0.99]))))
@@ -69,7 +69,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
         _paper_number(
             "named_rate",
             "f = 2.5 is 36 Hz",
-            FORCING_FREQUENCY_NAMED / disk.time_unit,
+            PAPER_FORCING_FREQUENCY / disk.time_unit,
             "Hz",
             36.0,
             0.5,
@@ -94,7 +94,7 @@ def paper_rows(motion: Motion, findings: list[Finding]) -> list[Finding]:
             source="figure 6",
         ),
     ]
-    return own + [shown[key] for key in SHOWN_FINDINGS if key in shown]
+    return own + [shown[key] for key in PAPER_FIGURE_FINDINGS if key in shown]
 
 
 def _rates_are_alike(motion):

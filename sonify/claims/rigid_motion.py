@@ -17,8 +17,8 @@ from modal import Modes
 from sonify.claims.finding import Finding, Measured, finding, median_with_margin
 
 AUDIBLE_RANGE = (20.0, MAX_AUDIBLE_FREQUENCY)  # Hz
-FORCING_FREQUENCY_NAMED = 2.5  # over chi: the frequency of the normal force named in figure 4
-FORCING_FREQUENCY_TIME = 214.6  # over chi: when the published disk reaches it
+PAPER_FORCING_FREQUENCY = 2.5  # over chi: the frequency of the normal force named in figure 4
+PAPER_FORCING_FREQUENCY_TIME = 214.6  # over chi: when the published disk reaches it
 
 
 @finding(
@@ -76,16 +76,16 @@ def nutation_details(motion: Motion) -> dict[str, float]:
     "chi from the release, inf if it never does",
     "figure 4 (b), read in quadruple precision; footnote 3",
     needs=("motion",),
-    at_most=FORCING_FREQUENCY_TIME,
+    at_most=PAPER_FORCING_FREQUENCY_TIME,
     tolerance=0.5,
 )
 def load_frequency_reached(motion: Motion):
     """The first time, over chi of (4.5), at which the normal force has the frequency 2.5/chi."""
     chi = motion.disk.time_unit
     time, frequency = nutation_frequency(motion)
-    reached = time[chi * frequency >= FORCING_FREQUENCY_NAMED]
+    reached = time[chi * frequency >= PAPER_FORCING_FREQUENCY]
     first = reached[0] / chi if len(reached) else inf
-    return Measured(first, 1 / FORCING_FREQUENCY_NAMED, nutation_details(motion))
+    return Measured(first, 1 / PAPER_FORCING_FREQUENCY, nutation_details(motion))
 
 
 @finding(

@@ -22,7 +22,7 @@ from sonify.sound.pressure import STEMS, Sound, Track
 
 LAST_SECONDS = 1.0
 """Length of the final interval of the motion, in which the pitch is claimed to rise sharply [s]."""
-INDEPENDENT_TIME = 0.05
+INDEPENDENT_FRAME_SHARE = 0.05
 """Share of independent, non-overlapping frames among the frames of a tone."""
 
 
@@ -248,7 +248,7 @@ def _tone_ratio(tone, here, motion, sound, solved):
     """Return the median of the tone frequency over a solved rate, in the frames `here` (r,)."""
     delay = sound.source_end - motion.t[-1]
     rate = np.interp(tone.time[here] - delay, *solved)
-    return median_with_margin(tone.frequency[here] / rate, INDEPENDENT_TIME)
+    return median_with_margin(tone.frequency[here] / rate, INDEPENDENT_FRAME_SHARE)
 
 
 def weighted_power(sound: Sound, stem: Track) -> float:

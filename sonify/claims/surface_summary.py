@@ -112,7 +112,7 @@ def answers_in_short(findings: Iterable[Finding]) -> dict[str, str]:
     """
     by_key = {finding.key: finding for finding in findings}
     found = {
-        question: _answer(by_key, words)
+        question: first_answer(by_key, words)
         for question, words in ANSWERS.items()
         if by_key.keys() & words
     }
@@ -126,7 +126,7 @@ def answers_in_short(findings: Iterable[Finding]) -> dict[str, str]:
     return found
 
 
-def _answer(by_key: Mapping[str, Finding], words: Mapping[str, AnswerSentences]) -> str:
+def first_answer(by_key: Mapping[str, Finding], words: Mapping[str, AnswerSentences]) -> str:
     key = next(key for key in words if key in by_key)
     finding = by_key[key]
     cause = CAUSE_IN_WORDS.get(finding.cause, "")

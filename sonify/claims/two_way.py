@@ -25,7 +25,7 @@ ALMOST_FLAT_INCLINATION = 2 * FLAT_INCLINATION
 """Inclination [rad] below which losses of contact depend on the time step and are not counted."""
 LAST_ENERGY_SHARE = 0.1
 """Remaining share of the energy at which the halt begins."""
-LEFT = "that was left when the table began to act back"
+LEFT_AT_TWO_WAY_START = "that was left when the table began to act back"
 HALF_STEP = "half_step"
 """Name of the rerun with half the time step."""
 TWICE_STIFF = "twice_stiff"
@@ -172,7 +172,7 @@ def halt_comes_earlier(scene: Scene, motion: Motion):
 
 @finding(
     "The waves of the table, and not impacts or friction, take the last energy",
-    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {LEFT}",
+    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {LEFT_AT_TWO_WAY_START}",
     "section 8: contact that is lost and regained ends the motion",
     needs=("scene", "motion"),
     at_least=0.5,
@@ -181,7 +181,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion):
     """The share of the table modes in the energy that the disk and its contact lose during the
     halt.
     """
-    budget = _last_budget(scene, motion)
+    budget = final_energy_budget(scene, motion)
     shares = {name: lost[-1] for name, lost in budget.lost.items()}
     shares["table"] += budget.table[-1] - budget.table[0]
     whole = sum(shares.values())
@@ -199,7 +199,7 @@ def waves_make_the_halt(scene: Scene, motion: Motion):
 )
 def table_rings_at_the_halt(scene: Scene, motion: Motion):
     """The share of the table modes in the energy of disk and table, when they hold the most."""
-    t = _times(scene, motion)
+    t = times_towards_end(scene, motion)
     budget = energy_budget(motion, t)
     most = budget.table.argmax()
     share = budget.table[most] / (budget.table[most] + abs(budget.disk[most]))
@@ -208,7 +208,8 @@ def table_rings_at_the_halt(scene: Scene, motion: Motion):
 
 @finding(
     "The vibrations of the disk, and not those of the table alone, have a part in the halt",
-    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {LEFT} is the most that its elastic modes hold",
+    f"of the last {LAST_ENERGY_SHARE:.0%} of the energy {LEFT_AT_TWO_WAY_START} is the most that "
+    "its elastic modes hold",
     "abstract: the vibrations of disk and surface",
     needs=("scene", "motion"),
     at_least=0.1,
@@ -217,7 +218,7 @@ def disk_rings_at_the_halt(scene: Scene, motion: Motion):
     """The greatest energy of the elastic modes of the disk during the halt, over the total initial
     energy of the halt.
     """
-    budget = _last_budget(scene, motion)
+    budget = final_energy_budget(scene, motion)
     return budget.bending.max() / (budget.disk[0] + budget.table[0])
 
 
@@ -284,15 +285,15 @@ def loss_at_resonance(scene: Scene, motion: Motion):
     return Measured(x[np.abs(x - 1).argmin()] if len(x) else 0.0, details=details)
 
 
-def _times(scene, motion, count=4000):
+def times_towards_end(scene, motion, count=4000):
     part, begin = two_way_part(motion)
     return np.linspace(begin + two_way_start(scene, part), motion.t[-1], count)
 
 
-def _last_budget(scene, motion) -> EnergyBudget:
+def final_energy_budget(scene, motion) -> EnergyBudget:
     """Return the budget from the instant when the share LAST_ENERGY_SHARE of the energy at the onset of two-way
     coupling remains.
     """
-    budget = energy_budget(motion, _times(scene, motion))
+    budget = energy_budget(motion, times_towards_end(scene, motion))
     whole = budget.disk + budget.table
     return energy_budget(motion, budget.t[np.argmax(whole < LAST_ENERGY_SHARE * whole[0]) :])

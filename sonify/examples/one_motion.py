@@ -10,7 +10,7 @@ from sonify import load_scene
 
 
 def main() -> Motion:
-    """Solve the motion, print what it tells, return it."""
+    """Solve the motion, print its results and return it."""
     motion = simulate(load_scene("published"))
     end = motion.t[-1]
     print(f"{motion.outcome.sentence}: at {end:.3f} s")

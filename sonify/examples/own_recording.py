@@ -31,7 +31,7 @@ def made(path: Path) -> Path:
 
 
 def main(path: Path | None = None) -> Heard:
-    """Listen to the file at `path`, print what is heard, return it."""
+    """Analyse the recording at `path`, print the results and return them."""
     with TemporaryDirectory() as folder:
         heard = listen(path or made(Path(folder) / "made.wav"))
     if heard.tone is None:

@@ -22,7 +22,7 @@ SWEEP = {
 
 
 def main(out: str = "outputs/sweeps/slips") -> pd.DataFrame:
-    """Run what is missing of the sweep, print the slips as a cross-table, return all rows."""
+    """Solve the missing runs of the sweep, print a cross-table of the slips and return all rows."""
     table = pd.read_parquet(sweep(SWEEP, out=out))
     print(
         table.pivot(

@@ -30,7 +30,7 @@ RELEASE_CHANGE = 0.02
 """Greatest relative change of inclination and angular velocity at the release."""
 MAX_SEED = 10**9
 SILENCE_DB = -60.0
-"""Level below the peak [dB] of what is trimmed at both ends."""
+"""Level below the peak [dB] under which the sound is trimmed at both ends."""
 FADE_IN = 0.005  # s
 FADE_OUT = 0.02  # s
 LOOP_SECONDS = 1.0
@@ -169,7 +169,7 @@ def write_take(sound: Sound, path: Path, note: str) -> None:
 
 
 def audible_range(source) -> tuple[int, int]:
-    """Return the first sample and the end of what is louder than SILENCE_DB below the peak.
+    """Return the first sample and the end of the part louder than SILENCE_DB below the peak.
 
     The times of the fades are added at both ends. The length is even, because some readers expect
     an even number of bytes. Raises InputError for silence.

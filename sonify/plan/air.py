@@ -17,14 +17,14 @@ from sonify.scene import Scene
 from sonify.sound.absorption import HIGHEST_FREQUENCY, absorbed_db, absorption_latency
 from sonify.sound.radiation import listeners_of
 
-FILM_SHARES = (0.1, 0.01, 0.001)
+FILM_COMPARISON_INCLINATIONS = (0.1, 0.01, 0.001)
 """Inclinations [rad] at which the air law of a paper is compared with the solved film."""
 
 
 def with_air(plan: Plan, scene: Scene) -> Plan:
     """Return the plan with its decision, models and omissions on the air."""
     decided = decide_film(scene)
-    acts = sentences.FILM_ACTS if decided.film else sentences.FILM_DOES_NOT_ACT
+    acts = sentences.FILM_ACTS_CHOICE if decided.film else sentences.FILM_OMITTED_CHOICE
     decision = Decision(subject="film of air under the disk", choice=acts, reason=decided.reason)
     published = published_law_notes(scene)
     absorbed, not_absorbed = absorption_sentences(scene)
@@ -74,7 +74,7 @@ def published_law_notes(scene: Scene) -> list[str]:
     film = film_under(disk, air)
     ratios = []
     steepest = steepest_steady(disk.aspect, disk.gyration)
-    for beta in (beta for beta in FILM_SHARES if beta < steepest):
+    for beta in (beta for beta in FILM_COMPARISON_INCLINATIONS if beta < steepest):
         turning = steady_precession(beta, disk.aspect, disk.gyration) * np.sin(beta)
         solved = film.powers(beta, (0.0, 0.0, turning))[0]
         ratios.append(f"{steady_power(beta, none, paper) / solved:.2g} at {beta:g} rad")
@@ -110,7 +110,9 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
             time = motion.t[beyond[0]]
             path = air.mean_free_path
             limits.append(
-                sentences.RAREFIED_FROM.format(time=time, ratio=ratio, path=path, error=error)
+                sentences.RAREFIED_AIR_FROM_TIME.format(
+                    time=time, ratio=ratio, path=path, error=error
+                )
             )
     final = final_inclination(scene)
     is_last = motion.outcome is Outcome.SETTLED and final > scene.numerics.stopping_inclination(
@@ -118,7 +120,7 @@ def limits_of_film_law(scene: Scene, motion: Motion) -> list[str]:
     )
     if is_last:
         limits.append(
-            sentences.RAREFIED_REST.format(
+            sentences.RAREFIED_MOTION_NOT_SOLVED.format(
                 inclination=final, gap=radius * np.sin(final), knudsen=MAX_KNUDSEN
             )
         )

@@ -20,11 +20,9 @@ from sonify.plan.plan import Decision, Plan
 from sonify.plan.predictions import Prediction
 from sonify.scene import Scene
 
-END_SCATTER = 0.02
-"""Relative change of the duration of a rattling motion with the time step."""
-MODE_SHARE = 0.25
+MODE_SOUND_SHARE = 0.25
 """Share of the modes in the sound of a rough contact, in amplitude."""
-MODE_SHARE_WITH_FILM = 0.05
+MODE_SOUND_SHARE_WITH_FILM = 0.05
 """The same with an air film.
 
 The contact is solved along the rigid motion. The film makes the vibration of the disk louder, which
@@ -85,19 +83,20 @@ def uneven_curvature(scene: Scene) -> str:
     )
 
 
-def rattling_end(predicted: Prediction, scene: Scene) -> Prediction:
+def rattling_end(predicted: Prediction, scene: Scene, duration_scatter: float = 0.02) -> Prediction:
     """Return the predicted error of the end of a rattling motion, which is chaotic.
 
-    The inclination falls at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a restitution e.
+    `duration_scatter` is the relative change of the duration with the time step. The inclination
+    falls at the rate k sqrt(g s)/R, with k near 1 - 0.66 e for a restitution e.
     """
     if scene.roughness is None:
         return predicted
     rms = np.hypot(scene.roughness.rms or 0.0, scene.roughness.edge_rms)
     fall = (1 - 0.66 * (scene.contact.restitution or 1.0)) * np.sqrt(GRAVITY * rms)
-    lasts = scene.disk.radius * radians(scene.release.inclination_deg) / fall
+    duration = scene.disk.radius * radians(scene.release.inclination_deg) / fall
     return replace(
         predicted,
-        error=float(END_SCATTER * lasts),
+        error=float(duration_scatter * duration),
         source="the end of a rattling motion is chaotic: it varies by 2 % with the time step",
     )
 
@@ -115,27 +114,26 @@ def rough_sound(predicted: Prediction, kind: str, film: bool) -> Prediction:
         return replace(
             predicted,
             error=2**0.5,
-            source="the noise of a rough contact is another one at every step",
+            source="the noise of a rough contact differs for every time step",
         )
-    modes = MODE_SHARE_WITH_FILM if film else MODE_SHARE
+    modes = MODE_SOUND_SHARE_WITH_FILM if film else MODE_SOUND_SHARE
     return replace(
         predicted,
         error=modes * predicted.error,
-        source=f"{predicted.source}; most is the contact's",
+        source=f"{predicted.source}; most of the sound comes from the contact",
     )
 
 
-LATE_INCLINATION = 0.01
-"""Inclination [rad] that represents the late motion."""
+def bending_sentence(scene: Scene, late_inclination: float = 0.01) -> str:
+    """Return a sentence on how much bending of the disk lowers the contact resonance.
 
-
-def bending_sentence(scene: Scene) -> str:
-    """Return a sentence on how much bending of the disk lowers the contact resonance."""
+    The reduction is stated at the release and at `late_inclination` [rad].
+    """
     if scene.edge is None:
         return sentences.SHELL_BENDING_NEGLECTED
     steep = np.radians(scene.release.inclination_deg)
     disk = scene.disk
-    beta = np.array([steep, min(LATE_INCLINATION, steep / 2)])
+    beta = np.array([steep, min(late_inclination, steep / 2)])
     speed = disk.radius * np.array([steady_rate(disk, b) for b in beta])
     with_edge, without = (
         law_table(scene.replace(f"contact.body={body}")).carrier(beta, disk.weight, speed).frequency
@@ -145,9 +143,12 @@ def bending_sentence(scene: Scene) -> str:
     return sentences.BENDING.format(first=first, late=late, inclination=beta[1])
 
 
-LEANING, STEEP, THICK = 2.0, (-4.0, 6.0), 5.0
-"""Errors [dB] of the radiation of a vibrating disk over a film, in mean square around the disk.
+MAX_RADIATION_ERROR_DB = 2.0
+"""Largest error [dB] of the radiation of a disk vibrating over a film, at up to 0.35 rad.
 
-LEANING is the largest error up to 0.35 rad and STEEP the range of errors up to 0.6 rad, both for
-thicknesses of 0.1 to 0.8 radii. THICK is the largest underestimate between k R = 4 and 5. The
-values come from test_sound_open_film.py."""
+It is the error in mean square around the disk, for thicknesses of 0.1 to 0.8 radii;
+tests/sound/test_open_film_sound.py measures it."""
+STEEP_RADIATION_ERROR_RANGE_DB = (-4.0, 6.0)
+"""Range of the same error [dB] at inclinations from 0.35 to 0.6 rad."""
+MAX_SHORT_WAVE_UNDERESTIMATE_DB = 5.0
+"""Largest underestimate [dB] of the same radiation at wavenumbers k R between 4 and 5."""

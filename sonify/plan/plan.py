@@ -149,7 +149,7 @@ def plan_of(scene: Scene) -> Plan:
     )
 
 
-def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Plan:
+def with_sounding_modes(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> Plan:
     """Return the plan with the selection of the modes that sound.
 
     `loudness` (m,) [Pa^2 s] and `energy` (m,) [J] come from `audible_modes.response_to_unit_jump`.
@@ -157,7 +157,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
     least ENERGY_SHARE of the total.
     """
     level = ACCURACY_LEVELS[plan.accuracy]
-    heard = audible_mode_flags(loudness, energy, level.range_db)
+    heard = audible_mode_indices(loudness, energy, level.range_db)
     solver = Decision(
         subject="solver of the modes",
         choice=f"{modes.method}, {modes.unknowns} unknowns for accuracy '{plan.accuracy}'",
@@ -170,7 +170,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
         f"in either stem of "
         f"ringing, and hold less than {ENERGY_SHARE:.0%} of the energy"
         if len(heard) < len(modes.frequency)
-        else sentences.ALL_MODES_SOUND,
+        else sentences.ALL_MODES_SOUND_REASON,
     )
     plan = replace(plan, sounding=tuple(heard.tolist())).also(solver, which)
     if plan.accuracy == "reference":
@@ -179,7 +179,7 @@ def with_sounding(plan: Plan, scene: Scene, modes: Modes, loudness, energy) -> P
     return replace(plan, predictions=plan.predictions + further)
 
 
-def audible_mode_flags(loudness, energy, range_db: float) -> np.ndarray:
+def audible_mode_indices(loudness, energy, range_db: float) -> np.ndarray:
     """Return the indices (k,) of the modes that sound.
 
     They are within `range_db` [dB] of the loudest mode, or have at least ENERGY_SHARE of the total
@@ -190,13 +190,13 @@ def audible_mode_flags(loudness, energy, range_db: float) -> np.ndarray:
 
 
 def with_end(plan: Plan, motion: Motion, ringing: RingDown, silence: Sequence[str] = ()) -> Plan:
-    """Return the plan with the end of the motion and the decay of the modes.
+    """Return the plan, completed with the end of the motion and the decay of the modes.
 
     `silence` lists the reasons why the sound permits no claim.
     """
     ending = f"The motion ends at t = {motion.t[-1]:.6g} s: {motion.outcome.sentence}."
     return plan.also(
-        ring_down(ringing), modelled=[ending], left_out=[*missing_after_end(motion), *silence]
+        ring_down(ringing), modelled=[ending], left_out=[*omissions_after_end(motion), *silence]
     )
 
 
@@ -221,7 +221,7 @@ def ring_down(ringing: RingDown) -> Decision:
     )
 
 
-def missing_after_end(motion: Motion) -> list[str]:
+def omissions_after_end(motion: Motion) -> list[str]:
     """Return sentences on the omissions of a motion that did not settle."""
     if motion.outcome.name == "SETTLED":
         return []

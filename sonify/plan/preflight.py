@@ -12,7 +12,7 @@ from modal import Modes, SurfaceModes, UnsolvableError, eigenmodes, with_radiati
 from modal.radiation import TOP
 from modal.solve import check_solvable
 from sonify.plan.contact import with_contact
-from sonify.plan.plan import Plan, plan_of, with_sounding
+from sonify.plan.plan import Plan, plan_of, with_sounding_modes
 from sonify.plan.supports import support_comparison
 from sonify.plan.table import check_table, leaves_table_at
 from sonify.scene import Scene, SceneError, scene_of
@@ -55,7 +55,7 @@ def plan_with_modes(
     if scene.support.kind == "contact":
         plan = plan.also(support_comparison(scene, modes, plan.highest_mode))
     return with_contact(
-        with_sounding(plan, scene, modes, *response_to_unit_jump(modes, scene)), scene
+        with_sounding_modes(plan, scene, modes, *response_to_unit_jump(modes, scene)), scene
     ), modes
 
 

@@ -47,14 +47,14 @@ RADIATION_MODELLED = (
     "frequency.",
     "The listener stays at one place and hears the source after the travel time of sound.",
 )
-DISK_ON_PLANE = "A rigid disk rolls and slides on a rigid plane."
-DISK_JOINS_TABLE = (
+RIGID_DISK_MODELLED = "A rigid disk rolls and slides on a rigid plane."
+DISK_COUPLED_LATER_MODELLED = (
     "A rigid disk rolls and slides on a rigid plane until two-way coupling with the table begins; "
     "from then on its contact is elastic and lies at the smallest gap between the rim and the "
     "deflected table."
 )
-DISK_MODES_JOIN = " The elastic modes of the disk below 20 kHz are coupled as well."
-UNTIL_TWO_WAY = ", until two-way coupling with the table begins"
+DISK_MODES_COUPLED_MODELLED = " The elastic modes of the disk below 20 kHz are coupled as well."
+UNTIL_TWO_WAY_CLAUSE = ", until two-way coupling with the table begins"
 RIGID_DISK_REASON = "surface.kind = {kind!r}; the elastic modes of the disk only sound"
 CONTACT_MODELLED = {
     "rigid": (),
@@ -136,11 +136,13 @@ TABLE_MODES_REASON = (
     "the others are more than {range_db:g} dB(A) below the loudest at the listener and hold less "
     "than {energy:.0%} of the energy"
 )
-ALL_MODES_SOUND = "all modes sound"
-ONLY_SOUNDS = "it only sounds"
-MOVES_AND_SOUNDS = "it moves with the disk, and sounds"
-MOVES_FROM = "it sounds, and moves with the disk below an inclination of {inclination:.2g} rad"
-ON_ELASTIC_CONTACT = ", on an elastic contact"
+ALL_MODES_SOUND_REASON = "all modes sound"
+TABLE_SOUNDS_ONLY = "it only sounds"
+TABLE_MOVES_AND_SOUNDS = "it moves with the disk, and sounds"
+TABLE_MOVES_BELOW_INCLINATION = (
+    "it sounds, and moves with the disk below an inclination of {inclination:.2g} rad"
+)
+ON_ELASTIC_CONTACT_CLAUSE = ", on an elastic contact"
 MOTION_ACTION_REASON = (
     "surface.action = 'motion': the contact lies at the smallest gap between the rim and the "
     "deflected table, and the modes respond to the force there"
@@ -148,8 +150,8 @@ MOTION_ACTION_REASON = (
 INFINITE_ACTION_REASON = (
     "surface.action = {action!r}: only a table with modes can be coupled to the motion"
 )
-FILM_ACTS = "acts on the motion and on the sound"
-FILM_DOES_NOT_ACT = "does not act"
+FILM_ACTS_CHOICE = "acts on the motion and on the sound"
+FILM_OMITTED_CHOICE = "does not act"
 ABSORPTION = (
     "Absorption: over {distance:g} m, air of 50 % humidity absorbs {at_8_khz:.2g} dB at 8 kHz and "
     "{at_20_khz:.2g} dB at 20 kHz"
@@ -216,7 +218,7 @@ VACUUM_NEGLECTED = (
 AIR_COUNTED_TWICE = (
     "The scene has a published air law in addition to the film: the same air acts twice."
 )
-NO_PREDICTION = (
+NO_ERROR_PREDICTION_WITH_TABLE = (
     "The error of the samples of a table's sound relative to a finer run: it is not predicted."
 )
 RIGID_TABLE_NEGLECTED = "The sound of the table, which is rigid."
@@ -262,15 +264,15 @@ FILM_LIMITS = (
     "pressure is quasi-steady: at the end the disk falls {closing:.2g} times as fast as the film can "
     "drain; at a ratio of 1 the film resists 12 % too little."
 )
-RAREFIED_FROM = (
+RAREFIED_AIR_FROM_TIME = (
     "From t = {time:.6g} s on the mean gap is less than {ratio:g} mean free paths of the air, "
     "{path:.2g} m: {error}."
 )
-RAREFIED_REST = (
+RAREFIED_MOTION_NOT_SOLVED = (
     "The motion below {inclination:.2g} rad, a mean gap of {gap:.2g} m: there the mean free path of "
     "the air is {knudsen:g} times as long, and slip lets 3.4 times too little air through."
 )
-PLATE_STRETCHING = (
+PLATE_STRETCHING_NEGLECTED = (
     "The stretching of the plate: the weight of the disk alone would bend it by {deflection:.3g} mm, "
     "its thickness is {thickness:.3g} mm, and linear theory does not apply."
 )

@@ -17,7 +17,7 @@ from dynamics.compliant.two_way_onset import (
 )
 from modal import SurfaceModes, UnsolvableError, surface_modes
 from sonify.plan import sentences
-from sonify.plan.plan import ENERGY_SHARE, Decision, Plan, audible_mode_flags
+from sonify.plan.plan import ENERGY_SHARE, Decision, Plan, audible_mode_indices
 from sonify.scene import Scene, SceneError
 from sonify.sound.sources.tabletop import contact_place, response_to_unit_jump
 
@@ -50,14 +50,15 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     """
     if scene.imperfection:
         plan = without_unknown_predictions(plan, scene).also(
-            modelled=[sentences.WAVY_TABLE_MODELLED], left_out=[sentences.NO_PREDICTION]
+            modelled=[sentences.WAVY_TABLE_MODELLED],
+            left_out=[sentences.NO_ERROR_PREDICTION_WITH_TABLE],
         )
     if scene.surface.kind == "rigid":
         plan = with_disk(plan, scene, joins_table=False)
         return plan.also(left_out=[sentences.RIGID_TABLE_NEGLECTED]), None
     if scene.surface.kind == "infinite":
         reason = sentences.INFINITE_ACTION_REASON.format(action=scene.surface.action)
-        infinite = Decision(subject="table", choice=sentences.ONLY_SOUNDS, reason=reason)
+        infinite = Decision(subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason)
         plan = with_disk(plan, scene, joins_table=False).also(
             infinite,
             modelled=[sentences.INFINITE_TABLE_MODELLED],
@@ -85,7 +86,7 @@ def with_table(plan: Plan, scene: Scene) -> tuple[Plan, SurfaceModes | None]:
     )
     reaction, other = sentences.TABLE_NEGLECTED
     neglected = [other] if joins else [reaction, other]
-    neglected += [sentences.NO_PREDICTION, *deflection_limits(all_modes, scene)]
+    neglected += [sentences.NO_ERROR_PREDICTION_WITH_TABLE, *deflection_limits(all_modes, scene)]
     return with_disk(plan, scene, joins_table=joins).also(left_out=neglected), modes
 
 
@@ -101,11 +102,11 @@ def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
             reason=sentences.RIGID_DISK_REASON.format(kind=scene.surface.kind),
         )
         neglected = f"{sentences.NO_MODAL_REACTION}."
-        return plan.also(disk, modelled=[sentences.DISK_ON_PLANE], left_out=[neglected])
-    motion = sentences.DISK_JOINS_TABLE
+        return plan.also(disk, modelled=[sentences.RIGID_DISK_MODELLED], left_out=[neglected])
+    motion = sentences.DISK_COUPLED_LATER_MODELLED
     if scene.contact.body == "elastic" and scene.disk.shape == "solid":
-        motion += sentences.DISK_MODES_JOIN
-    until = sentences.UNTIL_TWO_WAY
+        motion += sentences.DISK_MODES_COUPLED_MODELLED
+    until = sentences.UNTIL_TWO_WAY_CLAUSE
     disk = Decision(subject="disk", choice=f"rigid{until}", reason=motion.removesuffix("."))
     return plan.also(disk, modelled=[motion], left_out=[f"{sentences.NO_MODAL_REACTION}{until}."])
 
@@ -126,26 +127,26 @@ def table_action(scene: Scene, modes: SurfaceModes) -> tuple[Decision, bool]:
     """Return the decision on two-way coupling with the table, and True if it occurs."""
     action = scene.surface.action
     if action == "motion":
-        choice = sentences.MOVES_AND_SOUNDS
+        choice = sentences.TABLE_MOVES_AND_SOUNDS
         return Decision(subject="table", choice=choice, reason=sentences.MOTION_ACTION_REASON), True
     if action == "sound":
         reason = "surface.action = 'sound'"
-        return Decision(subject="table", choice=sentences.ONLY_SOUNDS, reason=reason), False
+        return Decision(subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason), False
     reaction = table_reaction(scene, modes)
     reason = f"surface.action = 'auto': {reaction.reason}"
     if reaction.unsolved:
         reason += f", but {reaction.unsolved}"
     if not reaction.acts:
-        return Decision(subject="table", choice=sentences.ONLY_SOUNDS, reason=reason), False
-    choice = sentences.MOVES_FROM.format(inclination=reaction.inclination)
+        return Decision(subject="table", choice=sentences.TABLE_SOUNDS_ONLY, reason=reason), False
+    choice = sentences.TABLE_MOVES_BELOW_INCLINATION.format(inclination=reaction.inclination)
     if scene.contact.law == "rigid":
-        choice += sentences.ON_ELASTIC_CONTACT
+        choice += sentences.ON_ELASTIC_CONTACT_CLAUSE
     return Decision(subject="table", choice=choice, reason=reason), True
 
 
 def audible_table_modes(modes: SurfaceModes, scene: Scene) -> np.ndarray:
     """Return the indices (k,) of the modes that sound after a force jump."""
-    return audible_mode_flags(*response_to_unit_jump(modes, scene), scene.numerics.level.range_db)
+    return audible_mode_indices(*response_to_unit_jump(modes, scene), scene.numerics.level.range_db)
 
 
 def deflection_limits(modes: SurfaceModes, scene: Scene) -> list[str]:
@@ -160,7 +161,9 @@ def deflection_limits(modes: SurfaceModes, scene: Scene) -> list[str]:
     if deflection < MAX_DEFLECTION_RATIO * thickness:
         return []
     return [
-        sentences.PLATE_STRETCHING.format(deflection=1e3 * deflection, thickness=1e3 * thickness)
+        sentences.PLATE_STRETCHING_NEGLECTED.format(
+            deflection=1e3 * deflection, thickness=1e3 * thickness
+        )
     ]
 
 

@@ -1,4 +1,4 @@
-"""FINDINGS -> HEADLINE: one sentence that says what a run shows about the paper's conjecture."""
+"""FINDINGS -> HEADLINE: one sentence on what a run shows about the paper's conjecture."""
 
 from collections.abc import Iterable
 

@@ -161,7 +161,7 @@ def _draw_categories(panel, places, words):
             ls="",
             label=label,
         )
-    _legend(panel)
+    place_legend(panel)
 
 
 def _draw_failed_runs(panel, places):
@@ -174,7 +174,7 @@ def _draw_failed_runs(panel, places):
             label="no value",
             clip_on=False,
         )
-        _legend(panel)
+        place_legend(panel)
 
 
 def _vertical_positions(places, at):
@@ -182,14 +182,14 @@ def _vertical_positions(places, at):
     return places[:, 1] if places.shape[1] == 2 else np.full(len(places), at)
 
 
-def _legend(panel):
+def place_legend(panel):
     """Place the legend to the right of the panel, or over it if there is a colour bar."""
-    beside = (
+    placement = (
         {"loc": "upper left", "bbox_to_anchor": (1.01, 1)}
         if len(panel.figure.axes) == 1
         else {"loc": "best"}
     )
-    panel.legend(**beside, frameon=False)
+    panel.legend(**placement, frameon=False)
 
 
 def _category_name(value):

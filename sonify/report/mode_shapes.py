@@ -102,7 +102,7 @@ def draw_modes(
         axis.text(
             MODE_WIDTH * MODES_PER_ROW / 2,
             -high / 2,
-            "no mode below the highest frequency asked for",
+            "no mode below the requested highest frequency",
             ha="center",
         )
     if table:

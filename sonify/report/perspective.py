@@ -99,7 +99,7 @@ def draw_table(camera, radius: float) -> Image.Image:
     for size in (1, 2, 3):
         middle = np.append(camera.target[:2], 0.0)
         ImageDraw.Draw(image).line(
-            _flat(camera, middle + size * circle), GRID_COLOUR, SUPERSAMPLING
+            image_polygon(camera, middle + size * circle), GRID_COLOUR, SUPERSAMPLING
         )
     return image
 
@@ -125,7 +125,7 @@ def draw_trace(camera, image, path) -> Image.Image:
     """
     line = Image.new("L", tuple(SUPERSAMPLING * n for n in camera.size))
     if len(path) > 1:
-        ImageDraw.Draw(line).line(_flat(camera, path), 255, 2 * SUPERSAMPLING)
+        ImageDraw.Draw(line).line(image_polygon(camera, path), 255, 2 * SUPERSAMPLING)
     return Image.composite(
         Image.new("RGB", camera.size, TRACE_COLOUR),
         Image.fromarray(image),
@@ -139,13 +139,13 @@ def _draw_body(pen, camera, body, hole):
     The body is convex, so these do not overlap.
     """
     for rim in body:
-        pen.polygon(_flat(camera, rim * [1.0, 1.0, 0.0]), SHADOW_COLOUR)
+        pen.polygon(image_polygon(camera, rim * [1.0, 1.0, 0.0]), SHADOW_COLOUR)
     lower, upper = body
     middle = body.mean(axis=1)
     axis = middle[1] - middle[0]
     outward = (lower + np.roll(lower, -1, axis=0)) / 2 - middle[0]
     facing = np.einsum("ni,ni->n", outward, camera.position - lower) > 0
-    shade = _shade(outward)
+    shade = face_grey_levels(outward)
     marked = np.zeros(len(lower), bool)
     marked[MARKED_SIDES] = True
     corners = camera.project(body)
@@ -157,17 +157,19 @@ def _draw_body(pen, camera, body, hole):
     if not top and np.dot(axis, camera.position - middle[0]) > 0:
         return
     face, centre, normal = (upper, middle[1], axis) if top else (lower, middle[0], -axis)
-    pen.polygon(_flat(camera, face), _shade(normal[None])[0])
+    pen.polygon(image_polygon(camera, face), face_grey_levels(normal[None])[0])
     if hole:
-        pen.polygon(_flat(camera, centre + hole * (face - centre)), SHADOW_COLOUR)
+        pen.polygon(image_polygon(camera, centre + hole * (face - centre)), SHADOW_COLOUR)
     wedge = face[MARKED_SIDES.start : MARKED_SIDES.stop + 1]
     pen.polygon(
-        _flat(camera, np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]])),
+        image_polygon(
+            camera, np.concatenate([wedge, (centre + max(0.6, hole) * (wedge - centre))[::-1]])
+        ),
         MARK_COLOUR,
     )
 
 
-def _shade(normals):
+def face_grey_levels(normals):
     """Return the grey levels, as colours, of faces with normals (n, 3)."""
     lit = (
         normals
@@ -178,5 +180,5 @@ def _shade(normals):
     return [(g, g, g) for g in (90 + 110 * np.maximum(lit, 0)).astype(int).tolist()]
 
 
-def _flat(camera, points):
+def image_polygon(camera, points):
     return (camera.project(points) * SUPERSAMPLING).ravel().tolist()

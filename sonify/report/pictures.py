@@ -18,7 +18,7 @@ import numpy as np
 from dynamics.observables import drawn_rates, nutation_frequency, precession_rate
 from sonify.claims.contact import carrier_line
 from sonify.claims.paper_figures import is_paper_scene
-from sonify.claims.rigid_motion import FORCING_FREQUENCY_NAMED, FORCING_FREQUENCY_TIME
+from sonify.claims.rigid_motion import PAPER_FORCING_FREQUENCY, PAPER_FORCING_FREQUENCY_TIME
 from sonify.claims.sound import LAST_SECONDS
 from sonify.claims.table import radiated_power
 from sonify.claims.two_way import energy_budget, two_way_part
@@ -37,11 +37,8 @@ if TYPE_CHECKING:
     from sonify.result import Result, SolvedMotion
 
 
-LAST_SHARE = 1e-4
-"""End of the energy curves.
-
-It is a time before the end of the motion, as a share of the two-way coupled part.
-"""
+MIN_TIME_LEFT_SHARE = 1e-4
+"""Shortest time to the end in the energy curves, over the duration of two-way coupling."""
 MAX_TABLE_MODES = 10
 """Largest number of table modes drawn; the lowest modes are kept."""
 
@@ -63,9 +60,9 @@ class Pictures:
             if needs in known and name not in self._futures and not _is_omitted(name, found):
                 self._futures[name] = _picture_future(name, found)
         if "motion" not in self._parts:
-            self._parts["motion"] = in_background(_instants, found.motion)
+            self._parts["motion"] = in_background(encode_motion, found.motion)
         if found.sound is not None and "sound" not in self._parts:
-            self._parts["sound"] = in_background(_sounds, found.sound)
+            self._parts["sound"] = in_background(encode_sounds, found.sound)
 
     def parts(self) -> dict[str, Any]:
         """Return the `parts` for the page_data of a result after `begin`."""
@@ -110,13 +107,13 @@ if sys.platform != "win32":
     )  # futures of the parent do not complete in a child
 
 
-def _instants(motion):
+def encode_motion(motion):
     from sonify.report.page_data import encoded_motion  # slow import
 
     return encoded_motion(motion)
 
 
-def _sounds(sound):
+def encode_sounds(sound):
     from sonify.report.page_data import encoded_sounds  # slow import
 
     _ = sound.loudness  # computed early; run.json contains it
@@ -142,7 +139,7 @@ def picture(result: "Result", name: str) -> "Image":
     return Image.open(BytesIO(drawn(module, function, shown(result))))
 
 
-def _spectrogram(found):
+def spectrogram_data(found):
     motion = found.motion
     sound = found.sound
     low = spectrogram(sound.pressure, WINDOW_RATES).band(*RATES)
@@ -160,14 +157,14 @@ def _spectrogram(found):
     return seen | {"time": time + delay, "rates": [precession, nutation]}
 
 
-def _stems(found):
+def stem_level_data(found):
     sound = found.sound
     heard = {name: audibility(stem) for name, stem in sound.stems.items()}
     stems = {name: (one.time, one.a_weighted, one.above_threshold) for name, one in heard.items()}
     return {"stems": stems, "end": sound.source_end, "duration": sound.duration}
 
 
-def _motion(found):
+def motion_curve_data(found):
     """Return the time histories of a motion.
 
     For the paper's scene, the curves of the paper's figures are added.
@@ -209,8 +206,8 @@ def _paper_figures(motion):
         (t / chi, precession_rate(state) * chi),
     )
     weight = motion.normal_load([0.0])[0] * disk.weight / motion.force([0.0])[0, 2]
-    frequency = FORCING_FREQUENCY_NAMED
-    reached = FORCING_FREQUENCY_TIME
+    frequency = PAPER_FORCING_FREQUENCY
+    reached = PAPER_FORCING_FREQUENCY_TIME
     return {
         "curves": curves,
         "weight": weight,
@@ -220,7 +217,7 @@ def _paper_figures(motion):
     }
 
 
-def _energy(found):
+def energy_data(found):
     """Return the energies of a two-way coupled motion, at times denser towards its end."""
     end = found.motion.t[-1]
     begin = two_way_part(found.motion)[1]
@@ -241,11 +238,11 @@ def _energy(found):
 def times_towards_end(begin: float, end: float) -> np.ndarray:
     """Return times [s] from `begin`, denser towards `end`."""
     return np.maximum(
-        end - np.geomspace(end - begin, LAST_SHARE * (end - begin), 2000), begin
+        end - np.geomspace(end - begin, MIN_TIME_LEFT_SHARE * (end - begin), 2000), begin
     )  # round-off must not give earlier times
 
 
-def _modes(found):
+def mode_shape_data(found):
     """Return the modes of disk and table; drafts omit the oblique view."""
     steps = modes_over_run(found.scene, found.motion, found.plan.highest_mode)
     slanted = found.plan.accuracy != "draft"
@@ -280,10 +277,10 @@ def mode_changes_text(steps) -> str:
 
 
 PICTURES: dict[str, tuple[str, str, str, Callable[[Any], dict]]] = {
-    "spectrogram": ("sound", "sound", "draw_spectrogram", _spectrogram),
-    "stems": ("sound", "sound", "draw_stems", _stems),
-    "motion": ("motion", "motion", "draw_motion", _motion),
-    "energy": ("sound", "motion", "draw_energy", _energy),
-    "modes": ("motion", "mode_shapes", "draw_modes", _modes),
+    "spectrogram": ("sound", "sound", "draw_spectrogram", spectrogram_data),
+    "stems": ("sound", "sound", "draw_stems", stem_level_data),
+    "motion": ("motion", "motion", "draw_motion", motion_curve_data),
+    "energy": ("sound", "motion", "draw_energy", energy_data),
+    "modes": ("motion", "mode_shapes", "draw_modes", mode_shape_data),
 }
 """Name of a picture -> required data, module, drawing function, function that collects its data."""

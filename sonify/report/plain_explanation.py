@@ -33,15 +33,15 @@ def plain_explanation(motion: Motion, findings: Sequence[Finding]) -> list[str]:
     """
     by_key = {finding.key: finding for finding in findings}
     return [
-        _movement(motion),
-        _pitch(by_key),
-        _source(by_key),
-        _contact(by_key),
-        _end(motion, by_key),
+        movement_sentence(motion),
+        pitch_sentence(by_key),
+        source_sentence(by_key),
+        contact_sentence(by_key),
+        end_sentence(motion, by_key),
     ]
 
 
-def _movement(motion):
+def movement_sentence(motion):
     """State how often the contact runs round the disk in the first and in the last second."""
     end = float(motion.t[-1])
     window = min(1.0, end / 2)
@@ -54,7 +54,7 @@ def _movement(motion):
     )
 
 
-def _pitch(by_key):
+def pitch_sentence(by_key):
     law = "The flatter a rolling disk lies, the faster this point has to run"
     found = next((by_key[key] for key in PITCH_KEYS if key in by_key), None)
     if found is None or found.holds is None:
@@ -67,7 +67,7 @@ def _pitch(by_key):
     return f"{law}, and the pitch rises towards the end."
 
 
-def _source(by_key):
+def source_sentence(by_key):
     decided = [key for key in LOUDEST_PARTS if key in by_key and by_key[key].holds is not None]
     sounding = next((key for key in decided if by_key[key].holds), None)
     if sounding is not None:
@@ -80,7 +80,7 @@ def _source(by_key):
     return "What sounds most was not decided in this run."
 
 
-def _contact(by_key):
+def contact_sentence(by_key):
     rattles = by_key.get("disk_rattles")
     if rattles is not None and rattles.holds:
         knocks = rattles.details["impacts_per_second"]
@@ -101,7 +101,7 @@ def _contact(by_key):
     return "The disk never leaves the table: the sound comes from a rolling edge, not from knocks."
 
 
-def _end(motion, by_key):
+def end_sentence(motion, by_key):
     clause = END_CLAUSES.get(motion.outcome, motion.outcome.sentence)
     time = f"after {float(motion.t[-1]):.3g} s {clause}"
     found = by_key.get("what_ends")

@@ -15,13 +15,8 @@ from sonify.hearing.spectrogram import RATES, WINDOW_MODES, WINDOW_RATES, spectr
 from sonify.report.settling import false_alarm_sentence, run_numbers, run_sentences
 from sonify.runtime.files import atomic_write, create_folder, first_numbered
 
-WINDOW_BURSTS = 0.004
-"""Window in which single bursts of a settling disk are seen [s]."""
-MOST_RINGING_LINES = 4
-"""Number of lines of free ringing that are told in words; heard.json has all."""
 
-
-def tell(
+def write_recording_report(
     recording: str | Path,
     out: str | Path | None = None,
     scene: str | Path | None = None,
@@ -30,7 +25,7 @@ def tell(
 ) -> list[str]:
     """Analyse a recording; return the results as lines of text.
 
-    Writes heard.json, spectrogram.png, and settling.png if a disk is heard, into `out`. If a
+    Writes heard.json and spectrogram.png into `out`, and settling.png if it contains a disk. If a
     `scene` is given, the spectral lines are matched to its resonances. `warn` is called with a line
     if the file is truncated. Only the part within the `span` [s] is analysed.
 
@@ -38,7 +33,7 @@ def tell(
     be written.
     """
     known = _resonances(scene) if scene else []
-    read(recording)  # refuses what is no sound
+    read(recording)  # raises RecordingError unless the file is a sound
     whole_sound = source_of(recording)
     begin = max(span[0], 0.0)
     part = excerpt(whole_sound, *span)
@@ -58,12 +53,13 @@ def tell(
     with atomic_write(folder / "spectrogram.png") as temporary:
         draw_recording(temporary, low, high, (begin, begin + heard.duration), runs)
     if runs:
-        bursts = spectrogram(part, WINDOW_BURSTS, columns=1 << 20)
+        burst_window = 0.004  # [s], short enough to separate the bursts of a settling disk
+        bursts = spectrogram(part, burst_window, columns=1 << 20)
         bursts = replace(bursts, time=bursts.time + begin)
         with atomic_write(folder / "settling.png") as temporary:
             draw_settling(temporary, bursts, runs)
     content = (
-        {"recording": _name(recording)}
+        {"recording": absolute_path_text(recording)}
         | numbers(heard, known)
         | {"decaying_lines": [asdict(line) for line in ringing]}
         | {"runs": [run_numbers(run) for run in runs]}
@@ -71,12 +67,13 @@ def tell(
     write_json(finite(content), folder / "heard.json")
     settled = [line for run in runs for line in run_sentences(run)]
     lines = sentences(heard, known)
+    max_ringing_sentences = 4  # heard.json contains all decaying lines
     return [
         lines[0],
         *(settled or ["no disk or coin is heard coming to rest"]),
         false_alarm_sentence(),
         *lines[1:],
-        *(_ring(line) for line in ringing[:MOST_RINGING_LINES]),
+        *(ringing_sentence(line) for line in ringing[:max_ringing_sentences]),
         str(folder),
     ]
 
@@ -87,10 +84,13 @@ def own_folder(recording: str | Path) -> Path:
     If that folder belongs to another recording, try <name>-2, <name>-3, ...
     """
     first = Path("outputs") / "listen" / Path(recording).stem
-    return first_numbered(first, lambda folder: _recording_in(folder) in (None, _name(recording)))
+    return first_numbered(
+        first,
+        lambda folder: recording_named_in_folder(folder) in (None, absolute_path_text(recording)),
+    )
 
 
-def _recording_in(folder):
+def recording_named_in_folder(folder):
     """Return the recording that the heard.json of a folder names.
 
     Return None if there is no such file, and "" if another program wrote it.
@@ -106,7 +106,7 @@ def _recording_in(folder):
         return ""
 
 
-def _name(recording):
+def absolute_path_text(recording):
     return str(Path(recording).resolve())
 
 
@@ -117,7 +117,7 @@ def _resonances(scene):
     return resonances(load_scene(scene))
 
 
-def _matched(carrier, known):
+def matching_resonance(carrier, known):
     if not known:
         return None
     from sonify.claims.resonance_matching import nearest_resonance
@@ -137,25 +137,28 @@ def carrier_numbers(carrier: Carrier, known=()) -> dict:
 
     They include its course and the known resonance that matches it.
     """
-    match = _matched(carrier, known)
+    match = matching_resonance(carrier, known)
     return asdict(carrier) | {"course": carrier.course, "matched": match and match._asdict()}
 
 
 def sentences(heard: Heard, known=()) -> list[str]:
     """Return the analysis in words."""
     lines = [f"{heard.duration:.3f} s at {heard.sample_rate} Hz, heard from {heard.start:.3f} s on"]
-    return lines + [f"carrier: {_carrier(c)}{_near(_matched(c, known))}" for c in heard.carriers]
+    return lines + [
+        f"carrier: {spectral_line_description(c)}{match_clause(matching_resonance(c, known))}"
+        for c in heard.carriers
+    ]
 
 
-def _ring(line):
-    """A decaying line in words."""
+def ringing_sentence(line):
+    """Describe a decaying spectral line in words."""
     return (
         f"free ringing: {line.frequency:.1f} Hz, amplitude decay {line.decay_rate:.1f} ± "
         f"{line.decay_error:.1f} 1/s"
     )
 
 
-def _near(match):
+def match_clause(match):
     return (
         f"; a resonance of the {match.of}, {match.cents:+.1f} cents from {match.frequency:.1f} Hz"
         if match
@@ -163,14 +166,14 @@ def _near(match):
     )
 
 
-def _carrier(c):
+def spectral_line_description(c):
     course = (
         "steady"
         if c.course == "steady"
         else f"{c.course} by {abs(c.drift):.3g} ± {c.drift_error:.2g} cents/s"
     )
-    beside = ", sidebands ± {:.3g} to {:.3g} Hz".format(*c.rates) if c.rates else ""
-    beside += "" if c.heard else ", not heard itself but by these"
-    beside += f", a band of noise that reaches {c.reach:.0f} cents" if c.reach else ""
+    extras = ", sidebands ± {:.3g} to {:.3g} Hz".format(*c.rates) if c.rates else ""
+    extras += "" if c.heard else ", inferred from its sidebands"
+    extras += f", in a noise band {c.reach:.0f} cents wide" if c.reach else ""
     place = f"{c.frequency:.2f} ± {c.error:.3g} Hz from {c.begin:.2f} to {c.end:.2f} s, {course}"
-    return f"{place}, spread {c.spread:.2f} cents, {c.level:.0f} dB out of its surroundings{beside}"
+    return f"{place}, spread {c.spread:.2f} cents, {c.level:.0f} dB above its surroundings{extras}"

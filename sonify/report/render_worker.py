@@ -44,7 +44,7 @@ class Painter:
         """
         gathered = self._gathering.submit(data)
         return self._waiting.submit(
-            lambda: self._call_or_run(drawn, module, name, gathered.result())
+            lambda: self._call_worker_or_run_here(drawn, module, name, gathered.result())
         )
 
     def call(self, function: Callable, *arguments, **options) -> Any:
@@ -54,9 +54,11 @@ class Painter:
         """
         if not self._loaded:
             return function(*arguments, **options)
-        return self._waiting.submit(self._call_or_run, function, *arguments, **options).result()
+        return self._waiting.submit(
+            self._call_worker_or_run_here, function, *arguments, **options
+        ).result()
 
-    def _call_or_run(self, function, *arguments, **options):
+    def _call_worker_or_run_here(self, function, *arguments, **options):
         try:
             answer = self._worker.result().call(function, *arguments, **options)
         except (OSError, WorkerDiedError):  # it was not started, or it died

@@ -20,8 +20,8 @@ def replaced_results(scene: Scene, folder: Path) -> str:
         earlier = load_scene(record)
     except SceneError as error:
         return f"{folder}: replaces results of a run that cannot be read ({error})"
-    old = _flat(scene_record(earlier))
-    new = _flat(scene_record(scene))
+    old = values_by_dotted_key(scene_record(earlier))
+    new = values_by_dotted_key(scene_record(scene))
     differing = [key for key in old | new if old.get(key) != new.get(key) and key != "name"]
     if not differing and earlier.name == scene.name:
         return ""
@@ -31,12 +31,12 @@ def replaced_results(scene: Scene, folder: Path) -> str:
     return f"{folder}: replaces the results of {earlier.name}{keys}"
 
 
-def _flat(record, path=""):
+def values_by_dotted_key(record, path=""):
     """Return the values of a nested record by dotted key; a list is one value."""
     values = {}
     for key, value in record.items():
         if isinstance(value, dict):
-            values |= _flat(value, f"{path}{key}.")
+            values |= values_by_dotted_key(value, f"{path}{key}.")
         else:
             values[f"{path}{key}"] = value
     return values

@@ -10,9 +10,9 @@ def run_numbers(run: SettlingRun) -> dict:
     return {
         "kind": run.kind,
         "start": run.start,
-        "t_end": _plain(run.t_end),
-        "exponent": _plain(run.exponent),
-        "rate_at_1s": _plain(run.rate_at_1s),
+        "t_end": estimate_record(run.t_end),
+        "exponent": estimate_record(run.exponent),
+        "rate_at_1s": estimate_record(run.rate_at_1s),
         "events_per_turn": run.events_per_turn,
         "false_alarm": run.false_alarm,
         "bands": [list(band) for band in run.bands],
@@ -40,7 +40,7 @@ def run_sentences(run: SettlingRun) -> list[str]:
 
 
 def false_alarm_sentence() -> str:
-    """Return how often the detector hears a disk where there is none."""
+    """Return a sentence on the false-alarm rate of the detector."""
     settings = SettlingSettings()
     low, high = settings.false_alarms_per_hour_range
     return (
@@ -49,5 +49,5 @@ def false_alarm_sentence() -> str:
     )
 
 
-def _plain(estimate: Estimate) -> dict:
+def estimate_record(estimate: Estimate) -> dict:
     return {"value": estimate.value, "low": estimate.low, "high": estimate.high}

@@ -81,7 +81,7 @@ def draw_spectrogram(
             top.set(xlim=span)
             log_frequency(top, RATES)
             turning = level_image(top, low.during(*span), 1.0, floors[0])
-            _rate_lines(top, time, rates, 1.0)
+            draw_rate_lines(top, time, rates, 1.0)
             bottom.set(xlim=span)
             log_frequency(bottom, (MIN_MODE_FREQUENCY / 1e3, high.frequency[-1] / 1e3))
             ringing = level_image(bottom, high.during(*span), 1e3, floors[1])
@@ -96,7 +96,7 @@ def draw_spectrogram(
                 label="modes of the disk, solved",
             )
             if len(table):
-                _table_lines((top, bottom), table, span)
+                draw_table_mode_lines((top, bottom), table, span)
             if carrier is not None:
                 label = "resonance of the contact, solved"
                 bottom.plot(
@@ -107,12 +107,12 @@ def draw_spectrogram(
                     label=label,
                     path_effects=DARK_OUTLINE,
                 )
-        _rate_lines(axes[1, 1], time, rates, 1e3)
+        draw_rate_lines(axes[1, 1], time, rates, 1e3)
         for panel in axes[:, 0]:
-            _legend(panel)
-        _labels(axes[1, 0], frequencies, 1e3)
-        _labels(axes[0, 1], table, 1.0)
-        _labels(axes[1, 1], table if len(table) else frequencies, 1e3)
+            draw_legend(panel)
+        label_frequencies(axes[1, 0], frequencies, 1e3)
+        label_frequencies(axes[0, 1], table, 1.0)
+        label_frequencies(axes[1, 1], table if len(table) else frequencies, 1e3)
         for row, unit, title in zip(axes, ("Hz", "kHz"), ("Contact rates", "Modes"), strict=True):
             for panel, part in zip(row, (title, f"{title}, the end"), strict=True):
                 panel.set(xlabel="time at the listener [s]", ylabel=f"frequency [{unit}]")
@@ -124,7 +124,7 @@ def draw_spectrogram(
 
 
 LAW_NAMES = {"flat": "steady", "exponential": "expon."}
-MOST_RUNS = 3
+MAX_DRAWN_RUNS = 3
 """Number of settling runs in a picture."""
 
 
@@ -160,7 +160,7 @@ def draw_recording(path, low: Spectrogram, high: Spectrogram, span, runs=()):
                 time, run.rate(time), "w--", lw=1.0, label=label, path_effects=DARK_OUTLINE
             )
         if runs:
-            _legend(axes[0])
+            draw_legend(axes[0])
         axes[1].set(ylabel="frequency [kHz]", xlabel="time [s]")
         axes[1].set_title("Modes", loc="left")
 
@@ -171,7 +171,7 @@ def draw_settling(path, seen: Spectrogram, runs):
     Above, every row is one turn of the fitted law: bursts that follow it form vertical lines, of
     which each is shown twice. Below are the scores of the laws.
     """
-    shown = sorted(runs, key=lambda run: -run.score)[:MOST_RUNS]
+    shown = sorted(runs, key=lambda run: -run.score)[:MAX_DRAWN_RUNS]
     size = (max(5.5 * len(shown), 7), 9)
     with figure_at(path, 2, len(shown), size, squeeze=False) as (_, axes):
         for (above, below), run in zip(axes.T, shown, strict=True):
@@ -232,10 +232,12 @@ def level_image(axes, seen, unit, floor, reference=REFERENCE_PRESSURE):
         "interpolation": "nearest",
         "transform": axes.transAxes,
     }
-    return axes.imshow(_rows(level, frequency, axes), extent=(left, right, 0, 1), **options)
+    return axes.imshow(
+        resample_to_rows(level, frequency, axes), extent=(left, right, 0, 1), **options
+    )
 
 
-def _rows(level, frequency, axes):
+def resample_to_rows(level, frequency, axes):
     """Resample levels (f, t) to evenly spaced rows of a panel.
 
     A row that holds several frequencies shows the loudest.
@@ -252,7 +254,7 @@ def draw_colours(path):
     path.write((255 * colormaps["magma"](np.arange(256))[:, :3]).round().astype(np.uint8).tobytes())
 
 
-def _rate_lines(axes, time, rates, unit):
+def draw_rate_lines(axes, time, rates, unit):
     for rate, color, style, name in zip(
         rates, ("w", "#56b4e9"), ("-", "--"), ("precession", "nutation"), strict=True
     ):
@@ -267,11 +269,11 @@ def _rate_lines(axes, time, rates, unit):
         )
 
 
-def _legend(axes):
+def draw_legend(axes):
     legend_above(axes, facecolor="0.2", labelcolor="w")
 
 
-def _table_lines(panels, table, span):
+def draw_table_mode_lines(panels, table, span):
     """Draw the modes of a table as short lines at the right edge.
 
     A table has many modes; longer lines would hide their sound.
@@ -288,7 +290,7 @@ def _table_lines(panels, table, span):
         )
 
 
-def _labels(axes, frequencies, unit):
+def label_frequencies(axes, frequencies, unit):
     """Write frequencies [Hz] to the right of a panel.
 
     Labels that would overlap or move too far from their lines are omitted.

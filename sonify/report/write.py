@@ -253,7 +253,7 @@ def versions() -> dict[str, str]:
 
     The entry `commit` identifies the checkout, if there is one.
     """
-    found = {"python": python_version(), "platform": platform(), "commit": git_output()}
+    found = {"python": python_version(), "platform": platform(), "commit": run_git()}
     return found | {name: version_of(name) for name in (NAME, *LIBRARIES)}
 
 
@@ -266,7 +266,7 @@ def version_of(package: str) -> str:
         return "not installed"
 
 
-def git_output(*asked: str) -> str:
+def run_git(*asked: str) -> str:
     """Return the output of a git command in the checkout of this file.
 
     The default is the hash of its commit. The result is "unknown" without output.

@@ -26,7 +26,7 @@ def create_folder(folder: str | Path) -> Path:
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with _is_owner_alive(folder):
+        with _locked_temporary_name(folder):
             return folder
     except OutputError:
         raise
@@ -72,7 +72,7 @@ def atomic_write(path: str | Path):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
     path.parent.mkdir(parents=True, exist_ok=True)
     _remove_orphans(path.parent)
-    with _is_owner_alive(path.parent) as name:
+    with _locked_temporary_name(path.parent) as name:
         temporary = path.with_name(f"{name}{path.suffix}")
         try:
             yield temporary
@@ -86,7 +86,7 @@ def atomic_write(path: str | Path):
 
 
 @contextmanager
-def _is_owner_alive(folder):
+def _locked_temporary_name(folder):
     """Yield a unique hidden file name in `folder`; its lock ends with the block or the process."""
     lock = folder / f"{TEMPORARY_PREFIX}{token_hex(6)}.lock"
     try:

@@ -8,10 +8,6 @@ from math import floor
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
-MINUTE = 60.0  # s
-HOUR = 3600.0  # s
-DAY = 86400.0  # s
-
 if TYPE_CHECKING:
     from sonify.result import Result
 
@@ -91,13 +87,13 @@ def percent(share: float) -> str:
 
 def duration_in_words(seconds: float) -> str:
     """Return a duration in a suitable unit: "0.8 s", "12 min", "3.4 h", "2.1 days"."""
-    for size, unit in ((DAY, "days"), (HOUR, "h"), (MINUTE, "min")):
+    for size, unit in ((86400.0, "days"), (3600.0, "h"), (60.0, "min")):
         if seconds >= 1.5 * size:
-            return f"{_two_digits(seconds / size)} {unit}"
-    return f"{_two_digits(seconds)} s"
+            return f"{two_significant_digits(seconds / size)} {unit}"
+    return f"{two_significant_digits(seconds)} s"
 
 
-def _two_digits(number):
+def two_significant_digits(number):
     """Format a number with two significant digits, or more if its integer part needs them."""
     return f"{number:.0f}" if number >= 10 else f"{number:.2g}"
 

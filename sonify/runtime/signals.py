@@ -24,7 +24,7 @@ class AbortedError(RuntimeError):
 def orderly_exit():
     """Turn termination signals into KeyboardInterrupt(number) and ignore closed output streams."""
     with (
-        _signals(),
+        signal_handlers(),
         redirect_stdout(AbandonableStream(sys.stdout)),
         redirect_stderr(AbandonableStream(sys.stderr)),
     ):
@@ -32,7 +32,7 @@ def orderly_exit():
 
 
 @contextmanager
-def _signals():
+def signal_handlers():
     """Install the signal handlers, in the main thread only.
 
     Signals that are already ignored, e.g. under nohup, remain ignored.
@@ -42,7 +42,7 @@ def _signals():
         if not _is_importing(frame):
             raise KeyboardInterrupt(number)
         interval = 0.05  # s; repeat the signal until the import has finished
-        threading.Timer(interval, _send, [threading.get_ident(), number]).start()
+        threading.Timer(interval, send_signal, [threading.get_ident(), number]).start()
 
     main = threading.current_thread() is threading.main_thread()
     handled = [
@@ -58,7 +58,7 @@ def _signals():
             signal.signal(number, answer)
 
 
-def _send(thread, number):
+def send_signal(thread, number):
     """Send a signal to a thread and wake it; Windows can only raise it in the current thread."""
     if sys.platform != "win32":
         signal.pthread_kill(thread, number)

@@ -42,7 +42,7 @@ class ExteriorField:
         self.gap = gap
         self.far = far
         height = thickness + gap
-        mesh = _mesh(height, gap, far, face_cells, radial_cells)
+        mesh = exterior_mesh(height, gap, far, face_cells, radial_cells)
         self._basis = Basis(mesh, ElementQuad2())
         facets = mesh.boundary_facets()
         ends = mesh.p[:, mesh.facets[:, facets]]
@@ -58,12 +58,16 @@ class ExteriorField:
             FacetBasis(mesh, ElementQuad2(), facets=facets[part]) for part in parts
         )
         self._axis = self._basis.get_dofs(facets[r < 1e-9]).all()
-        self._forms = [form.assemble(self._basis) for form in (_stiffness, _azimuthal, _mass)]
-        heave = _load.assemble(face, weight=1.0)
-        face_tilt = _load.assemble(face, weight=_coordinates(face)[0])
-        side_tilt = _load.assemble(side, weight=_coordinates(side)[1] - gap - thickness / 2)
+        self._forms = [
+            form.assemble(self._basis) for form in (gradient_form, azimuthal_form, mass_form)
+        ]
+        heave = boundary_load_form.assemble(face, weight=1.0)
+        face_tilt = boundary_load_form.assemble(face, weight=quadrature_coordinates(face)[0])
+        side_tilt = boundary_load_form.assemble(
+            side, weight=quadrature_coordinates(side)[1] - gap - thickness / 2
+        )
         self.loads = np.array(
-            [heave, face_tilt - side_tilt, _load.assemble(outlet, weight=1 / gap)]
+            [heave, face_tilt - side_tilt, boundary_load_form.assemble(outlet, weight=1 / gap)]
         )
 
     def solve(self, n: int, wavenumbers) -> tuple[np.ndarray, np.ndarray]:
@@ -78,16 +82,22 @@ class ExteriorField:
         """
         order = n + 2 * np.arange(MULTIPOLES)
         stiffness, azimuthal, mass = self._forms
-        r, z = _coordinates(self._hemisphere)
-        shapes = _legendre(n, z / np.hypot(r, z))
-        waves = np.array([_load.assemble(self._hemisphere, weight=w) for w in shapes]) / self.far**2
+        r, z = quadrature_coordinates(self._hemisphere)
+        shapes = associated_legendre(n, z / np.hypot(r, z))
+        waves = (
+            np.array([boundary_load_form.assemble(self._hemisphere, weight=w) for w in shapes])
+            / self.far**2
+        )
         on = np.flatnonzero(waves.any(axis=0))
         free = np.setdiff1d(np.arange(waves.shape[1]), self._axis if n else [])
         at_rim = []
         multipoles = []
         for k in wavenumbers:
             outgoing = (
-                k * self.far**2 * _hankel(order, k * self.far, True) / _hankel(order, k * self.far)
+                k
+                * self.far**2
+                * outgoing_hankel(order, k * self.far, True)
+                / outgoing_hankel(order, k * self.far)
             )
             values = ((waves[:, on].T * outgoing) @ waves[:, on]).ravel()
             boundary = coo_matrix(
@@ -113,11 +123,11 @@ def listener_pressure(
     centre."""
     order = n + 2 * np.arange(MULTIPOLES)
     k = np.asarray(wavenumbers)[:, None]
-    wave = _hankel(order, k * distance) / _hankel(order, k * far)
-    return wave * np.exp(1j * k * distance) * _legendre(n, np.sin(elevation))
+    wave = outgoing_hankel(order, k * distance) / outgoing_hankel(order, k * far)
+    return wave * np.exp(1j * k * distance) * associated_legendre(n, np.sin(elevation))
 
 
-def _mesh(height, gap, far, face_cells, radial_cells):
+def exterior_mesh(height, gap, far, face_cells, radial_cells):
     """Return a mesh of quadrilaterals between the disk and the hemisphere, refined towards the
     edges of the disk."""
     half = height - (height - gap) / 2
@@ -144,17 +154,17 @@ def _mesh(height, gap, far, face_cells, radial_cells):
     )
 
 
-def _coordinates(basis):
+def quadrature_coordinates(basis):
     """Return r and z at the quadrature points."""
     return np.asarray(basis.global_coordinates())
 
 
-def _hankel(order, x, derivative=False):
+def outgoing_hankel(order, x, derivative=False):
     """Return the outgoing spherical Hankel function for exp(i w t), of the second kind."""
     return spherical_jn(order, x, derivative) - 1j * spherical_yn(order, x, derivative)
 
 
-def _legendre(n, cosine):
+def associated_legendre(n, cosine):
     """Return associated Legendre functions of degrees n, n + 2, ..., (MULTIPOLES, ...), of unit
     mean square."""
     degree = n + 2 * np.arange(MULTIPOLES)
@@ -163,20 +173,20 @@ def _legendre(n, cosine):
 
 
 @BilinearForm
-def _stiffness(p, q, w):
+def gradient_form(p, q, w):
     return (p.grad[0] * q.grad[0] + p.grad[1] * q.grad[1]) * w.x[0]
 
 
 @BilinearForm
-def _azimuthal(p, q, w):
+def azimuthal_form(p, q, w):
     return p * q / w.x[0]
 
 
 @BilinearForm
-def _mass(p, q, w):
+def mass_form(p, q, w):
     return p * q * w.x[0]
 
 
 @LinearForm
-def _load(q, w):
+def boundary_load_form(q, w):
     return w.weight * q * w.x[0]

@@ -231,25 +231,25 @@ def master_copy(track, settings: Mastering | None = None) -> MasteredTrack | Sca
     gain_to_limit = 10 ** (settings.limit_dbtp / 20) / true_peak(compressed)
     at_limit = MasteredTrack(track=compressed, gain=gain_to_limit, settings=settings)
     try:
-        found = _with_loudness(at_limit, settings)
+        found = at_stated_loudness(at_limit, settings)
     except ValueError:  # too short for a loudness
         found = at_limit
-    return _below_limit(found, settings)
+    return trimmed_below_limit(found, settings)
 
 
-def _with_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrack:
+def at_stated_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrack:
     """Return the track with the loudness of the settings, or a fainter one if it is unreachable.
 
     The gain before the limiter is increased until the loudness is reached; the trim removes the
     rest, so that the loudness is exact. Raises ValueError if the track is too short.
     """
-    raised_db = _first_step(at_limit, settings)
+    raised_db = initial_gain_step(at_limit, settings)
     low: float | None = None
     found: MasteredTrack | None = None
     found_db = 0.0
     max_trials = 24
     for _ in range(max_trials):
-        trial = _raised(at_limit, raised_db)
+        trial = with_gain(at_limit, raised_db)
         excess = trial.loudness - settings.loudness_lufs
         negligible = 0.05  # LU
         if excess >= -negligible:
@@ -264,19 +264,19 @@ def _with_loudness(at_limit: MasteredTrack, settings: Mastering) -> MasteredTrac
         if raised_db > settings.max_gain_db:
             break
     if found is None:
-        return _raised(at_limit, settings.sparse_gain_db)
+        return with_gain(at_limit, settings.sparse_gain_db)
     excess = found.loudness - settings.loudness_lufs
     return found if excess <= 1e-6 else replace(found, trim=10 ** (-excess / 20))
 
 
-def _first_step(at_limit, settings):
+def initial_gain_step(at_limit, settings):
     """Return the gain [dB] over that at the limit which suffices if the limiter changes nothing."""
     unlimited = ScaledTrack(track=at_limit.track, full_scale=1 / at_limit.gain)
     missing = settings.loudness_lufs - unlimited.loudness
     return missing if np.isfinite(missing) else 0.0
 
 
-def _raised(track, gain_db, trim=1.0):
+def with_gain(track, gain_db, trim=1.0):
     return replace(track, gain=track.gain * 10 ** (gain_db / 20), trim=trim)
 
 
@@ -298,7 +298,7 @@ def chain_record(track: MasteredTrack | ScaledTrack) -> dict[str, Any]:
     return {"dynamics": "natural", "weighting": "A"} | targets | {"gain_db": gain_db}
 
 
-def _below_limit(track: MasteredTrack, settings: Mastering) -> MasteredTrack:
-    """Return the track with so much trim that its true peak does not exceed -1.1 dBTP."""
+def trimmed_below_limit(track: MasteredTrack, settings: Mastering) -> MasteredTrack:
+    """Return the track, trimmed so that its true peak does not exceed -1.1 dBTP."""
     excess = true_peak(track) / 10 ** (-1.1 / 20)
     return track if excess <= 1 else replace(track, trim=track.trim / excess)

@@ -215,8 +215,8 @@ class Sound:
 
     @property
     def _ears(self):
-        beside = (self._track("beside", 1 + len(self.names)),) if self.turned else ()
-        return replace(self.pressure, others=beside or self.pressure.others)
+        second_ear = (self._track("second_ear", 1 + len(self.names)),) if self.turned else ()
+        return replace(self.pressure, others=second_ear or self.pressure.others)
 
     @cached_property
     def loudness(self) -> tuple[float | str, float | str]:

@@ -142,7 +142,10 @@ def heave_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0)
     low-pass filter. The kernel is accurate to first order in radius/distance. The radiation of a
     hole of radius `hole` [m] is subtracted."""
     return _subtract_hole(
-        lambda r: _kernel(listener.transit(r), h, _heave), radius, hole, (hole / radius) ** 2
+        lambda r: _kernel(listener.transit(r), h, heave_impulse_integral),
+        radius,
+        hole,
+        (hole / radius) ** 2,
     )
 
 
@@ -155,8 +158,8 @@ def tilt_kernel(listener: Listener, radius: float, h: float, hole: float = 0.0):
 
     def solid_kernel(r):
         transit = listener.transit(r)
-        far_step, far_taps = _kernel(transit, h, _tilt_far)
-        near_step, near_taps = _kernel(transit, h, _tilt_near)
+        far_step, far_taps = _kernel(transit, h, tilt_far_integral)
+        near_step, near_taps = _kernel(transit, h, tilt_near_integral)
         far = transit / max(transit, h)
         near = transit * listener.air.sound_speed / listener.distance
         return lambda t: far * far_step(t) + near * near_step(t), far * far_taps + near * near_taps
@@ -186,14 +189,14 @@ def _kernel(transit, h, shape):
     return (lambda t: shape(np.clip(t / width, -1, 1))[0]), np.diff(width * ramp, 2) / h
 
 
-def _heave(s):
+def heave_impulse_integral(s):
     """Integrate (2/pi) sqrt(1 - s^2), the chords of a disk of unit area, once and twice."""
     root = np.sqrt(1 - s * s)
     arc = np.arcsin(s)
     return 0.5 + (s * root + arc) / np.pi, s / 2 + (s * arc + root - root**3 / 3) / np.pi
 
 
-def _tilt_far(s):
+def tilt_far_integral(s):
     """Integrate (2/pi) s sqrt(1 - s^2), the far field of a tilting disk, once and twice."""
     root = np.sqrt(1 - s * s)
     arc = np.arcsin(s)
@@ -201,7 +204,7 @@ def _tilt_far(s):
     return 2 / (3 * np.pi) * root**3, 2 / (3 * np.pi) * twice
 
 
-def _tilt_near(s):
+def tilt_near_integral(s):
     """Integrate (2/pi) s^2 sqrt(1 - s^2), the near field of a tilting disk, once and twice."""
     root = np.sqrt(1 - s * s)
     arc = np.arcsin(s)

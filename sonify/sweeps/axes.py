@@ -144,16 +144,18 @@ def axis_of(name: str, given: Any) -> Axis:
         if not given:
             raise InputError(f"axes.{name} = []: must have at least one value")
         return Axis(
-            keys=keys, n=len(given), values=tuple(_each(name, keys, value) for value in given)
+            keys=keys,
+            n=len(given),
+            values=tuple(one_value_per_key(name, keys, value) for value in given),
         )
     if not isinstance(given, dict):
         raise InputError(
             f"axes.{name} = {given!r}: must be a list of values, or {{ from, to, n, scale }}"
         )
-    return _range(name, keys, given)
+    return range_axis(name, keys, given)
 
 
-def _range(name, keys, given):
+def range_axis(name, keys, given):
     if unknown := set(given) - RANGE_KEYS:
         raise InputError(f"axes.{name}.{min(unknown)}: unknown key; known: from, to, n, scale")
     if missing := [key for key in ("from", "to", "n") if key not in given]:
@@ -164,7 +166,7 @@ def _range(name, keys, given):
         raise InputError(f"axes.{name}.n = {n!r}: must be a whole number of at least 1")
     if scale not in ("linear", "log"):
         raise InputError(f"axes.{name}.scale = {scale!r}: must be 'linear' or 'log'")
-    ends = tuple(_each(name, keys, given[end]) for end in ("from", "to"))
+    ends = tuple(one_value_per_key(name, keys, given[end]) for end in ("from", "to"))
     for low, high in zip(*ends, strict=True):
         if not (_number(low) and _number(high)):
             raise InputError(
@@ -180,7 +182,7 @@ def _range(name, keys, given):
     return Axis(keys=keys, n=int(n), ends=ends, log=scale == "log")
 
 
-def _each(name, keys, value):
+def one_value_per_key(name, keys, value):
     """Return one value per key, from a list of that length or from a single shared value."""
     if len(keys) == 1 or not isinstance(value, list):
         return (value,) * len(keys)

@@ -87,37 +87,39 @@ def sweep(
     AbortedError
         If the scheduler or the worker processes die.
     """
-    asked = load_sweep(source)
+    sweep_spec = load_sweep(source)
     stages = stages or Stages()
-    folder = Path(out or Path("outputs") / "sweeps" / asked.name)
-    if asked.points.count > MAX_UNCONFIRMED_RUNS and not yes:
-        count = asked.points.count
+    folder = Path(out or Path("outputs") / "sweeps" / sweep_spec.name)
+    if sweep_spec.points.count > MAX_UNCONFIRMED_RUNS and not yes:
+        count = sweep_spec.points.count
         processes = processes or cores()
-        time = duration_in_words(run_time(asked, processes, stages).total(count, processes))
+        time = duration_in_words(run_time(sweep_spec, processes, stages).total(count, processes))
         raise InputError(f"{count} runs, about {time} on this machine: add --yes to begin them")
-    axes = [key for axis in asked.points.axes for key in axis.keys]
+    axes = [key for axis in sweep_spec.points.axes for key in axis.keys]
     with (
         open_executor(scheduler, processes) as (submit, capacity),
-        RunStore(folder, asked.identity, axes, asked.points.count, retry) as table,
+        RunStore(folder, sweep_spec.identity, axes, sweep_spec.points.count, retry) as table,
         stages.stage("runs") as watch,
     ):
-        for rows in _rows(asked, _tasks(asked, table, folder.absolute()), submit, capacity):
+        for rows in solved_rows(
+            sweep_spec, pending_tasks(sweep_spec, table, folder.absolute()), submit, capacity
+        ):
             table.add(rows)
             note = f"{table.done.sum()} of {len(table.done)}, {table.failed} with an error"
             watch(table.done.mean(), note if capacity() else f"{note}, waiting for workers")
     held = read_table(folder / RUNS_FILE)[0].num_rows
-    if held < asked.points.count:
+    if held < sweep_spec.points.count:
         raise OutputError(
-            f"{folder}: holds {held} of {asked.points.count} rows: its files were changed meanwhile"
+            f"{folder}: holds {held} of {sweep_spec.points.count} rows: its files were changed meanwhile"
         )
     with stages.stage("pictures"):
         from sonify.sweeps.maps import draw_maps  # deferred: the drawing libraries load slowly
 
-        draw_maps(folder, asked.find)
-    if asked.name in CONCLUSIONS:
-        told = CONCLUSIONS[asked.name](read_table(folder / RUNS_FILE)[0])
+        draw_maps(folder, sweep_spec.find)
+    if sweep_spec.name in CONCLUSIONS:
+        sentences = CONCLUSIONS[sweep_spec.name](read_table(folder / RUNS_FILE)[0])
         with atomic_write(folder / "conclusion.md") as temporary:
-            temporary.write_text("\n".join(told) + "\n", "utf-8")
+            temporary.write_text("\n".join(sentences) + "\n", "utf-8")
     return folder / RUNS_FILE
 
 
@@ -127,24 +129,24 @@ def summarize(path: str | Path) -> tuple[list[str], bool]:
     ends = Counter(outcome for outcome in table.get("outcome", []) if outcome)
     errors = sum(error is not None for error in table["error"])
     failed = table.get("passed", []).count(False)
-    told = [f"{n} {name}" for name, n in ends.most_common()]
-    told += [f"{errors} with an error"] * bool(errors) + [
+    sentences = [f"{n} {name}" for name, n in ends.most_common()]
+    sentences += [f"{errors} with an error"] * bool(errors) + [
         f"{failed} with a FAILED self-check"
     ] * bool(failed)
-    told += [f"by {len(set(table['version']))} versions of the program"] * (
+    sentences += [f"by {len(set(table['version']))} versions of the program"] * (
         len(set(table["version"])) > 1
     )
-    return [f"{len(table['run'])} runs: {', '.join(told)}"], not failed
+    return [f"{len(table['run'])} runs: {', '.join(sentences)}"], not failed
 
 
 def plan(
     source: str | Path | dict[str, Any], processes: int | None = None, stages: Stages | None = None
 ) -> list[str]:
     """Return the lines that describe a sweep; the run time is measured on a few runs."""
-    asked = load_sweep(source)
-    points = asked.points
+    sweep_spec = load_sweep(source)
+    points = sweep_spec.points
     processes = processes or cores()
-    time = run_time(asked, processes, stages or Stages())
+    time = run_time(sweep_spec, processes, stages or Stages())
     drawn = (
         f"{points.samples.method}, seed {points.samples.seed}, over"
         if points.samples
@@ -157,25 +159,25 @@ def plan(
     return [
         f"runs     {points.count}, {drawn} "
         f"{', '.join(f'{a.n} of {a.keys[0]}' for a in points.axes)}",
-        f"stages   {', '.join(asked.stages)}",
+        f"stages   {', '.join(sweep_spec.stages)}",
         f"a run    {later}; {start} ({time.measured} measured)",
         f"time     {total} with {processes} process{'es' * (processes > 1)}",
     ]
 
 
-def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
+def run_time(sweep_spec: Sweep, processes: int, stages: Stages) -> RunTime:
     """Measure a first and a later run in each process that the sweep would use.
 
     The processes run concurrently and compete for cores and caches as in the sweep. They start at
     points spread over the whole sweep. Each continues with the run that it would receive next, so
     modes are reused as often as in the sweep. Contradictory scenes take no time and are skipped.
     """
-    count = min(processes, asked.points.count)
-    starts = [(2 * k + 1) * asked.points.count // (2 * count) for k in range(count)]
+    count = min(processes, sweep_spec.points.count)
+    starts = [(2 * k + 1) * sweep_spec.points.count // (2 * count) for k in range(count)]
     first = []
     later = []
     with stages.stage("estimate") as watch, local_executor(count) as (submit, _):
-        futures = [submit(_measure_two_runs, asked, start, count) for start in starts]
+        futures = [submit(_measure_two_runs, sweep_spec, start, count) for start in starts]
         for done, found in enumerate(futures, 1):
             seconds = found.result()
             first += seconds[:1]
@@ -186,15 +188,15 @@ def run_time(asked: Sweep, processes: int, stages: Stages) -> RunTime:
     return RunTime(float(np.mean(first)), float(np.mean(later or first)), len(first) + len(later))
 
 
-def _measure_two_runs(asked, start, stride):
+def _measure_two_runs(sweep_spec, start, stride):
     """Return the times [s] of two runs in a new process; the first includes the process start."""
     seconds = []
     began = perf_counter()
     process = RowProcess()
     if process.version is None:
         raise AbortedError("python -m sonify.sweeps.worker_loop does not start")
-    for run in islice(_valid_runs(asked, start, stride), 2):
-        row = process.solve(_task(asked, run, Path()) | {"keep": ()}, asked.limit)
+    for run in islice(_valid_runs(sweep_spec, start, stride), 2):
+        row = process.solve(task_of_run(sweep_spec, run, Path()) | {"keep": ()}, sweep_spec.limit)
         seconds.append(perf_counter() - began)
         if row is None:  # the process died
             break
@@ -202,32 +204,36 @@ def _measure_two_runs(asked, start, stride):
     return seconds
 
 
-def _valid_runs(asked, start, stride, tries=1000):
+def _valid_runs(sweep_spec, start, stride, tries=1000):
     """Yield runs with a valid scene: every `stride`-th one from `start`, then those before it."""
-    runs = chain(range(start, asked.points.count, stride), range(start % stride, start, stride))
+    runs = chain(
+        range(start, sweep_spec.points.count, stride), range(start % stride, start, stride)
+    )
     for run in islice(runs, tries):
         try:
-            from_document(asked.scene_of(run))
+            from_document(sweep_spec.scene_of(run))
         except SceneError:
             continue
         yield run
 
 
-def _tasks(asked, table, folder) -> Iterator[tuple[int, dict]]:
-    return ((int(run), _task(asked, int(run), folder)) for run in np.flatnonzero(~table.done))
+def pending_tasks(sweep_spec, table, folder) -> Iterator[tuple[int, dict]]:
+    return (
+        (int(run), task_of_run(sweep_spec, int(run), folder)) for run in np.flatnonzero(~table.done)
+    )
 
 
-def _task(asked, run, folder):
-    own = str(folder / "runs" / str(run)) if asked.keep else ""
+def task_of_run(sweep_spec, run, folder):
+    own = str(folder / "runs" / str(run)) if sweep_spec.keep else ""
     return {
-        "document": asked.scene_of(run),
-        "stages": asked.stages,
-        "keep": asked.keep,
+        "document": sweep_spec.scene_of(run),
+        "stages": sweep_spec.stages,
+        "keep": sweep_spec.keep,
         "folder": own,
     }
 
 
-def _rows(asked, tasks, submit: Submit, capacity) -> Iterator[list[dict]]:
+def solved_rows(sweep_spec, tasks, submit: Submit, capacity) -> Iterator[list[dict]]:
     """Yield lists of finished rows, including the values of the axes."""
-    for found in solve_tasks(tasks, asked.limit, submit, capacity):
-        yield [{"run": run} | asked.columns(run) | {"error": None} | row for run, row in found]
+    for found in solve_tasks(tasks, sweep_spec.limit, submit, capacity):
+        yield [{"run": run} | sweep_spec.columns(run) | {"error": None} | row for run, row in found]

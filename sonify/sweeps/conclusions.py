@@ -17,9 +17,9 @@ def friction_conclusion(table: pa.Table) -> list[str]:
         table, "friction.mu_static", "friction.arm_rolling", "t_end", "repeated_slips"
     )
     settled = np.array([outcome == "SETTLED" for outcome in table["outcome"].to_pylist()])
-    (by_arm, by_mu), off = fit_powers(end[settled], arm[settled], mu[settled])
+    (by_arm, by_mu), off = fit_power_law(end[settled], arm[settled], mu[settled])
     often = settled & (slips > 0)
-    (slips_by_arm, slips_by_mu), _ = fit_powers(slips[often], arm[often], mu[often])
+    (slips_by_arm, slips_by_mu), _ = fit_power_law(slips[often], arm[often], mu[often])
     others = mu[~settled]
     so = (
         ": friction decides how often, not for how long"
@@ -119,7 +119,7 @@ def pitch_conclusion(table: pa.Table) -> list[str]:
     """Describe whether plate or disk emits the rising tone, over plate thickness and distance."""
     thickness, distance = columns(table, "surface.thickness", "audio.distance")
     over, late = columns(table, "table_carries_the_tone", "table_takes_little")
-    (by_thickness,), _ = fit_powers(late, thickness)
+    (by_thickness,), _ = fit_power_law(late, thickness)
     heard = ~np.isnan(over)
     plate = heard & (over > 0)
     steps = [np.ptp(over[heard & (thickness == t)]) for t in np.unique(thickness[heard])]
@@ -150,7 +150,7 @@ def columns(table: pa.Table, *names: str) -> list[np.ndarray]:
     ]
 
 
-def fit_powers(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
+def fit_power_law(value: np.ndarray, *over: np.ndarray) -> tuple[np.ndarray, float]:
     """Fit `value` (n,) by a product of powers of k positive quantities (n,) each.
 
     The fit is a least-squares fit of the logarithms. Returns the exponents (k,), rounded to two

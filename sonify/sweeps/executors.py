@@ -17,7 +17,7 @@ from sonify.sweeps.version import version
 
 LOCAL_SCHEDULER = "local"
 """Replaces an address: a Dask scheduler for this sweep, with one multithreaded worker."""
-PROCESSES_LOST = "what has been found is kept, but the processes are gone"
+WORKERS_LOST_MESSAGE = "the finished runs are saved, but the worker processes are lost"
 Submit = Callable[..., "Future[dict[str, Any]]"]
 
 
@@ -83,14 +83,14 @@ def dask_executor(address: str):
     except Exception as error:  # another kind of server may answer
         raise InputError(f"--scheduler {address}: no scheduler answers: {error}") from None
     try:
-        _require_worker(client, address)
+        wait_for_first_worker(client, address)
         _require_same_version(client)
         yield client.get_executor(pure=False).submit, _worker_counter(client)
     finally:
         client.close(timeout=1)
 
 
-def _require_worker(client, address):
+def wait_for_first_worker(client, address):
     """Wait for the first worker. Raises InputError if none joins the scheduler."""
     timeout = 5.0  # s
     try:
@@ -106,17 +106,17 @@ def _worker_counter(client):
 
     The size of a cluster may change during the sweep.
     """
-    asked = -1.0
+    last_query = -1.0
     found = 0
 
     def count():
-        nonlocal asked, found
-        if monotonic() - asked > 1:
+        nonlocal last_query, found
+        if monotonic() - last_query > 1:
             try:
                 found = sum(client.nthreads().values())
             except (OSError, TimeoutError) as error:
-                raise AbortedError(f"{PROCESSES_LOST}: {error}") from None
-            asked = monotonic()
+                raise AbortedError(f"{WORKERS_LOST_MESSAGE}: {error}") from None
+            last_query = monotonic()
         return found
 
     return count
@@ -154,15 +154,15 @@ def solve_tasks(
         if not running:
             return
         done, _ = wait(running, timeout=1, return_when=FIRST_COMPLETED)
-        yield [(running.pop(future), _row(future)) for future in done]
+        yield [(running.pop(future), row_of_future(future)) for future in done]
 
 
-def _row(future):
+def row_of_future(future):
     try:
         row = future.result()
     except (CancelledError, ProcessesEndedError) as error:
         raise AbortedError(
-            f"{PROCESSES_LOST}: {error or 'the scheduler does not answer'}"
+            f"{WORKERS_LOST_MESSAGE}: {error or 'the scheduler does not answer'}"
         ) from None
     except Exception as error:  # e.g. KilledWorker of Dask: the run killed several workers
         return {

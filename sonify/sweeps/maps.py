@@ -63,14 +63,14 @@ def make_map(
     columns = {name: table[name].to_pylist() for name in (x, y, of) if name}
     if of.endswith("_holds"):
         values = table[of.removesuffix("_holds")].to_pylist()
-        columns[of] = [_verdict(*row) for row in zip(columns[of], values, strict=True)]
+        columns[of] = [verdict_text(*row) for row in zip(columns[of], values, strict=True)]
     units = RESULT_UNITS | {key.name: key.unit for key in scene_keys() if key.unit != "-"}
     with atomic_write(out) as temporary:
         draw_map(Map(x=x, y=y, of=of, columns=columns, logs=logs, units=units), temporary)
     return out
 
 
-def _verdict(holds: bool | None, value: float | None) -> str | None:
+def verdict_text(holds: bool | None, value: float | None) -> str | None:
     """Return the verdict of a finding as text; None if the run does not have this finding."""
     if value is None:
         return None

@@ -54,7 +54,7 @@ def _row(scene, stages, keep, folder, watch):
     return row | {"passed": all(value for key, value in row.items() if key.endswith("_passed"))}
 
 
-def _motion(scene, folder):
+def solve_motion_only(scene, folder):
     table = with_table(plan_of(scene), scene)[1] if needs_table_modes(scene) else None
     motion = solve_motion(scene, table=table)
     if folder:
@@ -67,7 +67,7 @@ def _motion(scene, folder):
     )
 
 
-def _modes(scene, folder):
+def solve_modes_only(scene, folder):
     _, modes = plan_with_modes(scene, cached_modes)
     if folder:
         write_json(as_json(modes), folder / "modes.json")
@@ -76,15 +76,15 @@ def _modes(scene, folder):
     )
 
 
-def _arrays(result, folder, _):
+def write_arrays(result, folder, _):
     write_motion(result.motion, folder / "motion.npz")
     write_json(as_json(result.modes), folder / "modes.json")
 
 
-STAGE_FUNCTIONS: dict[str, Callable] = {"motion": _motion, "modes": _modes}
+STAGE_FUNCTIONS: dict[str, Callable] = {"motion": solve_motion_only, "modes": solve_modes_only}
 """Stage -> function that solves it without the sound."""
 FILE_WRITERS: dict[str, Callable] = {
-    "arrays": _arrays,
+    "arrays": write_arrays,
     "wav": lambda result, folder, watch: write_sound(result.sound, folder, lambda share: None),
     "page": write,
 }

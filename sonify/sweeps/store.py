@@ -190,20 +190,20 @@ def _as_table(rows, known, axes):
     names = dict.fromkeys(name for row in rows for name in row)
     return pa.table(
         {
-            name: _column(name, [row.get(name) for row in rows], known, name in axes)
+            name: column_array(name, [row.get(name) for row in rows], known, name in axes)
             for name in names
         }
     )
 
 
-def _column(name, values, known, axis):
+def column_array(name, values, known, axis):
     """Return one column; numbers that are not finite become null, except in an axis."""
     given = {type(value) for value in values if value is not None}
     if name == "run":
         return pa.array(values, pa.int64())
     if given <= {bool}:
         boolean = given or name.endswith("_holds")  # null if a finding is undecided or absent
-        return pa.array(values, pa.bool_() if boolean else _known(known, name))
+        return pa.array(values, pa.bool_() if boolean else known_type(known, name))
     if given <= {int, float}:
         numbers = [v if v is None or axis or np.isfinite(v) else None for v in values]
         return pa.array([v if v is None else float(v) for v in numbers], pa.float64())
@@ -212,7 +212,7 @@ def _column(name, values, known, axis):
     )
 
 
-def _known(schema, name):
+def known_type(schema, name):
     return schema.field(name).type if name in schema.names else pa.null()
 
 

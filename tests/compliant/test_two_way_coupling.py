@@ -501,7 +501,7 @@ def test_the_sound_in_the_budget_is_what_the_listener_hears(handed):
     assert budget.sound == pytest.approx([0.0, power * np.ptp(t)], rel=1e-3)
     share = waves_become_heat(motion, sound, listener)
     assert share.value == pytest.approx(budget.sound[1] / budget.lost["table"][1], rel=1e-9)
-    shown = pictures._energy(SimpleNamespace(scene=scene, motion=motion, sound=sound))
+    shown = pictures.energy_data(SimpleNamespace(scene=scene, motion=motion, sound=sound))
     assert shown["lost"]["sound of the table"][-1] == pytest.approx(budget.sound[1], rel=1e-3)
     assert shown["held"]["disk"][0] == pytest.approx(motion.energy(t[:1])[0], rel=0.01)
     with Image.open(BytesIO(drawn("motion", "draw_energy", shown))) as image:

@@ -79,7 +79,7 @@ def test_the_figures_of_the_paper_are_drawn_for_its_scene_alone(drawn, short):
     assert labels.count("x/R") == 1
     for name, own in (("published", True), ("coin-polished", False)):
         found = SimpleNamespace(motion=short, scene=load_scene(name))
-        assert (pictures._motion(found)["paper"] is not None) is own
+        assert (pictures.motion_curve_data(found)["paper"] is not None) is own
 
 
 def test_an_envelope_holds_the_oscillation_and_not_the_decline():

@@ -16,7 +16,7 @@ from scipy.signal import butter, hilbert, sosfiltfilt
 from dynamics import Outcome
 from modal import radiation_decay
 from sonify import load_scene, run
-from sonify.plan.plan import missing_after_end, ring_down
+from sonify.plan.plan import omissions_after_end, ring_down
 from sonify.plan.preflight import plan_with_modes, solve_motion
 from sonify.sound.audible_modes import MAX_RING_TIME, RING_DOWN_DB, RingDown
 from sonify.sound.audible_modes import ring_down as audible_for
@@ -139,7 +139,7 @@ def test_the_plan_states_the_decay_and_names_the_landing(carried):
     ):
         assert f"{frequency:.0f} Hz: {decay_rate:.3g} 1/s" in decision.choice
     assert f"{1e6 * renderer.ringing.gap:.3g} um" in decision.reason
-    assert any("landing" in line for line in missing_after_end(renderer.motion))
+    assert any("landing" in line for line in omissions_after_end(renderer.motion))
 
 
 class Swinging:

@@ -216,7 +216,7 @@ def test_a_killed_scheduler_and_a_killed_driver_of_a_cluster(file, truth, port):
         _, told = driver.communicate(timeout=PATIENCE)
         assert driver.returncode == 1, told
         assert told.splitlines()[-1].startswith(
-            "sonify: what has been found is kept, but the processes are gone"
+            "sonify: the finished runs are saved, but the worker processes are lost"
         )
     kept = found(file.parent / "out" / RUNS_FILE).num_rows
     assert 5 <= kept < truth.num_rows
