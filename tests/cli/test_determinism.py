@@ -98,6 +98,7 @@ def test_both_integrators_sound_the_same(scene, modes):
     check_same(scene, modes, "numerics.integrator=taylor", "numerics.integrator=dop853")
 
 
+@pytest.mark.slow
 def test_where_errors_do_not_grow_both_sound_the_same_to_the_end(modes):
     """The viscous air film slows the same disk; this motion does not amplify errors."""
     pytest.importorskip("heyoka", reason="heyoka is not installed: there is only one integrator")

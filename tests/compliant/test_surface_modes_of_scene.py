@@ -42,6 +42,7 @@ def same(one, other):
     return all(np.array_equal(first, second) for first, second in pairs)
 
 
+@pytest.mark.slow
 def test_a_light_mode_in_the_scene_halts_the_published_disk_earlier(scene):
     """The halt precedes that on a rigid table, formerly the result here, by more than 1 s."""
     on_table = scene.replace(LIGHT_MODE)

@@ -419,6 +419,7 @@ def test_impacts_are_judged_in_a_motion_in_two_parts(elastic):
     assert found.margin == pytest.approx(where_they_meet / lost, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_what_a_table_that_acts_back_takes(handed, monkeypatch):
     """The budget closes; the halt precedes that on an immovably heavy table by the stated time."""
     scene, _, motion = handed

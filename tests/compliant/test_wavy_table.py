@@ -39,6 +39,7 @@ def fall(scene, order, amplitude, start, stop=3.0, friction=None, rate=4e5):
     return model, *run(model, released_state(model, steady(scene.disk, start)[0]), 4, stop)[:4]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("order", [2, 3, 4])
 def test_where_contact_is_first_lost(wavy, order):
     """The waves are higher than the static compression of the contact; lower waves come near its

@@ -162,6 +162,7 @@ def test_a_high_pass_that_cannot_be_told_widens_no_interval_beyond_what_recorder
     assert air.high - air.low < 0.3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("shares", "verdict"),
     [([1e-4, 0, 0], "rolling"), ([0, 1.0, 0], "air"), ([5e-5, 1.0, 0], "both")],
@@ -174,6 +175,7 @@ def test_the_last_two_seconds_are_enough(decline, shares, verdict):
     assert found.fit.value(0).value == pytest.approx(1.7, abs=0.01)
 
 
+@pytest.mark.slow
 def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decline):
     """The power of the film differs by a power of 0.1 of the inclination; rolling is then 3 to 8 %
     off."""
@@ -188,6 +190,7 @@ def test_intervals_hold_the_error_of_the_model_of_the_film(scene, decline):
         assert judged.values()["rolling"].low > shares[0]
 
 
+@pytest.mark.slow
 def test_a_part_of_a_file_is_fitted_with_the_times_of_the_file(decline, tmp_path):
     take = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
     path = write(tmp_path / "two.wav", np.concatenate([take, take]))
@@ -204,6 +207,7 @@ def test_a_rate_that_rises_linearly_is_no_disk_of_the_scene(decline):
         detect_run(Recording(samples=sweep + noise, sample_rate=RATE), "sweep")
 
 
+@pytest.mark.slow
 def test_a_scene_without_air_says_that_air_was_not_considered(decline, scene, tmp_path):
     take = recording(decline, [1e-4, 0, 0], noise=0.1, rate=RATE, end=8.0, duration=9.0)
     path = write(tmp_path / "take.wav", take)
@@ -236,6 +240,7 @@ def test_speech_before_and_after_a_run_is_no_part_of_it(decline):
     assert end.value - found.fit.heard[0].rates.time.min() < 10.5
 
 
+@pytest.mark.slow
 def test_in_a_long_file_the_run_is_found_though_a_knock_and_a_voice_are_louder(decline, tmp_path):
     """From five minutes, the analysis keeps LONGEST before the end of the run and AFTER after."""
     rate = RATE // 2
@@ -370,6 +375,7 @@ def bad_takes(folder, decline):
     }
 
 
+@pytest.mark.slow
 def test_what_cannot_be_fitted_is_one_line_and_nothing_is_written(decline, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for word, path in bad_takes(tmp_path, decline).items():
@@ -399,6 +405,7 @@ def test_a_folder_of_takes_and_an_export_of_phyphox_are_read(tmp_path):
     assert read.samples[:4000] == pytest.approx(x[:4000], abs=1e-5)
 
 
+@pytest.mark.slow
 def test_the_command_writes_what_it_found(decline, scene, tmp_path, monkeypatch):
     import tomli_w
 

@@ -51,6 +51,7 @@ def recording(exponent, pitch, snr_db, room=False, seed=0, rate=RATE):
     return sound + noise * sound.std() / noise.std() * 10 ** (-snr_db / 20)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("snr_db", [30, 10, 0, -10])
 @pytest.mark.parametrize(("exponent", "pitch"), LAWS)
 def test_errors_in_noise(exponent, pitch, snr_db):

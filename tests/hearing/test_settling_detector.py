@@ -118,6 +118,7 @@ def test_a_step_of_the_power_is_its_drop(fall_db):
         assert 570 <= np.argmax(drop) <= 600
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("seed", [1, 4, 6, 7])
 def test_a_simulated_take_is_heard_with_its_law(seed):
     take = settling_sounds.simulated_take(seed)

@@ -33,6 +33,7 @@ def made(seed, drift, bandwidth):
     return sound + noise, middle, drift
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("drift", "bandwidth"), [(0.0, 0.0), (25.0, 0.0), (25.0, 8.0)])
 def test_twice_the_errors_hold_the_truth(drift, bandwidth):
     """Twice a normal error covers 95 %; fewer than 25 of 30 has a probability below 2 %."""

@@ -108,6 +108,7 @@ def on_neighbouring_points(size, mirror):
     return np.sqrt(values[0]) / (2 * np.pi)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("y", "exponent"), [(1, 0.5), (-1, 1.5)])
 def test_held_points_never_converge(y, exponent):
     """A held translation falls as h^(1/2), a held rotation as h^(3/2), both to zero."""

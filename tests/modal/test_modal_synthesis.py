@@ -43,6 +43,7 @@ def test_synthesis_converges_with_its_richness():
     assert error[0] > 2 * error[1] > 4 * error[2]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("half_angle_deg", [0.5, 2, 10, 25, 45, 90, 130])
 def test_finite_elements_lie_above_synthesis_within_their_own_estimate(free_disk, half_angle_deg):
     support = Support(half_angle_deg=half_angle_deg)
@@ -69,6 +70,7 @@ OTHERS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", OTHERS)
 def test_other_disks_are_right_to_2_percent_too(name):
     """Synthesis converges within 1.3e-3 with richer bases for all these disks."""

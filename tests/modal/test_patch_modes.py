@@ -56,6 +56,7 @@ def test_nine_modes_below_20_khz_within_5e_4_and_their_errors_within_a_factor_of
     assert (modes.error[:9] < 5 * (error + UNCERTAINTY)).all()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("accuracy", "bound"), [("draft", 1e-3), ("reference", 1.5e-4)])
 def test_draft_is_within_a_thousandth_and_reference_three_times_as_near_as_standard(
     accuracy, bound

@@ -56,6 +56,7 @@ def test_curved_hexahedra_give_the_table(tmp_path):
     assert modes.residual.max() < 1e-8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "support", [Support(), Support(height=THICKNESS / 2, held=("tangential", "axial"))]
 )
@@ -101,6 +102,7 @@ def test_a_pair_spans_the_plane_of_the_exact_pair(tmp_path):
     assert abs(whole[0, 1]) < 1e-3 * whole[0, 0]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("half_angle_deg", [5, 22.5])
 def test_the_error_estimate_bounds_the_error_on_a_patch(tmp_path, half_angle_deg):
     """Oracle: synthesis, which has no mesh. Cells are 5 or 22.5 degrees wide and not graded."""
@@ -166,6 +168,7 @@ def test_a_free_mesh_has_six_rigid_modes_left_out(tmp_path):
     assert modes.frequency == pytest.approx([10602.7, 10602.7, 16997.7], rel=0.01)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["patch", "free"])
 @pytest.mark.parametrize("refine", [True, False])
 def test_a_body_without_modes_below_the_limit_gives_none(tmp_path, kind, refine):
@@ -218,6 +221,7 @@ def test_hexahedra_of_20_nodes_are_the_curved_ones(tmp_path, suffix):
     assert both[1].mass == pytest.approx(MASS, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_curved_tetrahedra_are_cut_along_their_curves(tmp_path):
     """Eight tetrahedra form the same body: equal mass to rounding, and lower frequencies."""
     mesh = skfem.MeshTet2.from_mesh(straight().to_meshtet())

@@ -255,6 +255,7 @@ def test_what_is_not_reached_in_one_base_changes_another(name, base):
     assert differs(base_scene(base).replace(f"{name}={VALUES[name]}"), base)
 
 
+@pytest.mark.slow
 def test_roughness_on_a_rigid_contact_is_listed_and_changes_no_byte(tmp_path):
     """Such roughness was formerly accepted without a notice."""
     notices = []

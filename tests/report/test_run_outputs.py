@@ -90,6 +90,7 @@ def result(tmp_path_factory):
     return run(load_scene("published"), out=tmp_path_factory.mktemp("run") / "published")
 
 
+@pytest.mark.slow
 def test_a_scene_has_one_motion_through_run_and_through_simulate(result, motion):
     one, other = (found.path for found in (result.motion, motion))
     assert (one.x.tobytes(), one.c.tobytes()) == (other.x.tobytes(), other.c.tobytes())
@@ -128,6 +129,7 @@ def test_the_normal_force_reaches_36_hz_when_the_paper_says(result):
     assert np.searchsorted(slips(result.motion) / chi, [50, 100, 150]).tolist() == [3, 6, 11]
 
 
+@pytest.mark.slow
 def test_what_is_solved_needs_no_folder(result, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     found = solve(

@@ -309,6 +309,7 @@ def test_a_steady_hoop_stays_steady_and_its_small_nutation_has_the_linear_freque
     assert rate == pytest.approx(np.sqrt(square), rel=2e-3)
 
 
+@pytest.mark.slow
 def test_the_shipped_hoop_runs_to_its_end_with_every_check_passed(hoop, tmp_path):
     result = run(hoop.replace("numerics.accuracy=draft"), tmp_path / "hoop")
     assert result.motion.outcome is Outcome.SETTLED

@@ -50,6 +50,7 @@ def solved(wanted):
         assume(False)
 
 
+@pytest.mark.slow
 @settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(scenes())
 def test_energy_load_and_cone(wanted):
@@ -69,6 +70,7 @@ def test_energy_load_and_cone(wanted):
     np.testing.assert_allclose(friction[sliding], limit[sliding], rtol=1e-9, atol=1e-9 * weight)
 
 
+@pytest.mark.slow
 @needs_heyoka
 @settings(max_examples=10, deadline=None, suppress_health_check=list(HealthCheck), derandomize=True)
 @given(scenes(integrator="taylor", span=4.0))

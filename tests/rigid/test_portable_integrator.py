@@ -90,6 +90,7 @@ def by_code(y, *case):
     return rates, dict(zip(names, guards, strict=False))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("loads", LOADS, ids=["no loads", "loads"])
 @pytest.mark.parametrize(
     "stuck", [(False,) * 3, (True, False, False), (False, True, True)], ids=str

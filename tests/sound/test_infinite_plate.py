@@ -54,6 +54,7 @@ def response(plate, frequency):
     return 1j * w * (shape @ moved), -(w**2) * moved
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("elevation", [20.0, 45.0])
 @pytest.mark.parametrize("frequency", [1250.0, 1750.0, 2250.0])
 def test_a_large_damped_plate_tends_to_the_endless_one(plate, frequency, elevation):

@@ -120,6 +120,7 @@ def sound_of_scene(name):
     return solve(load_scene(name).replace("numerics.accuracy=draft", brief[name])).sound
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", ["published", "hoop", "coin-polished"])
 def test_the_file_of_a_scene_has_the_loudness_and_the_peak(name, tmp_path):
     sound = sound_of_scene(name)
@@ -212,6 +213,7 @@ def test_the_size_of_the_pressure_does_not_matter():
     assert other == pytest.approx(one, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_the_record_states_the_chain(tmp_path):
     scene = load_scene("published").replace("numerics.accuracy=draft", "numerics.time_limit=1.0")
     for dynamics, loudness in (("compressed", -18.0), ("natural", None)):

@@ -174,6 +174,7 @@ def test_a_slow_heave_is_let_out_of_the_wedge_as_the_film_does(gap, hertz, share
     ) == pytest.approx(1 - share, abs=0.03)
 
 
+@pytest.mark.slow
 def test_the_resonances_of_film_and_air_stay_while_the_disk_falls():
     """From 0.12 to 0.01 rad a heave is loudest at 2.7 to 3 kHz and a tilt at 4.5 to 4.7 kHz.
 

@@ -52,6 +52,7 @@ def rms(samples):
 TABLE = "surface={kind='infinite', thickness=0.01, young=70e9, poisson=0.22, density=2500.0, loss_factor=0.1}"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("change", ["name=published", "air.film=acts", TABLE])
 def test_another_ear_hears_what_a_listener_there_hears(scene, short, modes, change):
     """A second ear hears the pressure of a listener at its position.

@@ -97,6 +97,7 @@ def weighted_levels(track, spans):
     return [10 * np.log10(np.mean(part**2) / (20e-6) ** 2) for part in parts]
 
 
+@pytest.mark.slow
 def test_the_glass_plate_is_as_loud_as_an_independent_program_finds(sound):
     """The frequencies of the reference's thin plate are up to 0.5 % higher.
 
@@ -312,6 +313,7 @@ def test_the_kernels_are_rayleighs_integral_at_every_frequency(scene, table, fre
     assert np.abs(turn @ kernel - exact).max() < error * np.abs(exact).max()
 
 
+@pytest.mark.slow
 def test_several_listeners_are_the_channels_of_the_files(tmp_path):
     """Listeners opposite each other hear the same heave and opposite tilts.
 

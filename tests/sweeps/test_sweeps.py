@@ -198,6 +198,7 @@ def test_more_than_a_million_runs_are_asked_for_with_their_hours(tmp_path, monke
         sonify.sweep(many, out=tmp_path, processes=2)
 
 
+@pytest.mark.slow
 def test_a_combination_that_is_impossible_is_a_row_and_the_grid_goes_on(tmp_path):
     """Each coefficient alone is allowed; mu_dynamic = 0.9 exceeds the scene's mu_static = 0.5."""
     corner = QUICK | {"axes": {"friction.mu_dynamic": [0.3, 0.9]}}
