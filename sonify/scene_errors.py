@@ -21,6 +21,8 @@ ERROR_SENTENCES = {
     "too_short": "must have at least {min_length} values",
     "float_type": "must be a valid number",
     "int_type": "must be a whole number",
+    "bool_type": "must be true or false",
+    "bool_parsing": "must be true or false",
     "string_type": "must be text in quotes",
     "string_pattern_mismatch": "must be made of letters, digits, '.', '_' and '-', and begin with "
     "a letter or a digit",

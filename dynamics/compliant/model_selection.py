@@ -9,6 +9,7 @@ import numpy as np
 from scipy.integrate import trapezoid
 
 from dynamics.compliant.law.linear_response import predicted_power, predicted_rms
+from dynamics.compliant.law.unevenness import unevenness
 from dynamics.compliant.model_inputs import (
     contact_law,
     final_contact_inclination,
@@ -19,7 +20,6 @@ from dynamics.compliant.model_inputs import (
 from dynamics.equations import disk_constants
 from dynamics.film.activation import airborne_inclination, non_contact_loads
 from dynamics.quasi_steady import steady_power
-from dynamics.rattling.unevenness import unevenness
 from dynamics.regime import FLOAT_FORMULAS, Branch
 from dynamics.rolling import RollingDisk, initial_state
 from dynamics.steady_motion import steady_precession

@@ -14,6 +14,13 @@ from dynamics.compliant.compliant_motion import (
     CompliantMotion,
 )
 from dynamics.compliant.law.linearised import inertias
+from dynamics.compliant.law.unevenness import (
+    curvature_number,
+    damping_ratio,
+    rim_amplitudes,
+    rim_heights,
+    static_depth,
+)
 from dynamics.compliant.model_inputs import contact_law, edge_flexibility
 from dynamics.compliant.stepping.model import ContactLosses
 from dynamics.compliant.stepping.rim_modes import RimModes, moving_rim_modes
@@ -25,13 +32,6 @@ from dynamics.motion import CAUSES, Outcome
 from dynamics.rattling import contact_steps as layout
 from dynamics.rattling.contact_steps import Edge, MotionState, RattlingDisk, step_rattling_disk
 from dynamics.rattling.film_force import AirFilm
-from dynamics.rattling.unevenness import (
-    curvature_number,
-    damping_ratio,
-    rim_amplitudes,
-    rim_heights,
-    static_depth,
-)
 from dynamics.switching import ImpossibleContactError
 
 STEPS_PER_CONTACT = 2.5

@@ -6,8 +6,8 @@ import numpy as np
 from scipy.signal import welch
 
 from dynamics import Outcome
+from dynamics.compliant.law.unevenness import rate_exponent
 from dynamics.rattling.rattling_motion import RattlingMotion, solve_rattling_motion
-from dynamics.rattling.unevenness import rate_exponent
 from modal import Modes
 from sonify.claims.contact import micro_flights
 from sonify.claims.finding import Finding, Measured, finding, register_judge

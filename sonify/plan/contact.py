@@ -6,6 +6,7 @@ from math import radians
 
 import numpy as np
 
+from dynamics.compliant.law.unevenness import unevenness
 from dynamics.compliant.model_inputs import contact_law, law_table
 from dynamics.compliant.model_selection import (
     choose_contact_model,
@@ -14,7 +15,6 @@ from dynamics.compliant.model_selection import (
 )
 from dynamics.disk import GRAVITY
 from dynamics.film.activation import decide_film
-from dynamics.rattling.unevenness import unevenness
 from sonify.plan import sentences
 from sonify.plan.plan import Decision, Plan
 from sonify.plan.predictions import Prediction

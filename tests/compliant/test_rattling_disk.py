@@ -15,6 +15,13 @@ from scipy.signal import welch
 
 from dynamics import simulate
 from dynamics.compliant.law.sections import Roughness
+from dynamics.compliant.law.unevenness import (
+    curvature_number,
+    rate_exponent,
+    rim_amplitudes,
+    rim_heights,
+    static_depth,
+)
 from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.disk import GRAVITY
 from dynamics.motion import Outcome
@@ -26,13 +33,6 @@ from dynamics.rattling.rattling_motion import (
     released_state,
     simulate_rattling,
     solve_rattling_motion,
-)
-from dynamics.rattling.unevenness import (
-    curvature_number,
-    rate_exponent,
-    rim_amplitudes,
-    rim_heights,
-    static_depth,
 )
 from dynamics.steady_motion import steady_precession
 from modal import eigenmodes

@@ -41,6 +41,13 @@ BASES = {
         "numerics.time_limit=1.0",
     ),
     "rough": ("contact.law=elastic", "roughness.rms=1e-7", "numerics.contact=full", *FLAT),
+    "rattling": (
+        "contact.law=elastic",
+        "contact.restitution=0.8",
+        "roughness.rms=2e-6",
+        "numerics.contact=many",
+        *FLAT,
+    ),
     "filter": ("contact.law=elastic", "roughness.rms=1e-9", "numerics.contact=filter", *FLAT),
     "wavy": ("contact.law=elastic", "imperfection.order=2", "imperfection.amplitude=1e-6", *FLAT),
     "plate": (f"surface={{{PLATE}}}", "contact.law=elastic", *FLAT),
@@ -104,6 +111,7 @@ VALUES = {
     "contact.body": "rigid",
     "contact.young": "5e10",
     "contact.poisson": "0.25",
+    "contact.restitution": "0.7",
     "roughness.rms": "2e-7",
     "roughness.rms_edge": "1e-8",
     "roughness.shortest": "2e-4",
@@ -111,6 +119,7 @@ VALUES = {
     "roughness.exponent": "1.0",
     "roughness.loss": "fitted",
     "roughness.seed": "5",
+    "roughness.grain": "true",
     "imperfection.order": "3",
     "imperfection.amplitude": "2e-6",
     "air.film": "acts",
@@ -139,8 +148,9 @@ ANOTHER_SCENE = {
     "surface.file",
     "surface.held",
     "contact.law",
+    "roughness.profile",
+    "roughness.profile_edge",
 }
-ANOTHER_SCENE |= {"roughness.profile", "roughness.profile_edge", "contact.restitution"}
 """Keys with alternatives that require further keys."""
 NOT_REACHED = {
     "friction.mu_static": "no change of the regime in the first 30 ms",
