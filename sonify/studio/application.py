@@ -41,7 +41,7 @@ from sonify.scene_errors import InputError
 from sonify.serve import CONTENT_SECURITY_POLICY, HEADERS, LAST_PORT, LOOPBACK, path_inside
 from sonify.studio.controls import changed_scene, control_of, controls
 from sonify.studio.job_queue import Job, JobQueue
-from sonify.studio.worker import PREVIEW_FILE, analyse_recording, run_scene
+from sonify.studio.worker import PREVIEW_FILE, STREAM_FILE, analyse_recording, run_scene
 
 MAX_UPLOAD = 100_000_000
 """Largest recording that is accepted [bytes]; about 17 minutes of one channel."""
@@ -96,6 +96,7 @@ def application(folder: str | Path, token: str, queue: JobQueue | None = None) -
         Route("/runs", studio_session.run, methods=["POST"]),
         Route("/recordings", studio_session.recording, methods=["POST"]),
         Route("/runs/{path:path}", studio_session.run_file),
+        Route("/stream/{number:int}", studio_session.stream),
         Route("/session/{path:path}", studio_session.session_file),
     ]
 
@@ -118,6 +119,7 @@ class Session:
         self.root = root
         self._given_queue = queue
         self._numbers = count(1)
+        self._runs: dict[int, Job] = {}
 
     def __enter__(self):
         self._queue = self._given_queue or JobQueue()
@@ -158,7 +160,9 @@ class Session:
         out.mkdir(parents=True)
         number, folder = self._new_folder()
         job = Job(number, folder, run_scene, scene.document, out, folder)
+        self._runs[number] = job
         places = {"page": f"runs/{out.name}/", "sound": f"session/{number}/{PREVIEW_FILE}"}
+        places["stream"] = f"stream/{number}"
         return self._stream(request, job, places)
 
     async def recording(self, request: Request) -> Response:
@@ -181,6 +185,13 @@ class Session:
     def session_file(self, request: Request) -> Response:
         """Return a sound or picture of this session."""
         return _file(request, self._session_folder)
+
+    def stream(self, request: Request) -> Response:
+        """Return the sound of a run while it is rendered."""
+        job = self._runs.get(request.path_params["number"])
+        if job is None or not (job.folder / STREAM_FILE).exists():
+            raise HTTPException(404, "no such sound")
+        return StreamingResponse(_growing_file(job), media_type="audio/wav")
 
     def _new_folder(self):
         number = next(self._numbers)
@@ -208,6 +219,19 @@ class Session:
             (job.folder / "recording.wav").unlink(missing_ok=True)
             if job.result is None and "page" in places:
                 rmtree(self.root / Path(places["page"]).name, ignore_errors=True)
+
+
+async def _growing_file(job) -> AsyncIterator[bytes]:
+    """Yield the sound of a run until it is complete or the run has ended."""
+    interval = 0.1  # s
+    with open(job.folder / STREAM_FILE, "rb") as file:
+        while True:
+            complete = job.ended.is_set() or (job.folder / PREVIEW_FILE).exists()
+            while piece := file.read(1 << 16):
+                yield piece
+            if complete:
+                return
+            await asyncio.sleep(interval)
 
 
 def _answer(job) -> dict[str, Any]:

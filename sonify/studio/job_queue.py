@@ -32,7 +32,7 @@ class Job:
         try:
             content = json.loads((self.folder / PROGRESS_FILE).read_text(encoding="utf-8"))
         except (OSError, ValueError):
-            content = {"line": "", "share": None, "heard": False}
+            content = {"line": "", "share": None, "heard": False, "streams": False}
         return content
 
 

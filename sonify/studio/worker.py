@@ -4,7 +4,9 @@ import json
 import os
 from collections.abc import Callable
 from contextlib import contextmanager
+from math import inf
 from pathlib import Path
+from struct import pack
 from threading import Lock
 from time import perf_counter
 from typing import Any
@@ -14,6 +16,8 @@ from sonify.runtime.workers import serve_calls
 
 PROGRESS_FILE = "progress.json"
 PREVIEW_FILE = "preview.wav"
+STREAM_FILE = "stream.wav"
+"""Sound while it is rendered: the header states the final length."""
 
 
 class ProgressFile(Stages):
@@ -26,6 +30,8 @@ class ProgressFile(Stages):
         self._lock = Lock()
         self._written = 0.0
         self.heard = False
+        self.streams = False
+        self._gain = inf
 
     @contextmanager
     def stage(self, name: str):
@@ -47,6 +53,26 @@ class ProgressFile(Stages):
             with self._lock:
                 del self._running[name]
 
+    def pressure(self, block, sample_rate: int, samples: int):
+        """Append a block of the pressure [Pa] to the stream.
+
+        The peak of the whole sound is not yet known: the gain falls whenever a block is louder than
+        all before.
+        """
+        import numpy as np
+
+        headroom = 0.5
+        peak = float(np.max(np.abs(block), initial=1e-12))
+        gain = min(self._gain, headroom / peak)
+        self._gain = gain
+        scaled = np.round(32767 * gain * block).astype("<i2")
+        with open(self._folder / STREAM_FILE, "ab") as file:
+            if not self.streams:
+                file.write(_wav_header(sample_rate, samples))
+            file.write(scaled.tobytes())
+        self.streams = True
+        self.write(interval=0.0)
+
     def write(self, interval: float = 0.1):
         """Write the progress, at most once in `interval` [s]."""
         with self._lock:
@@ -57,9 +83,17 @@ class ProgressFile(Stages):
             line = "; ".join(stage.line(now) for stage in self._running.values())
             shares = [stage.share for stage in self._running.values() if stage.share is not None]
             content = {"line": line, "share": min(shares, default=None), "heard": self.heard}
+            content["streams"] = self.streams
             temporary = self._folder / "progress.tmp"
             temporary.write_text(json.dumps(content), encoding="utf-8")
             os.replace(temporary, self._folder / PROGRESS_FILE)
+
+
+def _wav_header(sample_rate, samples):
+    """Return the header of a WAV file with one channel of 16 bits."""
+    size = 2 * samples
+    form = (16, 1, 1, sample_rate, 2 * sample_rate, 2, 16)
+    return pack("<4sI8sIHHIIHH4sI", b"RIFF", 36 + size, b"WAVEfmt ", *form, b"data", size)
 
 
 def warm_up() -> None:

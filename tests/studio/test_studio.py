@@ -22,6 +22,7 @@ from sonify.scene_errors import InputError, SceneError
 from sonify.studio import application as studio_pages
 from sonify.studio.controls import changed_scene, control_of, controls
 from sonify.studio.job_queue import Job, JobQueue
+from sonify.studio.worker import STREAM_FILE, ProgressFile
 
 
 class ControlledWorker:
@@ -265,6 +266,23 @@ def test_a_recording_is_limited_and_deleted(monkeypatch, client, workers, tmp_pa
     assert not path.exists()
 
 
+def test_the_sound_streams_while_it_is_rendered(tmp_path):
+    """The header states the final length, and no block is louder than half of full scale."""
+    rng = np.random.default_rng(1)
+    blocks = [level * rng.uniform(-1, 1, 48000) for level in (0.001, 0.1, 0.01)]
+    stages = ProgressFile(tmp_path)
+    for block in blocks:
+        stages.pressure(block.astype(np.float32), 48000, 3 * 48000)
+    assert stages.streams
+    samples, rate = soundfile.read(tmp_path / STREAM_FILE)
+    assert rate == 48000
+    assert len(samples) == 3 * 48000
+    loudest = np.abs(samples).reshape(3, 48000).max(axis=1)
+    assert loudest[:2] == pytest.approx([0.5, 0.5], abs=1e-3)
+    last = samples[2 * 48000 :]
+    assert last == pytest.approx(blocks[2] * 0.5 / np.max(np.abs(blocks[1])), abs=2e-5)
+
+
 @pytest.mark.slow
 def test_a_recording_without_a_disk_has_a_plain_sentence(tmp_path):
     from sonify.studio.worker import analyse_recording
@@ -321,7 +339,7 @@ def test_a_browser_hears_a_run(monkeypatch, tmp_path):
         page.on("pageerror", lambda error: faults.append(str(error)))
         page.goto(f"http://127.0.0.1:{port}/{token}/")
         page.fill('[id="control-release.inclination_deg"]', "5")
-        with page.expect_response(lambda answer: answer.url.endswith("preview.wav")) as sound:
+        with page.expect_response(lambda answer: "/stream/" in answer.url) as sound:
             page.click("#run")
         assert sound.value.status in (200, 206)
         page.wait_for_selector("#page:not([hidden])")

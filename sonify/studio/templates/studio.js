@@ -184,9 +184,14 @@ async function runScene(event) {
     }
     for await (const told of linesOf(response)) {
       if (told.error) showFault(told.error, told.key);
-      if (told.heard && !run.added) {
-        Object.assign(run, { sound: told.sound, page: told.page, added: true });
+      if ((told.streams || told.heard) && !run.added) {
+        const sound = told.heard ? told.sound : told.stream;
+        Object.assign(run, { sound, page: told.page, added: true });
         addRun(run);
+      }
+      if (told.heard && run.sound !== told.sound) {
+        run.sound = told.sound;
+        if (chosen === run) chooseRun(run);
       }
       if (told.done) {
         run.done = true;
