@@ -447,6 +447,16 @@ def serve(folder, port, host):
 
 
 @main.command()
+@click.argument("folder", default="outputs", type=PATH)
+@click.option("--port", default=8001, show_default=True, help="Port; 0 selects a free one.")
+def studio(folder, port):
+    """Change a scene in a browser, run it and hear it; runs are written into FOLDER."""
+    from sonify.studio.application import studio
+
+    studio(folder, port, lambda address: click.echo(f"{address} (Ctrl-C stops the studio)"))
+
+
+@main.command()
 @click.argument("sweep", type=TEXT)
 @click.option(
     "--scheduler",

@@ -113,7 +113,9 @@ def solve(
     begin(solved)
     halt = in_background(halt_findings, scene, motion)  # may repeat the two-way motion
     with stages.stage("sound") as watch:
-        sound = sound_of(scene, motion, modes, plan.sounding, plan.calm, table, watch)
+        sound = sound_of(
+            scene, motion, modes, plan.sounding, plan.calm, table, watch, stages.pressure
+        )
         sound = replace(sound, dynamics=dynamics)
     begin(replace(solved, sound=sound))
     with stages.stage("findings"):

@@ -31,6 +31,12 @@ class Stages:
     def notice(self, line: str):
         """Receive a message for the user before the work starts."""
 
+    def pressure(self, block, sample_rate: int, samples: int):
+        """Receive a block (k,) of the pressure at the first listener [Pa] while it is rendered.
+
+        `samples` is the length of the whole sound.
+        """
+
     def answer(self, result: "Result"):
         """Receive the result before it is drawn and written."""
 

@@ -162,8 +162,12 @@ class Renderer:
                 )
                 yield self._enveloped(stems[max(lead - n, 0) :], max(n - lead, 0))
 
-    def sound(self, watch=lambda share: None) -> Sound:
-        """Render and return the whole sound; `watch(share)` is called with the share done."""
+    def sound(
+        self, watch=lambda share: None, listen=lambda block, sample_rate, samples: None
+    ) -> Sound:
+        """Render and return the whole sound; `watch(share)` is called with the share done.
+
+        `listen(block, sample_rate, samples)` receives each block (k,) of the pressure [Pa]."""
         noted = defaultdict(list)
         own = len(self.names)
 
@@ -172,7 +176,9 @@ class Renderer:
                 self.blocks(note=lambda name, *energy: noted[name].append(energy))
             ):
                 watch(min((i + 1) * BLOCK / self.samples, 1.0))
-                yield np.hstack([with_sum(stems[:, :own]), stems[:, own:].astype(np.float32)])
+                summed = with_sum(stems[:, :own])
+                listen(summed[:, 0], self.sample_rate, self.samples)
+                yield np.hstack([summed, stems[:, own:].astype(np.float32)])
 
         columns = collect_rows(rows(), self.samples)
         energies = {name: np.concatenate(parts, axis=1) for name, parts in noted.items()}
@@ -222,10 +228,12 @@ def sound_of(
     calm: float,
     table: SurfaceModes | None,
     watch: Callable[[float], None] = lambda share: None,
+    listen: Callable = lambda block, sample_rate, samples: None,
 ) -> Sound:
     """Render the sound at every listener of the scene; arguments as in Renderer.
 
-    `watch(share)` is called with the share done. A single listener gets a second ear for
+    `watch(share)` is called with the share done, and `listen(block, sample_rate, samples)` with
+    each block of the pressure at the first listener. A single listener gets a second ear for
     audible.wav."""
     listeners = listeners_of(scene)
     turn = np.pi / 2 if len(listeners) == 1 else None
@@ -234,5 +242,11 @@ def sound_of(
     sounds = []
     for i, listener in enumerate(listeners):
         renderer = Renderer(scene, motion, modes, wanted, calm, table, listener, turn, renderer)
-        sounds.append(renderer.sound(lambda share, i=i: watch((i + share) / len(listeners))))
+        share_done = partial(_watch_listener, watch, i, len(listeners))
+        sounds.append(renderer.sound(share_done, listen) if i == 0 else renderer.sound(share_done))
     return replace(sounds[0], others=tuple(sounds[1:]))
+
+
+def _watch_listener(watch, listener, listeners, share):
+    """Report the share done of one of several listeners as a share of all."""
+    watch((listener + share) / listeners)

@@ -164,6 +164,7 @@ USAGE = [
     "listen",
     "export modes",
     "serve --port x",
+    "studio --port x",
 ]
 
 
@@ -306,6 +307,7 @@ EMPTY = [
     "chart motion --out",
 ]
 EMPTY += ["listen x.wav --scene", "sweep friction --scheduler", "map x --of y --x", "run", "serve"]
+EMPTY += ["studio"]
 
 
 @pytest.mark.parametrize("command", EMPTY)

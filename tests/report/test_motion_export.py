@@ -5,8 +5,6 @@ writer; the rim as a true circle, which touches the table in every frame; the ve
 body.
 """
 
-from functools import partial
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -196,15 +194,19 @@ def test_a_model_as_text_is_the_same(tmp_path):
     assert len(binary["t"]) == 25
 
 
+def read_exact_csv(path):
+    """Return a table of numbers; pandas before 3 drops their last digits when it converts text."""
+    return pd.read_csv(path, dtype=str).map(float)
+
+
 @pytest.mark.parametrize("form", ["parquet", "csv"])
 @pytest.mark.parametrize("rate", [None, 200.0])
 def test_the_table_is_the_frame_of_the_motion(tmp_path, form, rate):
     scene = load_scene("published").replace(*SCENES["published"])
     motion = simulate(scene)
     path = export_motion(scene, form, tmp_path / f"motion.{form}", rate)
-    exact_csv = partial(pd.read_csv, float_precision="round_trip")
-    read = pd.read_parquet if form == "parquet" else exact_csv
-    found = read(path).set_index("t")
+    found = pd.read_parquet(path) if form == "parquet" else read_exact_csv(path)
+    found = found.set_index("t")
     expected = motion.to_frame(None if rate is None else found.index.to_numpy())
     assert list(found.columns) == list(expected.columns)
     assert np.array_equal(found.index, expected.index)

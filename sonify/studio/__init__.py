@@ -1,0 +1,1 @@
+"""Interactive page: change a scene, run it, hear it, and compare it with a recording."""

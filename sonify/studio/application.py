@@ -1,0 +1,279 @@
+"""SCENE <-> BROWSER: the page of the studio, its runs and its recordings."""
+
+import asyncio
+import json
+import socket
+from collections.abc import AsyncIterator, Callable
+from contextlib import asynccontextmanager
+from functools import cache
+from importlib import resources
+from itertools import count
+from mimetypes import guess_type
+from pathlib import Path
+from secrets import token_urlsafe
+from shutil import rmtree
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import uvicorn
+from jinja2 import Environment, PackageLoader
+from markupsafe import Markup
+from starlette.applications import Starlette
+from starlette.exceptions import HTTPException
+from starlette.middleware import Middleware
+from starlette.middleware.trustedhost import TrustedHostMiddleware
+from starlette.requests import Request
+from starlette.responses import (
+    FileResponse,
+    HTMLResponse,
+    JSONResponse,
+    RedirectResponse,
+    Response,
+    StreamingResponse,
+)
+from starlette.routing import Mount, Route
+
+from sonify.report.page import page_assets
+from sonify.runtime.files import create_folder, first_numbered
+from sonify.runtime.workers import WorkerDiedError
+from sonify.scene import load_scene, shipped_scenes
+from sonify.scene_errors import InputError
+from sonify.serve import CONTENT_SECURITY_POLICY, HEADERS, LAST_PORT, LOOPBACK, path_inside
+from sonify.studio.controls import changed_scene, control_of, controls
+from sonify.studio.job_queue import Job, JobQueue
+from sonify.studio.worker import PREVIEW_FILE, STREAM_FILE, analyse_recording, run_scene
+
+MAX_UPLOAD = 100_000_000
+"""Largest recording that is accepted [bytes]; about 17 minutes of one channel."""
+MAX_REQUEST = 100_000
+"""Largest description of a run [bytes]."""
+STUDIO_POLICY = CONTENT_SECURITY_POLICY | {
+    "connect-src": "'self' data:",
+    "media-src": "'self' data: blob:",
+    "frame-src": "'self'",  # result page of a run
+    "frame-ancestors": "'self'",
+}
+STUDIO_HEADERS = HEADERS | {
+    "Content-Security-Policy": "; ".join(map(" ".join, STUDIO_POLICY.items()))
+}
+
+
+def studio(folder: str | Path, port: int = 8001, note: Callable = print):
+    """Serve the studio on this machine until interrupted; pass the address to `note`.
+
+    Runs are written into `folder`. Port 0 selects any free port. Raises InputError if the port is
+    invalid or in use, and OutputError if the folder cannot be written.
+    """
+    if not 0 <= port <= LAST_PORT:
+        raise InputError(f"--port = {port}: must be from 0 to {LAST_PORT}")
+    host = LOOPBACK[0]
+    try:
+        listening = socket.create_server((host, port))
+    except OSError as error:
+        raise InputError(f"--port = {port}: cannot be had on {host}: {error.strerror}") from None
+    with listening:
+        root = create_folder(folder)
+        token = token_urlsafe(16)
+        note(f"http://{host}:{listening.getsockname()[1]}/{token}/")
+        config = uvicorn.Config(
+            application(root, token),
+            headers=[*STUDIO_HEADERS.items()],
+            log_level="warning",
+            timeout_graceful_shutdown=1,
+        )
+        uvicorn.Server(config).run(sockets=[listening])
+
+
+def application(folder: str | Path, token: str, queue: JobQueue | None = None) -> Starlette:
+    """Return the web application; every address begins with the token.
+
+    `queue` does the jobs; by default a new one with its own worker process.
+    """
+    studio_session = Session(Path(folder).resolve(), queue)
+    routes = [
+        Route("/", studio_session.page),
+        Route("/controls/{scene}", studio_session.controls_of_scene),
+        Route("/runs", studio_session.run, methods=["POST"]),
+        Route("/recordings", studio_session.recording, methods=["POST"]),
+        Route("/runs/{path:path}", studio_session.run_file),
+        Route("/stream/{number:int}", studio_session.stream),
+        Route("/session/{path:path}", studio_session.session_file),
+    ]
+
+    @asynccontextmanager
+    async def lifespan(app):
+        with studio_session:
+            yield
+
+    return Starlette(
+        routes=[Mount(f"/{token}", routes=routes)],
+        middleware=[Middleware(TrustedHostMiddleware, allowed_hosts=[*LOOPBACK[:2]])],
+        lifespan=lifespan,
+    )
+
+
+class Session:
+    """One studio: its folder, its jobs and its temporary files, which are deleted at the end."""
+
+    def __init__(self, root: Path, queue: JobQueue | None):
+        self.root = root
+        self._given_queue = queue
+        self._numbers = count(1)
+        self._runs: dict[int, Job] = {}
+
+    def __enter__(self):
+        self._queue = self._given_queue or JobQueue()
+        self._temporary = TemporaryDirectory(prefix="sonify-studio-", ignore_cleanup_errors=True)
+        self._session_folder = Path(self._temporary.name).resolve()
+        return self
+
+    def __exit__(self, *_):
+        self._queue.close()
+        self._temporary.cleanup()
+
+    def page(self, request: Request) -> Response:
+        """Return the page."""
+        style = page_assets()["style"]
+        page = _templates().get_template("studio.html")
+        text = page.render(scenes=shipped_scenes(), style=style, **_studio_assets())
+        return HTMLResponse(text)
+
+    def controls_of_scene(self, request: Request) -> Response:
+        """Return the controls of a shipped scene."""
+        name = request.path_params["scene"]
+        if name not in shipped_scenes():
+            raise HTTPException(404, "no such scene")
+        return JSONResponse(controls(load_scene(name)))
+
+    async def run(self, request: Request) -> Response:
+        """Run a scene; the response streams its progress and ends the run when it is closed."""
+        try:
+            asked = json.loads(await _body(request, MAX_REQUEST))
+            name, values = str(asked["scene"]), dict(asked["values"])
+        except (ValueError, LookupError, TypeError):
+            return JSONResponse({"error": "not a run: expected scene and values"}, 400)
+        try:
+            scene = changed_scene(name, values)
+        except InputError as error:
+            return JSONResponse(_fault(error), 422)
+        out = first_numbered(self.root / f"studio-{scene.name}", lambda folder: not folder.exists())
+        out.mkdir(parents=True)
+        number, folder = self._new_folder()
+        job = Job(number, folder, run_scene, scene.document, out, folder)
+        self._runs[number] = job
+        places = {"page": f"runs/{out.name}/", "sound": f"session/{number}/{PREVIEW_FILE}"}
+        places["stream"] = f"stream/{number}"
+        return self._stream(request, job, places)
+
+    async def recording(self, request: Request) -> Response:
+        """Analyse the WAV file in the body and fit it with the scene of the query."""
+        try:
+            scene = changed_scene(request.query_params.get("scene", ""), {})
+        except InputError as error:
+            return JSONResponse(_fault(error), 422)
+        content = await _body(request, MAX_UPLOAD)
+        number, folder = self._new_folder()
+        path = folder / "recording.wav"
+        path.write_bytes(content)
+        job = Job(number, folder, analyse_recording, path, scene.document, folder)
+        return self._stream(request, job, {"folder": f"session/{number}/"})
+
+    def run_file(self, request: Request) -> Response:
+        """Return a file of a run."""
+        return _file(request, self.root)
+
+    def session_file(self, request: Request) -> Response:
+        """Return a sound or picture of this session."""
+        return _file(request, self._session_folder)
+
+    def stream(self, request: Request) -> Response:
+        """Return the sound of a run while it is rendered."""
+        job = self._runs.get(request.path_params["number"])
+        if job is None or not (job.folder / STREAM_FILE).exists():
+            raise HTTPException(404, "no such sound")
+        return StreamingResponse(_growing_file(job), media_type="audio/wav")
+
+    def _new_folder(self):
+        number = next(self._numbers)
+        folder = self._session_folder / str(number)
+        folder.mkdir()
+        return number, folder
+
+    def _stream(self, request, job, places):
+        lines = self._lines(request, self._queue.submit(job), places)
+        return StreamingResponse(lines, media_type="application/x-ndjson")
+
+    async def _lines(self, request, job, places) -> AsyncIterator[str]:
+        """Yield the progress of a job in lines of JSON; cancel it when the reader leaves."""
+        interval = 0.1  # s
+        try:
+            while not job.ended.is_set():
+                if await request.is_disconnected():
+                    return
+                progress = places | job.progress() | {"before": self._queue.jobs_before(job)}
+                yield json.dumps(progress) + "\n"
+                await asyncio.sleep(interval)
+            yield json.dumps(places | _answer(job)) + "\n"
+        finally:
+            self._queue.cancel(job)
+            (job.folder / "recording.wav").unlink(missing_ok=True)
+            if job.result is None and "page" in places:
+                rmtree(self.root / Path(places["page"]).name, ignore_errors=True)
+
+
+async def _growing_file(job) -> AsyncIterator[bytes]:
+    """Yield the sound of a run until it is complete or the run has ended."""
+    interval = 0.1  # s
+    with open(job.folder / STREAM_FILE, "rb") as file:
+        while True:
+            complete = job.ended.is_set() or (job.folder / PREVIEW_FILE).exists()
+            while piece := file.read(1 << 16):
+                yield piece
+            if complete:
+                return
+            await asyncio.sleep(interval)
+
+
+def _answer(job) -> dict[str, Any]:
+    if job.error is None:
+        return {"done": True, "heard": True} | {"result": job.result}
+    if isinstance(job.error, WorkerDiedError):
+        return {"error": "the run was ended", "key": ""}
+    return _fault(job.error)
+
+
+def _fault(error):
+    sentence = " ".join(str(error).split()) or type(error).__name__
+    return {"error": sentence, "key": control_of(sentence)}
+
+
+async def _body(request: Request, most: int) -> bytes:
+    """Return the body of a request. Raises HTTPException if it is longer than `most` bytes."""
+    content = bytearray()
+    async for piece in request.stream():
+        content += piece
+        if len(content) > most:
+            raise HTTPException(413, f"the file is larger than {most // 1_000_000} MB")
+    return bytes(content)
+
+
+def _file(request, root):
+    path = path_inside(root, request.path_params["path"])
+    if path.is_dir() and not request.url.path.endswith("/"):
+        return RedirectResponse(f"{request.url.path}/")
+    path = path / "report.html" if path.is_dir() else path
+    if not path.is_file():
+        raise HTTPException(404, "no such file")
+    return FileResponse(path, media_type=guess_type(path.name)[0] or "application/octet-stream")
+
+
+@cache
+def _templates() -> Environment:
+    return Environment(loader=PackageLoader("sonify.studio"), autoescape=True)
+
+
+def _studio_assets() -> dict[str, Markup]:
+    """Return script and style of the page."""
+    folder = resources.files("sonify.studio") / "templates"
+    files = {"studio_script": "studio.js", "studio_style": "studio.css"}
+    return {name: Markup((folder / file).read_text("utf-8")) for name, file in files.items()}

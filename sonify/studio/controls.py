@@ -1,0 +1,152 @@
+"""SCENE TYPES + SCENE -> CONTROLS: the sliders and lists of the page, and the scene they select."""
+
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from sonify.scene import Scene, from_document, load_scene, shipped_scenes
+from sonify.scene_errors import SceneError
+from sonify.scene_keys import schema
+
+NUMBER_KEYS = (
+    "disk.radius",
+    "disk.thickness",
+    "release.inclination_deg",
+    "roughness.rms",
+    "audio.distance",
+    "audio.elevation_deg",
+)
+CHOICE_KEYS = ("material.name", "surface", "air.film")
+OWN_VALUE = ""
+"""Choice that keeps the section of the scene."""
+TYPICAL_ROUGHNESS = 1e-7
+"""Middle of the slider of a scene without roughness [m]."""
+
+
+@dataclass(frozen=True, kw_only=True)
+class Control:
+    """One slider or list of the page.
+
+    `low` and `high` are the ends of the slider, inside the range that the scene allows; the number
+    next to it may be any value. The slider is logarithmic if `logarithmic`.
+    """
+
+    key: str
+    meaning: str
+    unit: str
+    value: Any
+    low: float | None = None
+    high: float | None = None
+    logarithmic: bool = False
+    optional: bool = False
+    choices: tuple[str, ...] = ()
+
+
+def controls(scene: Scene) -> list[dict[str, Any]]:
+    """Return the controls of a scene as plain values."""
+    numbers = [_number_control(scene, key) for key in NUMBER_KEYS]
+    choices = [_choice_control(scene, key) for key in CHOICE_KEYS]
+    return [asdict(control) for control in numbers + choices]
+
+
+def changed_scene(name: str, values: dict[str, Any]) -> Scene:
+    """Return the draft of a shipped scene with the values of the controls that were changed.
+
+    Raises SceneError, with the sentence of the command line, for an invalid name or value.
+    """
+    document = _shipped_scene(name, "scene").document
+    for key, value in values.items():
+        _apply(document, key, value)
+    return from_document(document).replace("numerics.accuracy=draft")
+
+
+def _shipped_scene(name, key):
+    """Return a shipped scene; other files are not read. Raises SceneError if there is none."""
+    names = shipped_scenes()
+    if name not in names:
+        raise SceneError(f"{key} = {name!r}: must be one of {', '.join(names)}")
+    return load_scene(name)
+
+
+def control_of(sentence: str) -> str:
+    """Return the key of the control that a sentence on a fault names first; empty if none."""
+    named = sentence.split(maxsplit=1)[0].rstrip(":") if sentence else ""
+    for key in (*NUMBER_KEYS, *CHOICE_KEYS):
+        if named == key or named.startswith(f"{key}."):
+            return key
+    return ""
+
+
+def _apply(document, key, value):
+    """Set the value of one control in the document of a scene."""
+    if key == "surface" and value != OWN_VALUE:
+        document["surface"] = _shipped_scene(value, "surface").document["surface"]
+    elif key == "material.name" and value != OWN_VALUE:
+        document["material"] = {"name": value}
+        document["disk"].pop("mass", None)  # the density is that of the material
+        document["disk"].pop("density", None)
+    elif key == "roughness.rms" and value is None:
+        document.pop("roughness", None)
+    elif value != OWN_VALUE:
+        section, _, name = key.rpartition(".")
+        inner = document.setdefault(section, {}) if section else document
+        inner[name] = value
+
+
+def _number_control(scene, key):
+    section, _, name = key.partition(".")
+    given = asdict(scene)[section]
+    value = None if given is None else given[name]
+    described = _schema_of(key)
+    smallest = described.get("minimum", described.get("exclusiveMinimum", 0.0))
+    largest = described.get("maximum", described.get("exclusiveMaximum"))
+    middle = TYPICAL_ROUGHNESS if value is None else value
+    logarithmic = largest > 100.0 * middle or section == "roughness"
+    low, high = (middle / 4.0, middle * 4.0) if logarithmic else (smallest, largest)
+    meaning, unit = _meaning_and_unit(described)
+    return Control(
+        key=key,
+        meaning=meaning,
+        unit=unit,
+        value=value,
+        low=max(low, smallest),
+        high=min(high, largest),
+        logarithmic=logarithmic,
+        optional=section == "roughness",
+    )
+
+
+def _choice_control(scene, key):
+    if key == "surface":
+        tables = [name for name in shipped_scenes() if load_scene(name).surface.kind != "rigid"]
+        meaning = "Table under the disk; that of another scene can be used."
+        choices = (OWN_VALUE, "published", *tables)
+        return Control(key=key, meaning=meaning, unit="", value=OWN_VALUE, choices=choices)
+    described = _schema_of(key)
+    meaning, _ = _meaning_and_unit(described)
+    names = tuple(described["enum"])
+    if key == "air.film":
+        return Control(key=key, meaning=meaning, unit="", value=scene.air.film, choices=names)
+    return Control(key=key, meaning=meaning, unit="", value=OWN_VALUE, choices=(OWN_VALUE, *names))
+
+
+def _schema_of(key):
+    """Return the JSON schema of a key, without the option null."""
+    whole = schema()
+    described = whole
+    for step in key.split("."):
+        entry = described["properties"][step]
+        options = [o for o in entry.get("anyOf", [entry]) if o.get("type") != "null"]
+        option = options[0]
+        inner = option.get("$ref")
+        described = whole["$defs"][inner.rpartition("/")[2]] if inner else entry | option
+    return described
+
+
+def _meaning_and_unit(described):
+    """Return the description of a key without the unit in brackets, and the unit."""
+    text = " ".join(described["description"].split())
+    head, bracket, rest = text.partition(" [")
+    if not bracket:
+        return text, ""
+    unit, _, tail = rest.partition("]")
+    return head + tail, unit

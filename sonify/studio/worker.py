@@ -1,0 +1,189 @@
+"""Worker process of the studio: solve scenes and analyse recordings, one after the other."""
+
+import json
+import os
+from collections.abc import Callable
+from contextlib import contextmanager
+from math import inf
+from pathlib import Path
+from struct import pack
+from threading import Lock
+from time import perf_counter
+from typing import Any
+
+from sonify.runtime.progress import StageProgress, Stages
+from sonify.runtime.workers import serve_calls
+
+PROGRESS_FILE = "progress.json"
+PREVIEW_FILE = "preview.wav"
+STREAM_FILE = "stream.wav"
+"""Sound while it is rendered: the header states the final length."""
+
+
+class ProgressFile(Stages):
+    """Stages that write one line of progress, and whether the sound exists, into a file."""
+
+    def __init__(self, folder: Path):
+        super().__init__()
+        self._folder = folder
+        self._running: dict[str, StageProgress] = {}
+        self._lock = Lock()
+        self._written = 0.0
+        self.heard = False
+        self.streams = False
+        self._gain = inf
+
+    @contextmanager
+    def stage(self, name: str):
+        """Time the block as stage `name` and write its progress."""
+        progress = StageProgress(name, perf_counter())
+        with self._lock:
+            self._running[name] = progress
+
+        def watch(share, note=""):
+            with self._lock:
+                progress.report(perf_counter(), share, note)
+            self.write()
+
+        try:
+            with super().stage(name):
+                self.write()
+                yield watch
+        finally:
+            with self._lock:
+                del self._running[name]
+
+    def pressure(self, block, sample_rate: int, samples: int):
+        """Append a block of the pressure [Pa] to the stream.
+
+        The peak of the whole sound is not yet known: the gain falls whenever a block is louder than
+        all before.
+        """
+        import numpy as np
+
+        headroom = 0.5
+        peak = float(np.max(np.abs(block), initial=1e-12))
+        gain = min(self._gain, headroom / peak)
+        self._gain = gain
+        scaled = np.round(32767 * gain * block).astype("<i2")
+        with open(self._folder / STREAM_FILE, "ab") as file:
+            if not self.streams:
+                file.write(_wav_header(sample_rate, samples))
+            file.write(scaled.tobytes())
+        self.streams = True
+        self.write(interval=0.0)
+
+    def write(self, interval: float = 0.1):
+        """Write the progress, at most once in `interval` [s]."""
+        with self._lock:
+            now = perf_counter()
+            if now - self._written < interval:
+                return
+            self._written = now
+            line = "; ".join(stage.line(now) for stage in self._running.values())
+            shares = [stage.share for stage in self._running.values() if stage.share is not None]
+            content = {"line": line, "share": min(shares, default=None), "heard": self.heard}
+            content["streams"] = self.streams
+            temporary = self._folder / "progress.tmp"
+            temporary.write_text(json.dumps(content), encoding="utf-8")
+            os.replace(temporary, self._folder / PROGRESS_FILE)
+
+
+def _wav_header(sample_rate, samples):
+    """Return the header of a WAV file with one channel of 16 bits."""
+    size = 2 * samples
+    form = (16, 1, 1, sample_rate, 2 * sample_rate, 2, 16)
+    return pack("<4sI8sIHHIIHH4sI", b"RIFF", 36 + size, b"WAVEfmt ", *form, b"data", size)
+
+
+def warm_up() -> None:
+    """Load the program and compile the flows by solving the default scene."""
+    from sonify.report.render_worker import painter
+
+    painter()
+    from sonify import pipeline
+
+    pipeline.solve("published", "draft", eigenmodes=pipeline.cached_modes)
+
+
+def run_scene(document: dict, out: Path, session: Path) -> dict[str, Any]:
+    """Solve a scene and write its files into `out`; the sound is in `session` before they are.
+
+    The files are those that `sonify run` writes.
+    """
+    from sonify import pipeline
+    from sonify.report.pictures import Pictures
+    from sonify.runtime.files import claimed_folder
+    from sonify.scene import from_document
+
+    stages = ProgressFile(session)
+    scene = pipeline.check_solvable_scene(from_document(document), None)
+    with claimed_folder(out) as folder:
+        pictures = Pictures()
+        begin = _write_preview_first(pictures.begin, stages, session)
+        result = pipeline.solve(scene, stages=stages, eigenmodes=pipeline.cached_modes, begin=begin)
+        pipeline.write(result, folder, stages, pictures)
+    return {
+        "outcome": result.motion.outcome.sentence,
+        "seconds": result.sound.duration,
+        "passed": result.passed,
+    }
+
+
+def analyse_recording(path: Path, document: dict, folder: Path) -> dict[str, Any]:
+    """Return what is heard in a recording and how the scene explains it, as sentences.
+
+    The pictures are written into `folder`, and the recording is deleted.
+    """
+    from sonify.fitting.report import sentences, write_fits
+    from sonify.fitting.result import fit
+    from sonify.hearing.recording import RecordingError
+    from sonify.report.recording import tell
+    from sonify.scene import from_document
+
+    stages = ProgressFile(folder)
+    fitted: list[str] = []
+    try:
+        with stages.stage("spectral lines"):
+            heard = tell(path, folder)[:-1]  # the last line is the folder
+        try:
+            with stages.stage("fit") as watch:
+                fits = fit(path, from_document(document), None, watch)
+            fitted = sentences(fits)
+            write_fits(fits, folder)
+        except RecordingError as error:
+            fitted = [str(error)]
+    except RecordingError as error:
+        heard = [str(error)]
+    finally:
+        path.unlink(missing_ok=True)
+    return {
+        "heard": [line.replace(str(path), "the recording") for line in heard],
+        "fit": [line.replace(str(path), "the recording") for line in fitted],
+        "pictures": sorted(picture.name for picture in folder.glob("*.png")),
+    }
+
+
+def _write_preview_first(begin: Callable, stages: ProgressFile, session: Path) -> Callable:
+    """Return a callback that also writes the listening copy as soon as the sound exists."""
+    import soundfile
+
+    def begin_with_preview(solved):
+        if solved.sound is not None:
+            copy = solved.sound.copy
+            temporary = session / "preview.tmp"
+            with soundfile.SoundFile(
+                temporary, "w", copy.sample_rate, copy.channels, "PCM_16", format="WAV"
+            ) as file:
+                for block in copy.blocks():
+                    file.write(block)
+            os.replace(temporary, session / PREVIEW_FILE)
+            stages.heard = True
+            stages.write(interval=0.0)
+        begin(solved)
+
+    return begin_with_preview
+
+
+if __name__ == "__main__":
+    serve_calls()
