@@ -138,14 +138,14 @@ def analyse_recording(path: Path, document: dict, folder: Path) -> dict[str, Any
     from sonify.fitting.report import sentences, write_fits
     from sonify.fitting.result import fit
     from sonify.hearing.recording import RecordingError
-    from sonify.report.recording import tell
+    from sonify.report.recording import write_recording_report
     from sonify.scene import from_document
 
     stages = ProgressFile(folder)
     fitted: list[str] = []
     try:
         with stages.stage("spectral lines"):
-            heard = tell(path, folder)[:-1]  # the last line is the folder
+            heard = write_recording_report(path, folder)[:-1]  # the last line is the folder
         try:
             with stages.stage("fit") as watch:
                 fits = fit(path, from_document(document), None, watch)
