@@ -76,12 +76,11 @@ def decide_film(scene) -> FilmDecision:
         f"it is predicted to take {MIN_FILM_SHARE:.0%} of the power from {time:.3g} s on, "
         f"below {inclination:.2g} rad"
     )
-    if time >= numerics.time_limit:
-        return FilmDecision(
-            None,
-            f"{forecast}, after the time limit" if isfinite(time) else "its share stays smaller",
-            time,
-        )
+    if not isfinite(time):
+        return FilmDecision(None, "its share stays smaller", time)
+    # Impacts bring a rattling disk to rest earlier than predicted.
+    if time >= numerics.time_limit and numerics.contact != "many":
+        return FilmDecision(None, f"{forecast}, after the time limit", time)
     return FilmDecision(film_under(disk, air), forecast, time, inclination)
 
 

@@ -58,6 +58,10 @@ DETAIL_SENTENCES: dict[str, Callable[[Mapping[str, float]], str]] = {
     "micro_flights": "the longest of {number:.0f}; the highest is {height:.2g} m".format_map,
     "precession_grows": "{release:.3g}/χ at the release, {half_way:.3g}/χ half-way, {late:.3g}/χ "
     "at 99 %".format_map,
+    "rate_is_that_of_the_table": (
+        "impacts alone would give {rate_at_1s:.3g} turns per second one second before the "
+        "end".format_map
+    ),
     "rates_are_alike": "{nutations_per_turn:.2f} nutations per turn".format_map,
     "table_rings_at_the_halt": "{before_end:.3g} s before the end".format_map,
     "vibration_opens_contact": (

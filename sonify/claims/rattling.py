@@ -7,6 +7,7 @@ from scipy.signal import welch
 
 from dynamics import Outcome
 from dynamics.compliant.law.unevenness import rate_exponent
+from dynamics.disk import GRAVITY
 from dynamics.rattling.rattling_motion import RattlingMotion, solve_rattling_motion
 from modal import Modes
 from sonify.claims.contact import micro_flights
@@ -25,6 +26,16 @@ MAX_COMPARED_TIME = 0.4
 """Longest time [s] for which a motion is solved again without modes or roughness."""
 SMOOTH_RMS = 1e-12
 """Root mean square of heights [m] that no contact feels."""
+LAST_SECOND = 0.05, 1.0
+"""Time left [s] over which the precession rate is compared with its law."""
+RATE_SCATTER = 0.08
+"""Two standard deviations of the median rate over motions that differ in the seed of the
+heights."""
+IMPACT_COEFFICIENTS = ((1 - 0.8**2, 0.46), (1 - 0.5**2, 0.69), (1 - 0.3**2, 0.81))
+"""Energy that an impact loses, over its own, and k of d beta/dt = -k sqrt(g s)/R, as means of
+motions; see tests/compliant/test_rattling_disk.py."""
+SCALE_FREE_EXPONENT = 1.0
+"""Exponent of the power spectrum of heights without a preferred scale, H = 0."""
 MODE_BAND = 0.03
 """Largest relative distance of the sound of a mode from its frequency."""
 MIN_HEARD_FREQUENCY = 100.0
@@ -45,6 +56,8 @@ def rattling_findings(
     found.append(impacts_end_it(motion))
     if scene.roughness is not None and motion.outcome in (Outcome.SETTLED, Outcome.AIRBORNE):
         found.append(rate_follows_unevenness(scene.roughness.exponent, motion))
+        if scene.roughness.exponent == SCALE_FREE_EXPONENT and not scene.roughness.grain:
+            found.append(rate_is_that_of_the_table(scene, motion))
     if len(modes) and np.any(modes.frequency < sound.sample_rate / 2):
         found.append(free_modes_are_heard(sound, modes))
     return found
@@ -189,6 +202,51 @@ def rate_follows_unevenness(spectrum_exponent: float, motion: RattlingMotion) ->
         needs=("motion", "contact law"),
         source="n = (2 - H)/(4 - H) for a power spectrum k^-(1 + 2H) of the heights",
     )
+
+
+@register_judge(needs=("scene", "motion", "contact law"))
+def rate_is_that_of_the_table(scene: Scene, motion: RattlingMotion) -> Finding:
+    """The precession rate times the root of the time left, over that of impacts alone.
+
+    In f = (g/s)^(1/4)/(pi sqrt(k (t_end - t))) neither radius nor mass of the disk appears. The
+    value is the median over the last second.
+    """
+    left = np.linspace(*LAST_SECOND, FIT_SAMPLES)
+    left = left[left < motion.t[-1]]
+    inclination = motion.inclination(motion.t[-1] - left)
+    disk = scene.disk
+    moment = disk.gyration / 4 + disk.aspect**2 / 3
+    rate = np.sqrt(GRAVITY / (moment * disk.radius * inclination)) / (2 * np.pi)
+    rms = motion.model.roughness_rms
+    k = impact_coefficient(motion.model.constants.damping_ratio)
+    curve = (GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k * left))
+    return Finding(
+        key="rate_is_that_of_the_table",
+        claim="Disks of any size share one curve of the precession rate on this table",
+        value=float(np.median(rate / curve)),
+        unit="precession rate over that of impacts alone, which depends on the rms of the heights "
+        "and the restitution, median over the last second",
+        at_least=1.0,
+        at_most=1.0,
+        tolerance=0.25,
+        margin=RATE_SCATTER,
+        details={"rate_at_1s": float((GRAVITY / rms) ** 0.25 / (np.pi * np.sqrt(k)))},
+        needs=("scene", "motion", "contact law"),
+        source="d beta/dt = -k sqrt(g s)/R for impacts on unevenness without a preferred scale",
+    )
+
+
+def impact_coefficient(damping_ratio: float) -> float:
+    """Return k of d beta/dt = -k sqrt(g s)/R for contacts of a damping ratio.
+
+    Interpolates the means of motions with the restitutions 0.3, 0.5 and 0.8 in the logarithms of k
+    and of the energy that a single impact loses.
+    """
+    restitution = np.exp(-np.pi * damping_ratio / np.sqrt(1 - damping_ratio**2))
+    loss, k = np.log(IMPACT_COEFFICIENTS).T
+    slope = (k[1] - k[0]) / (loss[1] - loss[0])
+    x = np.log(1 - restitution**2)
+    return float(np.exp(np.interp(x, loss, k) + slope * min(x - loss[0], 0.0)))
 
 
 def fitted_exponent(t: np.ndarray, inclination: np.ndarray) -> float:

@@ -37,7 +37,7 @@ ANSWERS: dict[str, dict[str, AnswerSentences]] = {
         ),
         "carrier_is_contact": AnswerSentences(
             "the contact resonance, at {value:.2f} of the predicted frequency",
-            "no resonance of the contact",
+            "a resonance at {value:.2f} times the frequency of the contact's",
             "undecided: the contact resonance, at {value:.2f} of the predicted frequency",
         ),
         "modes_carry_the_end": AnswerSentences(

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 
 from dynamics import Motion
+from dynamics.compliant.model_selection import choose_contact_model
 from dynamics.compliant.two_way_onset import (
     may_be_two_way,
     needs_table_modes,
@@ -114,11 +115,13 @@ def with_disk(plan: Plan, scene: Scene, joins_table: bool) -> Plan:
 def without_unknown_predictions(plan: Plan, scene: Scene) -> Plan:
     """Return the plan without the predictions that fail in the presence of a table.
 
-    The error of the samples is removed unless roughness is present, because the rough contact then
-    dominates the sound. The error of the end is removed if the table may act on the motion or is
-    wavy.
+    The error of the samples is known if the noise of a rough contact dominates the sound: on a
+    table with modes, only where it differs for every time step. The error of the end is removed if
+    the table may act on the motion or is wavy.
     """
-    unknown = set() if scene.roughness else {"sound"}
+    has_modes = scene.surface.kind not in ("rigid", "infinite")
+    known = scene.roughness and not (has_modes and choose_contact_model(scene).kind == "filter")
+    unknown = set() if known else {"sound"}
     unknown |= {"end"} if may_be_two_way(scene) or scene.imperfection else set()
     return replace(plan, predictions=tuple(p for p in plan.predictions if p.key not in unknown))
 

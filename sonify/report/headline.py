@@ -12,7 +12,7 @@ CLAUSES: dict[str, dict[str, tuple[str, str]]] = {
         ),
         "carrier_is_contact": (
             "you hear the disk vibrate on its contact",
-            "you hear no resonance of the contact",
+            "you hear a resonance other than that of the contact alone",
         ),
         "modes_carry_the_end": (
             "you hear the disk ring",

@@ -7,6 +7,7 @@ exponent (2 - H)/(4 - H) of the rate, the energy balance from states, and number
 the flat limit with its own stepper.
 """
 
+from functools import cache
 from math import pi, radians, sin, sqrt
 
 import numpy as np
@@ -17,6 +18,7 @@ from dynamics import simulate
 from dynamics.compliant.law.sections import Roughness
 from dynamics.compliant.law.unevenness import (
     curvature_number,
+    damping_ratio,
     rate_exponent,
     rim_amplitudes,
     rim_heights,
@@ -40,6 +42,8 @@ from sonify import SceneError, load_scene, solve
 from sonify.claims.rattling import (
     fitted_exponent,
     free_modes_are_heard,
+    impact_coefficient,
+    rate_is_that_of_the_table,
     vibration_opens_contact,
 )
 from sonify.scene import from_document
@@ -270,6 +274,13 @@ def test_the_film_slows_a_rolling_disk_as_it_does_with_a_rigid_contact():
     assert motion.energy_lost(motion.t[-1:])["film"][0] > 0.8 * total[0]
 
 
+def test_the_film_acts_on_a_coin_that_impacts_stop_before_the_time_limit():
+    """Without impacts the film would act after 4.9 s only."""
+    for limit in (2.0, 600.0):
+        scene = load_scene("coin").replace(f"numerics.time_limit={limit}")
+        assert rattling_model(scene).film is not None
+
+
 @pytest.mark.parametrize(("rate", "left", "too_late"), [(56.0, 0.167, True), (28.0, 0.167, False)])
 def test_the_film_decides_how_often_a_recorded_coin_turns(rate, left, too_late):
     """A coin that turned once per burst at 56 Hz would float in less than half of the time that the
@@ -457,6 +468,12 @@ def test_half_the_step_and_twice_the_points_give_the_same_loss():
     assert means[1:] == pytest.approx([means[0], means[0]], rel=0.04)
 
 
+@cache
+def solved_coin(seed):
+    """Return the result of the shipped coin with a seed of the heights."""
+    return solve(load_scene("coin").replace(f"roughness.seed={seed}"))
+
+
 @pytest.mark.slow
 def test_the_shipped_coin_turns_and_sounds_like_a_recorded_one():
     """Rates and band levels of the take coin-clink, read from its waveform; means of three seeds.
@@ -467,7 +484,7 @@ def test_the_shipped_coin_turns_and_sounds_like_a_recorded_one():
     rates = []
     levels = []
     for seed in range(3):
-        found = solve(load_scene("coin").replace(f"roughness.seed={seed}"))
+        found = solved_coin(seed)
         end = found.motion.t[-1]
         left = np.array([0.785, 0.465, 0.165])
         before, after = (found.motion.precession(end - left + shift) for shift in (-0.02, 0.02))
@@ -492,9 +509,8 @@ def test_unevenness_and_not_vibration_opens_the_contact_of_the_shipped_coin():
     """Without its modes the coin flies as much; without roughness it does not fly at all. What is
     heard are its free modes.
     """
-    scene = load_scene("coin")
-    found = solve(scene)
-    verdict = vibration_opens_contact(scene, found.motion)
+    found = solved_coin(0)
+    verdict = vibration_opens_contact(found.scene, found.motion)
     assert verdict.verdict == "no"
     assert abs(verdict.value) < 0.1
     assert verdict.details["open_share_without_roughness"] < 0.02
@@ -503,6 +519,41 @@ def test_unevenness_and_not_vibration_opens_the_contact_of_the_shipped_coin():
     heard = free_modes_are_heard(found.sound, found.modes)
     assert heard.verdict == "yes"
     assert heard.value > 0.5
+
+
+@pytest.mark.slow
+def test_a_larger_coin_turns_as_fast_at_equal_time_left():
+    """A coin of 1.5 times the size on the same table; means of three seeds."""
+    size = 1.5
+    own = load_scene("coin")
+    means = []
+    for scale in (1.0, size):
+        values = []
+        for seed in range(3):
+            scene = own.replace(
+                f"disk.radius={scale * own.disk.radius}",
+                f"disk.thickness={scale * own.disk.thickness}",
+                f"disk.mass={scale**3 * own.disk.mass}",
+                f"roughness.seed={seed}",
+            )
+            verdict = rate_is_that_of_the_table(scene, simulate(scene))
+            assert verdict.verdict == "yes"
+            values.append(verdict.value)
+        means.append(np.mean(values))
+    assert means == pytest.approx([0.91, 0.89], abs=0.05)
+    assert means[1] == pytest.approx(means[0], abs=0.06)  # contour friction: size^(-1/3) = 0.87
+
+
+def test_the_rate_of_impacts_has_no_size_of_the_disk_in_it():
+    """Against 16 Hz one second before the end on heights of 3 um, of simulations of
+    the flat limit; the coefficients are means of motions, which other tests compare.
+    """
+    for restitution, k in ((0.3, 0.81), (0.5, 0.69), (0.8, 0.46)):
+        assert impact_coefficient(damping_ratio(restitution)) == pytest.approx(k, rel=1e-9)
+    softer = [impact_coefficient(damping_ratio(e)) for e in (0.05, 0.4, 0.6, 0.9, 0.99)]
+    assert all(np.diff(softer) < 0)
+    rate = (GRAVITY / 3e-6) ** 0.25 / (pi * sqrt(impact_coefficient(damping_ratio(0.5))))
+    assert rate == pytest.approx(16.3, abs=0.05)
 
 
 @pytest.mark.slow

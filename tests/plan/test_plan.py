@@ -35,7 +35,7 @@ from sonify.sound.force import CALM_NODES, CALM_STRIDE
 from sonify.sound.oscillators import OscillatorBank
 from sonify.sound.render import Renderer
 
-CHAOTIC = ("coin",)
+CHAOTIC = ("coin", "coin-wood")
 """Scenes whose end varies by chance with the step: the error predicted is its usual size."""
 FACTOR = 3
 """Largest ratio between predicted and measured errors."""
