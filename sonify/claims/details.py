@@ -49,6 +49,7 @@ DETAIL_SENTENCES: dict[str, Callable[[Mapping[str, float]], str]] = {
     "carrier_passes_recorded_peaks": "from {from:.3g} s to {to:.3g} s".format_map,
     "carrier_rises": "from {from:.0f} Hz to {to:.0f} Hz".format_map,
     "contact_is_lost": contact_in_words,
+    "halt_comes_earlier": "{advance_at_100_urad:.3g} s earlier at 1e-4 rad".format_map,
     "load_frequency_reached": nutation_in_words,
     "load_frequency_rises": nutation_in_words,
     "loss_at_resonance": (

@@ -91,6 +91,18 @@ def test_the_findings_of_a_shipped_scene_have_not_changed(name, record):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(
+    ("name", "flat", "above"), [("glass-plate", 0.473, 0.1815), ("light-plate", 1.46, 1.16)]
+)
+def test_a_table_brings_equal_inclinations_forward(name, flat, above, record):
+    """By the times [s] of an independent evaluation, at 1e-5 and 1e-4 rad."""
+    _, found, _ = record(name)
+    earlier = next(item for item in found["findings"] if item["key"] == "halt_comes_earlier")
+    assert earlier["value"] == pytest.approx(flat, rel=0.03)
+    assert earlier["details"]["advance_at_100_urad"] == pytest.approx(above, rel=0.03)
+
+
+@pytest.mark.slow
 def test_the_toy_on_its_mirror_is_as_loud_as_speech(record):
     """Median of the A-weighted level [dB] at 0.5 m; -32 dB on a rigid contact without roughness."""
     _, _, folder = record("mirror-base")
